@@ -1,0 +1,1 @@
+"""Robots and lessons: files in, typed and validated objects out."""

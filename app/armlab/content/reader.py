@@ -1,0 +1,148 @@
+"""Read the tables of a TOML file with checks whose messages a teacher can act on."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.errors import ContentError, suggestion
+
+_UNITS = ("_deg_s2", "_m_s2", "_deg_s", "_m_s", "_deg_m", "_deg", "_m")
+"""Longest first, so that removing one leaves the bare name."""
+
+
+class Table:
+    """One table of a file. Take every value by its key, then call `done`: what was not taken is an error.
+
+    Parameters
+    ----------
+    file : str
+        Name of the file, for messages.
+    data : dict
+        The parsed table.
+    where : str
+        Its place in the file, such as ``joints[2]``.
+    """
+
+    def __init__(self, file: str, data: dict[str, Any], where: str = "") -> None:
+        self.file, self.where = file, where
+        self._data, self._known = data, set[str]()
+
+    @classmethod
+    def parse(cls, file: str, text: str) -> Table:
+        """Parse a whole file; broken TOML is reported with its line."""
+        try:
+            return cls(file, tomllib.loads(text))
+        except tomllib.TOMLDecodeError as error:
+            raise ContentError(file, "", f"not valid TOML: {error}") from None
+
+    def fail(self, key: str, problem: str) -> ContentError:
+        """Return the error for a key of this table."""
+        return ContentError(self.file, self._path(key), problem)
+
+    def has(self, key: str) -> bool:
+        """Whether the file gives this key; it then has to be taken."""
+        self._known.add(key)
+        return key in self._data
+
+    def text(self, key: str, default: str | None = None) -> str:
+        """Take a string that is not empty."""
+        value = self._take(key, default)
+        if not isinstance(value, str) or not (value.strip() or value == default):
+            raise self.fail(key, f"expected a text, got {value!r}")
+        return value
+
+    def choice(self, key: str, options: Iterable[str], default: str | None = None) -> str:
+        """Take one of some words."""
+        value, names = self.text(key, default), list(options)
+        if value not in names:
+            raise self.fail(key, f"unknown value {value!r}{suggestion(value, names)}")
+        return value
+
+    def number(self, key: str, default: float | None = None) -> float:
+        """Take a finite number."""
+        return self._number(key, self._take(key, default))
+
+    def numbers(self, key: str, count: int, default: list[float] | None = None) -> NDArray[np.float64]:
+        """Take a list of finite numbers."""
+        value = self._take(key, default)
+        if not isinstance(value, list) or len(value) != count:
+            raise self.fail(key, f"expected {count} numbers in brackets, got {value!r}")
+        return np.array([self._number(f"{key}[{i + 1}]", entry) for i, entry in enumerate(value)])
+
+    def matrix(self, key: str) -> NDArray[np.float64]:
+        """Take a 3 x 3 matrix, a list of rows."""
+        value = self._take(key, None)
+        if not isinstance(value, list) or [len(row) if isinstance(row, list) else 0 for row in value] != [3, 3, 3]:
+            raise self.fail(key, f"expected three rows of three numbers, got {value!r}")
+        return np.array([[self._number(key, entry) for entry in row] for row in value])
+
+    def table(self, key: str) -> Table | None:
+        """Take a table, or None when there is none."""
+        value = self._take(key, {})
+        if not isinstance(value, dict):
+            raise self.fail(key, f"expected a table [{key}], got {value!r}")
+        return Table(self.file, value, self._path(key)) if key in self._data else None
+
+    def tables(self, key: str) -> list[Table]:
+        """Take an array of tables; none is an empty list."""
+        value = self._take(key, [])
+        if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
+            raise self.fail(key, f"expected tables [[{key}]], got {value!r}")
+        return [Table(self.file, entry, f"{self._path(key)}[{i + 1}]") for i, entry in enumerate(value)]
+
+    def done(self) -> None:
+        """Report the first key that nobody asked for."""
+        for key in self._data:
+            if key in self._known:
+                continue
+            with_unit = [key + unit for unit in _UNITS if key + unit in self._known]
+            if with_unit:
+                raise self.fail(key, f"the unit belongs into the name: write {' or '.join(with_unit)}")
+            raise self.fail(key, f"unknown key{suggestion(key, self._known)}")
+
+    def _take(self, key: str, default: Any) -> Any:
+        self._known.add(key)
+        if key in self._data:
+            return self._data[key]
+        if default is None:
+            bare = next((key.removesuffix(unit) for unit in _UNITS if key.endswith(unit)), key)
+            if bare != key and bare in self._data:
+                raise self.fail(bare, f"the unit belongs into the name: write {key}")
+            raise self.fail(key, f"missing; the file has {', '.join(self._data) or 'nothing here'}")
+        return default
+
+    def _number(self, key: str, value: Any) -> float:
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise self.fail(key, f"expected a number, got {value!r}")
+        if not math.isfinite(value):
+            raise self.fail(key, f"expected a finite number, got {value!r}")
+        return float(value)
+
+    def _path(self, key: str) -> str:
+        return f"{self.where}.{key}" if self.where else key
+
+
+def joint_values(table: Table, kinds: str) -> NDArray[np.float64]:
+    """Take joint values ``q_deg`` (all revolute), ``q_m`` (all prismatic) or ``q_deg_m`` (each in its own unit).
+
+    Parameters
+    ----------
+    table : Table
+    kinds : str
+        One letter R or P for each joint.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        Radians and metres.
+    """
+    key = {"R": "q_deg", "P": "q_m"}.get("".join(sorted(set(kinds))), "q_deg_m")
+    values = table.numbers(key, len(kinds))
+    revolute = np.array([kind == "R" for kind in kinds])
+    return np.where(revolute, np.radians(values), values)

@@ -1,0 +1,238 @@
+"""Robot files: ``robots/*.toml``, one arm a file, each with its source and with poses that prove it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources.abc import Traversable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab import resources
+from armlab.content.reader import Table, joint_values
+from armlab.errors import ContentError, InputError, UnknownName
+from armlab.kin.arm import MAX_JOINTS, Arm
+from armlab.kin.dh import CONVENTIONS, Row
+from armlab.kin.rotations import rotation_from_sequence
+from armlab.kin.task import NAMED
+from armlab.kin.transforms import transform
+
+FAMILIES = ("planar", "spatial 3R to 5R", "with sliding joints", "six joints", "seven joints and more")
+
+
+@dataclass(frozen=True, eq=False)
+class Expected:
+    """A pose from a data sheet, a paper or a closed form that the table must reproduce.
+
+    Attributes
+    ----------
+    q : ndarray, shape (n,)
+    T : ndarray, shape (4, 4)
+        Rotation rows are NaN when only the position is given.
+    flange : bool
+        Whether the pose is of frame n instead of the tool.
+    tolerance : float
+        Of every entry; metres for the position.
+    source : str
+    """
+
+    q: NDArray[np.float64]
+    T: NDArray[np.float64]
+    flange: bool
+    tolerance: float
+    source: str
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where the arm is looked at from at first: degrees, and a factor on the distance."""
+
+    azimuth_deg: float
+    elevation_deg: float
+    distance: float
+
+
+@dataclass(frozen=True, eq=False)
+class Robot:
+    """A robot file.
+
+    Attributes
+    ----------
+    key : str
+        File name without its ending.
+    name, family, summary, source : str
+    arm : Arm
+    poses : dict
+        Named configurations; the first is where the arm stands when it is chosen.
+    expected : tuple of Expected
+    camera : Camera
+    """
+
+    key: str
+    name: str
+    family: str
+    summary: str
+    source: str
+    arm: Arm
+    poses: dict[str, NDArray[np.float64]]
+    expected: tuple[Expected, ...]
+    camera: Camera
+
+    @property
+    def home(self) -> NDArray[np.float64]:
+        """The first named pose."""
+        return next(iter(self.poses.values()))
+
+
+def parse_robot(key: str, text: str, file: str | None = None) -> Robot:
+    """Read the text of a robot file.
+
+    Raises
+    ------
+    ContentError
+        Anything wrong, with file, key, what was expected and what is available.
+    """
+    file = file or f"{key}.toml"
+    top = Table.parse(file, text)
+    name, summary = top.text("name"), top.text("summary")
+    family, source = top.choice("family", FAMILIES), top.text("source")
+    convention = next(c for c in CONVENTIONS if c == top.choice("convention", CONVENTIONS))
+    task = top.choice("task", NAMED) if top.has("task") else None
+    joints = top.tables("joints")
+    if not 1 <= len(joints) <= MAX_JOINTS:
+        raise top.fail("joints", f"expected 1 to {MAX_JOINTS} tables [[joints]], got {len(joints)}")
+    base, tool = _pose(top.table("base")), _pose(top.table("tool"))
+    rows, limits, speeds, accelerations = zip(*map(_joint, joints), strict=True)
+    try:
+        arm = Arm.from_dh(rows, convention, base, tool, limits, speeds, accelerations, task, name)
+    except InputError as error:
+        raise ContentError(file, "", str(error)) from None
+    kinds = "".join(row.kind for row in rows)
+    robot = Robot(
+        key=key,
+        name=name,
+        family=family,
+        summary=summary,
+        source=source,
+        arm=arm,
+        poses=dict(_named_poses(top, arm, kinds)),
+        expected=tuple(_expected(table, kinds) for table in top.tables("expected")),
+        camera=_camera(top.table("camera"), arm),
+    )
+    if len(robot.expected) < 2:
+        raise top.fail("expected", f"give at least two poses that prove the table, got {len(robot.expected)}")
+    top.done()
+    return robot
+
+
+def _joint(table: Table) -> tuple[Row, tuple[float, float], float, float]:
+    kind = table.choice("type", ("R", "P"))
+    revolute = kind == "R"
+    row = Row(
+        "R" if revolute else "P",
+        a=table.number("a", 0.0),
+        alpha=float(np.radians(table.number("alpha_deg", 0.0))),
+        d=table.number("d", 0.0),
+        theta=float(np.radians(table.number("theta_deg", 0.0))),
+    )
+    unit, factor = ("deg", float(np.pi) / 180.0) if revolute else ("m", 1.0)
+    low, high = table.numbers(f"limits_{unit}", 2)
+    if low > high:
+        raise table.fail(f"limits_{unit}", f"the smaller comes first, got [{low:g}, {high:g}]")
+    bounds = []
+    for key in (f"speed_{unit}_s", f"acceleration_{unit}_s2"):
+        bound = table.number(key) if table.has(key) else np.inf
+        if bound <= 0:
+            raise table.fail(key, f"expected a positive number, got {bound:g}")
+        bounds.append(bound * factor)
+    table.done()
+    return row, (float(low) * factor, float(high) * factor), bounds[0], bounds[1]
+
+
+def _pose(table: Table | None) -> NDArray[np.float64]:
+    """Read ``position`` in metres and ``rpy_deg``: roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    if table is None:
+        return np.eye(4)
+    position = table.numbers("position", 3, [0.0, 0.0, 0.0])
+    roll_pitch_yaw = np.radians(table.numbers("rpy_deg", 3, [0.0, 0.0, 0.0]))
+    table.done()
+    pose: NDArray[np.float64] = transform(rotation_from_sequence("xyz", roll_pitch_yaw, fixed=True), position)
+    # Quarter turns are meant to be exact.
+    nearest = np.round(pose[:3, :3])
+    pose[:3, :3] = np.where(np.abs(pose[:3, :3] - nearest) < 1e-12, nearest, pose[:3, :3])
+    return pose
+
+
+def _named_poses(top: Table, arm: Arm, kinds: str) -> Iterable[tuple[str, NDArray[np.float64]]]:
+    tables = top.tables("poses")
+    if not tables:
+        raise top.fail("poses", "give at least one named pose [[poses]]; the arm opens in the first")
+    for table in tables:
+        name, q = table.text("name"), joint_values(table, kinds)
+        if not arm.within_limits(q):
+            raise table.fail("q", f"the pose {name!r} is outside the joint limits")
+        q.setflags(write=False)
+        table.done()
+        yield name, q
+
+
+def _expected(table: Table, kinds: str) -> Expected:
+    T = np.eye(4)
+    T[:3, 3] = table.numbers("position", 3)
+    T[:3, :3] = table.matrix("rotation") if table.has("rotation") else np.nan
+    expected = Expected(
+        q=joint_values(table, kinds),
+        T=T,
+        flange=table.choice("of", ("tool", "flange"), "tool") == "flange",
+        tolerance=table.number("tolerance", 1e-9),
+        source=table.text("source"),
+    )
+    table.done()
+    return expected
+
+
+def _camera(table: Table | None, arm: Arm) -> Camera:
+    if table is None:
+        return Camera(-50.0, 22.0, 1.0)
+    camera = Camera(table.number("azimuth_deg"), table.number("elevation_deg"), table.number("distance", 1.0))
+    table.done()
+    return camera
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """All robot files: those that can be used, and what is wrong with the others."""
+
+    robots: dict[str, Robot]
+    problems: tuple[ContentError, ...]
+
+    def __getitem__(self, key: str) -> Robot:
+        """Return a robot by key; the error lists what is available, or says what is wrong with its file."""
+        if key in self.robots:
+            return self.robots[key]
+        for problem in self.problems:
+            if problem.file == f"{key}.toml":
+                raise problem
+        raise UnknownName("robot", key, self.robots)
+
+
+def read_catalogue(files: Iterable[Traversable]) -> Catalogue:
+    """Read robot files; a broken one is reported and disturbs nothing else."""
+    robots, problems = [], []
+    for file in files:
+        try:
+            robots.append(parse_robot(file.name.removesuffix(".toml"), file.read_text(encoding="utf-8"), file.name))
+        except ContentError as error:
+            problems.append(error)
+        except UnicodeDecodeError as error:
+            problems.append(ContentError(file.name, "", f"not a text in UTF-8: {error.reason}"))
+    robots.sort(key=lambda robot: (FAMILIES.index(robot.family), robot.arm.n, robot.key))
+    return Catalogue({robot.key: robot for robot in robots}, tuple(problems))
+
+
+@cache
+def catalogue() -> Catalogue:
+    """Return the robots that come with the lab, read once."""
+    return read_catalogue(resources.files("robots", ".toml"))

@@ -1,0 +1,1 @@
+"""The kinematics core: NumPy and SciPy only; no files, no clock, no plots, no globals."""

@@ -1,0 +1,155 @@
+"""The shared loops of the numerical methods: a free descent for solving, and one inside limits for following a hand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.ik.problem import Errors, Linearised, Problem
+
+TOLERANCE = 1e-8
+"""Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. Asking for less inside the
+loop costs solutions near singularities, where the last digits converge slowly."""
+
+MAX_STEP = 1.5
+"""Largest change of a joint in one step, in scaled units (radians); keeps the linearisation meaningful."""
+
+
+@dataclass(frozen=True)
+class Descent:
+    """How a descent ended.
+
+    Attributes
+    ----------
+    q : list of float
+        The best configuration.
+    errors : Errors
+        How far it is from the target.
+    iterations : int
+    """
+
+    q: list[float]
+    errors: Errors
+    iterations: int
+
+    @property
+    def converged(self) -> bool:
+        """Whether the scaled error is within `TOLERANCE`."""
+        return self.errors.cost <= TOLERANCE**2
+
+
+def descend(
+    problem: Problem, target: Sequence[float], q0: Sequence[float], free: Sequence[float], limit: int
+) -> Descent:
+    """Iterate without limits on the joints; the caller wraps the angles and looks at the limits.
+
+    The plain method: each step is taken as it comes, only clipped to `MAX_STEP`.
+    """
+    q, gain = list(q0), problem.method.gain
+    largest = _largest_steps(problem)
+    at = problem.linearise(q, target, gain, free)
+    for iteration in range(limit):
+        if at.errors.cost <= TOLERANCE**2:
+            return Descent(q, at.errors, iteration)
+        q = [
+            value + (dq if -most < dq < most else _clip(dq, most))
+            for value, dq, most in zip(q, at.step, largest, strict=True)
+        ]
+        at = problem.linearise(q, target, gain, free)
+    return Descent(q, at.errors, limit)
+
+
+def descend_inside(
+    problem: Problem,
+    target: Sequence[float],
+    q0: Sequence[float],
+    free: Sequence[float],
+    low: Sequence[float],
+    high: Sequence[float],
+    limit: int,
+) -> Descent:
+    """Iterate inside hard limits, and only ever downhill.
+
+    A joint at a limit whose step points outwards is held for that step, and the step is made anew without it. A step
+    that does not reduce the error is repeated shorter. So the arm comes to rest at the closest configuration downhill
+    of ``q0`` and cannot jump, jitter or leave its limits, whatever the target is.
+    """
+    q = [min(max(value, lo), hi) for value, lo, hi in zip(q0, low, high, strict=True)]
+    gain, shorten = problem.method.gain, 1.0
+    largest = _largest_steps(problem)
+    at = problem.linearise(q, target, gain, free)
+    for iteration in range(limit):
+        if at.errors.cost <= TOLERANCE**2:
+            return Descent(q, at.errors, iteration)
+        step = _inward_step(problem, q, at, target, gain, free, low, high)
+        tried = [
+            min(max(value + shorten * _clip(dq, most), lo), hi)
+            for value, dq, most, lo, hi in zip(q, step, largest, low, high, strict=True)
+        ]
+        there = problem.linearise(tried, target, gain, free)
+        if there.errors.cost < at.errors.cost:
+            still = at.errors.cost - there.errors.cost < 1e-9 * at.errors.cost
+            q, at = tried, there
+            gain, shorten = max(problem.method.gain, gain / 4.0), min(1.0, shorten * 2.0)
+            if still:
+                return Descent(q, at.errors, iteration + 1)
+        elif problem.method.damped and gain < 1e6:
+            gain *= 8.0
+            at = problem.linearise(q, target, gain, free)
+        else:
+            shorten /= 4.0
+            if shorten < 1e-6:
+                return Descent(q, at.errors, iteration + 1)
+    return Descent(q, at.errors, limit)
+
+
+def _inward_step(
+    problem: Problem,
+    q: Sequence[float],
+    at: Linearised,
+    target: Sequence[float],
+    gain: float,
+    free: Sequence[float],
+    low: Sequence[float],
+    high: Sequence[float],
+) -> Sequence[float]:
+    step, held = at.step, list(free)
+    for _ in q:
+        outward = [
+            i
+            for i, dq in enumerate(step)
+            if held[i] and ((q[i] <= low[i] and dq < 0.0) or (q[i] >= high[i] and dq > 0.0))
+        ]
+        if not outward:
+            break
+        for i in outward:
+            held[i] = 0.0
+        step = problem.linearise(q, target, gain, held).step
+    return step
+
+
+def _largest_steps(problem: Problem) -> list[float]:
+    scale = problem.arm.length_scale
+    return [MAX_STEP if row.revolute else MAX_STEP * scale for row in problem.arm.rows]
+
+
+def _clip(value: float, most: float) -> float:
+    # A step that is not a number (an overflow far outside every workspace) is no step.
+    return min(max(value, -most), most) if math.isfinite(value) else 0.0
+
+
+def wrapped(q: Sequence[float], revolute: NDArray[np.bool_], limits: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the same configuration with each angle in (-pi, pi], or a turn away if only that is inside the limits."""
+    values = np.array(q, dtype=float)
+    turned = -np.remainder(-values + math.pi, 2.0 * math.pi) + math.pi
+    values = np.where(revolute, turned, values)
+    low, high = limits[:, 0], limits[:, 1]
+    for turn in (2.0 * math.pi, -2.0 * math.pi):
+        outside = revolute & ((values < low) | (values > high))
+        moved = values + turn
+        values = np.where(outside & (moved >= low) & (moved <= high), moved, values)
+    return np.asarray(values)

@@ -1,0 +1,62 @@
+"""What a numerical method of inverse kinematics is: a rule for one step. Loop, limits and stopping are shared."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from armlab.errors import UnknownName
+from armlab.kin.ik import methods as _folder
+from armlab.plugins import discover
+
+Step = Callable[[Sequence[Sequence[Any]], Sequence[Any], Any], Sequence[Any]]
+"""``step(J, e, gain) -> dq``: task Jacobian (m rows of n), error (m), gain; returns n joint changes.
+
+Rows of positions are divided by the arm's length scale and prismatic columns multiplied by it, so J, e and dq are
+pure numbers of the size of radians.
+"""
+
+
+@dataclass(frozen=True)
+class Method:
+    """One method, the constant ``METHOD`` of a module in `armlab.kin.ik.methods`.
+
+    Parameters
+    ----------
+    key, title : str
+        Short name for programs, name of the field for people.
+    order : int
+        Place in lists.
+    step : callable
+        See `Step`. With ``closed=True`` it uses only + - * / on the entries; it is then run once on expressions and
+        compiled. Otherwise it is called with NumPy arrays.
+    gain : float
+        Default of the method's parameter (damping, step size).
+    damped : bool
+        Whether a larger gain means a shorter, safer step: the loop then raises it when a step fails, and shortens the
+        step otherwise.
+    closed : bool
+    """
+
+    key: str
+    title: str
+    order: int
+    step: Step
+    gain: float
+    damped: bool = False
+    closed: bool = True
+
+
+@cache
+def methods() -> dict[str, Method]:
+    """Return all methods by key, in the order of lists."""
+    return discover(_folder, "METHOD", Method)
+
+
+def method_named(key: str) -> Method:
+    """Return a method by key."""
+    if key not in methods():
+        raise UnknownName("method", key, methods())
+    return methods()[key]

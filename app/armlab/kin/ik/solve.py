@@ -1,0 +1,182 @@
+"""One solution of the inverse kinematics: descents from the given and from random starts, inside the limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.ik.loop import Descent, descend, descend_inside, wrapped
+from armlab.kin.ik.method import Method, method_named
+from armlab.kin.ik.problem import Errors, Problem
+from armlab.kin.ik.verdict import Verdict, judge
+from armlab.kin.transforms import as_pose
+
+ITERATIONS = 22
+"""Steps of one descent; a start that has not converged by then is replaced by another: cheaper than waiting."""
+
+SEARCHES = 100
+"""Starts before giving up."""
+
+STEPS_INSIDE = 60
+"""Steps of a descent inside limits, which also has to come to rest where the target cannot be reached."""
+
+
+@dataclass(frozen=True)
+class IkResult:
+    """The outcome of a solve; a target that cannot be reached is an outcome, too.
+
+    Attributes
+    ----------
+    success : bool
+        Reached inside the limits, within 1e-6 m and 1e-6 rad.
+    q : ndarray, shape (n,)
+        The solution, or the closest configuration found.
+    position_error, rotation_error : float
+        Metres and radians, of the components the task controls.
+    iterations : int
+        Steps in all.
+    reason : str
+        What a student should know, in words.
+    verdict : Verdict
+        The same as data.
+    """
+
+    success: bool
+    q: NDArray[np.float64]
+    position_error: float
+    rotation_error: float
+    iterations: int
+    reason: str
+    verdict: Verdict
+
+
+FAR = Errors(math.inf, math.inf, math.inf)
+"""The errors of a search that found nothing."""
+
+
+@lru_cache(maxsize=64)
+def problem_of(arm: Arm, method: Method) -> Problem:
+    """Return the compiled problem of an arm (arms are compared by identity)."""
+    return Problem(arm, method)
+
+
+def solve(
+    arm: Arm,
+    T: ArrayLike,
+    q0: ArrayLike | None = None,
+    method: str = "dls",
+    seed: int = 0,
+    locked: Sequence[bool] | None = None,
+    searches: int = SEARCHES,
+) -> IkResult:
+    """Find joint values that put the tool at a pose, as far as the arm's task goes.
+
+    Parameters
+    ----------
+    arm : Arm
+    T : array_like, shape (4, 4)
+        Wanted pose of the tool in the world. Components outside the task are ignored.
+    q0 : array_like, shape (n,), optional
+        First start; random when left out.
+    method : str
+        Key of a method: see `methods`.
+    seed : int
+        Of the random starts; the same call gives the same answer.
+    locked : sequence of bool, optional
+        Joints that keep their value in ``q0``.
+    searches : int
+        Number of starts, at least 1.
+
+    Raises
+    ------
+    InputError
+        ``T`` is no pose, shapes are wrong, or joints are locked without a ``q0``.
+
+    Examples
+    --------
+    >>> arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0), ("R", 1.0, 0.0, 0.0, 0.0)])
+    >>> result = solve(arm, arm.fk([0.4, 0.9]), q0=[0.0, 0.5])
+    >>> result.success, result.q.round(6).tolist()
+    (True, [0.4, 0.9])
+    """
+    pose = as_pose(T, "T")
+    start = None if q0 is None else _start(arm, q0)
+    if locked is not None and any(locked) and start is None:
+        raise InputError("locked: give q0, the values the locked joints keep")
+    free = [0.0 if held else 1.0 for held in locked] if locked is not None else [1.0] * arm.n
+    problem = problem_of(arm, method_named(method))
+    target = problem.target(pose)
+    found = _search(problem, target, start, free, seed, searches)
+    verdict = Verdict("reached", found.errors.position, found.errors.rotation, ())
+    if not found.converged:
+        from_here = arm.clip(np.zeros(arm.n)) if start is None else start
+        rest = come_closer(problem, target, from_here, free)
+        found = Descent(rest.q, rest.errors, found.iterations + rest.iterations)
+        verdict = judge(arm, pose, found.q, locked)
+    return IkResult(
+        success=verdict.reached,
+        q=np.array(found.q),
+        position_error=verdict.position_error,
+        rotation_error=verdict.rotation_error,
+        iterations=found.iterations,
+        reason=verdict.reason,
+        verdict=verdict,
+    )
+
+
+def _search(
+    problem: Problem,
+    target: Sequence[float],
+    start: NDArray[np.float64] | None,
+    free: Sequence[float],
+    seed: int,
+    searches: int,
+) -> Descent:
+    """Try one start after the other until one converges inside the limits; return it, or the last."""
+    arm, iterations = problem.arm, 0
+    rng = np.random.default_rng(seed)
+    low = np.where(arm.revolute, np.maximum(arm.limits[:, 0], -math.pi), arm.limits[:, 0])
+    high = np.where(arm.revolute, np.minimum(arm.limits[:, 1], math.pi), arm.limits[:, 1])
+    high = np.maximum(low, high)
+    held = np.array(free) == 0.0
+    for search in range(searches):
+        q = start if search == 0 and start is not None else rng.uniform(low, high)
+        if start is not None:
+            q = np.where(held, start, q)
+        descent = descend(problem, target, q.tolist(), free, ITERATIONS)
+        iterations += descent.iterations
+        if descent.converged:
+            solution = np.where(held, q, wrapped(descent.q, arm.revolute, arm.limits))
+            if arm.within_limits(solution):
+                return Descent(solution.tolist(), descent.errors, iterations)
+    return Descent(q.tolist(), FAR, iterations)
+
+
+def come_closer(
+    problem: Problem,
+    target: Sequence[float],
+    q0: ArrayLike,
+    free: Sequence[float],
+    travel: float = math.inf,
+) -> Descent:
+    """Go downhill inside the limits from ``q0``, each joint by at most ``travel`` (rad, or length scales)."""
+    arm = problem.arm
+    start = arm.clip(q0)
+    box = np.where(arm.revolute, travel, travel * arm.length_scale)
+    low = np.maximum(arm.limits[:, 0], start - box)
+    high = np.minimum(arm.limits[:, 1], start + box)
+    return descend_inside(problem, target, start.tolist(), free, low.tolist(), high.tolist(), STEPS_INSIDE)
+
+
+def _start(arm: Arm, q0: ArrayLike) -> NDArray[np.float64]:
+    start = np.array(q0, dtype=float)
+    if start.shape != (arm.n,) or not np.all(np.isfinite(start)):
+        raise InputError(f"q0: expected {arm.n} finite numbers, got {q0!r}")
+    return start

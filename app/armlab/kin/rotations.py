@@ -1,0 +1,223 @@
+"""Rotations as matrices, and their other representations.
+
+Matrices act on columns: ``R_ab @ p_b`` is p in the axes of a. Quaternions are ``(w, x, y, z)``, scalar first. Angles
+are radians. Every function takes leading batch dimensions. SciPy's `Rotation` does the conversions it has; what is here
+are the definitions of the notes with their singular cases spelled out.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+
+Array = NDArray[np.floating]
+
+_PERMUTED = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}
+
+
+def rotation_about(axis: str, angle: ArrayLike) -> Array:
+    """Return the elementary rotation about a coordinate axis.
+
+    Parameters
+    ----------
+    axis : "x", "y" or "z"
+    angle : array_like, shape (...)
+        Radians; positive counter-clockwise seen against the axis.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+
+    References
+    ----------
+    Notes 3.16-3.17. The unnumbered line before them prints sin alpha for sin theta.
+    """
+    if axis not in _PERMUTED:
+        raise InputError(f"axis: expected 'x', 'y' or 'z', got {axis!r}")
+    angle = np.asarray(angle, dtype=float)
+    i, j = _PERMUTED[axis]
+    R = np.zeros((*angle.shape, 3, 3))
+    R[...] = np.eye(3)
+    R[..., i, i] = R[..., j, j] = np.cos(angle)
+    R[..., j, i] = np.sin(angle)
+    R[..., i, j] = -R[..., j, i]
+    return R
+
+
+def rotation_from_sequence(axes: str, angles: ArrayLike, *, fixed: bool = False) -> Array:
+    """Return the product of elementary rotations about moving axes, or about fixed ones.
+
+    Parameters
+    ----------
+    axes : str
+        One to three letters of ``"xyz"``, such as ``"zyx"`` or ``"zxz"``; case does not matter.
+    angles : array_like, shape (..., len(axes))
+        Radians, in the order of ``axes``.
+    fixed : bool
+        About fixed axes the product is written in the reverse order (notes, theorem 2).
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+
+    Examples
+    --------
+    >>> R = rotation_from_sequence("zyx", [0.1, 0.2, 0.3])
+    >>> bool(np.allclose(R, rotation_from_sequence("xyz", [0.3, 0.2, 0.1], fixed=True)))
+    True
+    """
+    angles = np.asarray(angles, dtype=float)
+    if not axes or angles.shape[-1:] != (len(axes),):
+        raise InputError(f"angles: expected {len(axes)} for the sequence {axes!r}, got shape {angles.shape}")
+    R = np.broadcast_to(np.eye(3), (*angles.shape[:-1], 3, 3))
+    for k, axis in enumerate(axes.lower()):
+        turn = rotation_about(axis, angles[..., k])
+        R = turn @ R if fixed else R @ turn
+    return np.array(R)
+
+
+def rotation_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
+    """Return Rodrigues' rotation: r r^T + (I - r r^T) cos(theta) + S(r) sin(theta).
+
+    Parameters
+    ----------
+    axis : array_like, shape (..., 3)
+        Need not be of unit length, must not be zero.
+    angle : array_like, shape (...)
+        Radians.
+
+    References
+    ----------
+    Notes 3.46-3.56.
+    """
+    r: Array = np.asarray(axis, dtype=float)
+    length = np.linalg.norm(r, axis=-1, keepdims=True)
+    if np.any(length == 0.0) or not np.all(np.isfinite(length)):
+        raise InputError(f"axis: expected a finite vector that is not zero, got {axis!r}")
+    r = r / length
+    theta: Array = np.asarray(angle, dtype=float)[..., None, None]
+    outer: Array = r[..., :, None] * r[..., None, :]
+    return outer + (np.eye(3) - outer) * np.cos(theta) + skew(r) * np.sin(theta)
+
+
+def skew(v: ArrayLike) -> Array:
+    """Return S(v) with S(v) u = v x u, shape (..., 3, 3) from (..., 3). Notes, definition 3."""
+    v = np.asarray(v, dtype=float)
+    S = np.zeros((*v.shape, 3))
+    S[..., 2, 1], S[..., 0, 2], S[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]
+    S[..., 1, 2], S[..., 2, 0], S[..., 0, 1] = -v[..., 0], -v[..., 1], -v[..., 2]
+    return S
+
+
+def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
+    """Return axis (..., 3) and angle (...) in [0, pi] of rotations.
+
+    At the identity every axis is right; ``(0, 0, 1)`` is returned. At pi the axis and its opposite are both right; the
+    one whose last non-zero component is positive is returned. The angle is 2 atan2(|eps|, eta) from the quaternion and
+    stays accurate at both ends, where arccos of the trace (3.63) loses half of the digits. Equation 3.66 prints a
+    factor 1/2 that does not belong there.
+
+    References
+    ----------
+    Notes 3.62-3.68.
+    """
+    q = quaternion_from_rotation(R)
+    eta, eps = q[..., 0], q[..., 1:]
+    length = np.linalg.norm(eps, axis=-1)
+    angle = 2.0 * np.arctan2(length, eta)
+    identity = length < 1e-300
+    axis = np.where(identity[..., None], [0.0, 0.0, 1.0], eps / np.where(identity, 1.0, length)[..., None])
+    return axis, angle
+
+
+def quaternion_from_rotation(R: ArrayLike) -> Array:
+    """Return unit quaternions (..., 4), scalar first and not negative.
+
+    Shepperd's method: of w, x, y, z the largest is computed from the diagonal and the others are divided by it, so
+    nothing is lost near pi, where the signs of 3.77-3.79 fail. Equation 3.78 has the indices of a sign wrong.
+    """
+    R = np.asarray(R, dtype=float)
+    if R.shape[-2:] != (3, 3):
+        raise InputError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    m = np.moveaxis(R, (-2, -1), (0, 1))
+    trace = m[0, 0] + m[1, 1] + m[2, 2]
+    squares = np.stack([trace, m[0, 0], m[1, 1], m[2, 2]])
+    largest = np.argmax(squares, axis=0)
+    w = np.stack([1.0 + trace, m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]])
+    x = np.stack([w[1], 1.0 + 2.0 * m[0, 0] - trace, m[0, 1] + m[1, 0], m[0, 2] + m[2, 0]])
+    y = np.stack([w[2], x[2], 1.0 + 2.0 * m[1, 1] - trace, m[1, 2] + m[2, 1]])
+    z = np.stack([w[3], x[3], y[3], 1.0 + 2.0 * m[2, 2] - trace])
+    q = np.take_along_axis(np.stack([w, x, y, z]), largest[None, None], axis=0)[0]
+    q = np.moveaxis(q, 0, -1)
+    q = q / np.linalg.norm(q, axis=-1, keepdims=True)
+    return np.asarray(q * _sign_rule(q)[..., None])
+
+
+def _sign_rule(q: Array) -> Array:
+    """Return 1 or -1: the scalar part becomes positive, or where it is zero the last non-zero vector component."""
+    small = 1e-15
+    sign = np.sign(np.where(np.abs(q[..., 0]) > small, q[..., 0], 0.0))
+    for k in (3, 2, 1):
+        sign = np.where(sign == 0.0, np.sign(np.where(np.abs(q[..., k]) > small, q[..., k], 0.0)), sign)
+    return np.where(sign == 0.0, 1.0, sign)
+
+
+def rotation_from_quaternion(q: ArrayLike) -> Array:
+    """Return rotations (..., 3, 3) of quaternions (..., 4), scalar first; they are normalised.
+
+    References
+    ----------
+    Notes 3.73.
+    """
+    values: Array = np.asarray(q, dtype=float)
+    if values.shape[-1:] != (4,):
+        raise InputError(f"q: expected shape (..., 4), got {values.shape}")
+    length = np.linalg.norm(values, axis=-1, keepdims=True)
+    if np.any(length == 0.0) or not np.all(np.isfinite(length)):
+        raise InputError("q: expected a finite quaternion that is not zero")
+    values = values / length
+    eta, eps = values[..., :1, None], values[..., 1:]
+    outer = eps[..., :, None] * eps[..., None, :]
+    return (2.0 * eta * eta - 1.0) * np.eye(3) + 2.0 * outer + 2.0 * eta * skew(eps)
+
+
+def euler_zyx(R: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
+    """Return yaw, pitch, roll with R = Rz(yaw) Ry(pitch) Rx(roll), and where they are not unique.
+
+    Parameters
+    ----------
+    R : array_like, shape (..., 3, 3)
+
+    Returns
+    -------
+    angles : ndarray, shape (..., 3)
+        Yaw, pitch, roll in radians; pitch in [-pi/2, pi/2].
+    singular : ndarray of bool, shape (...)
+        Where pitch is ±pi/2 only yaw ∓ roll is defined; roll is then 0.
+
+    References
+    ----------
+    Notes 3.104-3.108; entries (1,2) and (2,3) of 3.103 are misprinted.
+    """
+    R = np.asarray(R, dtype=float)
+    c = np.hypot(R[..., 0, 0], R[..., 1, 0])
+    # Below this the two angles change by more than the accuracy of a pose given with eight decimals.
+    singular = c < 1e-7
+    yaw = np.where(singular, np.arctan2(-R[..., 0, 1], R[..., 1, 1]), np.arctan2(R[..., 1, 0], R[..., 0, 0]))
+    pitch = np.arctan2(-R[..., 2, 0], c)
+    roll = np.where(singular, 0.0, np.arctan2(R[..., 2, 1], R[..., 2, 2]))
+    return np.stack([yaw, pitch, roll], axis=-1), singular
+
+
+def is_rotation(R: ArrayLike, tolerance: float = 1e-6) -> bool:
+    """Return whether a 3 x 3 matrix is orthonormal with determinant +1, entries within the tolerance."""
+    R = np.asarray(R, dtype=float)
+    if R.shape != (3, 3) or not np.all(np.isfinite(R)):
+        return False
+    x, y, z = R.tolist()
+    errors = [x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0, x[0] * y[0] + x[1] * y[1] + x[2] * y[2]]
+    errors += [y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0, y[0] * z[0] + y[1] * z[1] + y[2] * z[2]]
+    errors += [z[0] * z[0] + z[1] * z[1] + z[2] * z[2] - 1.0, z[0] * x[0] + z[1] * x[1] + z[2] * x[2]]
+    return max(map(abs, errors)) < tolerance and bool(np.linalg.det(R) > 0.0)

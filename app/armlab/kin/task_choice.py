@@ -1,0 +1,48 @@
+"""The sensible default task of an arm, from its geometry."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin import formulas
+from armlab.kin.dh import Convention, Row
+from armlab.kin.task import NAMED, Task, task_named
+
+SAMPLES = 16
+"""Random configurations, one seed, that stand for the generic one."""
+
+
+def default_task(rows: Sequence[Row], convention: Convention, tool: NDArray[np.float64]) -> Task:
+    """Return the task an arm of this geometry is usually given.
+
+    Axes all parallel to z0: the coordinates that can change, and the angle about z when a joint is left for it
+    (2R: x, y; 3R: x, y, phi; SCARA: x, y, z, phi). Otherwise the pose from six joints on, position and approach
+    direction with five, and the position below.
+    """
+    arm = formulas.Description(tuple(rows), convention, np.eye(4), tool, task_named("pose"))
+    J = _sampled_jacobians(arm)
+    moves = "".join(letter for k, letter in enumerate("xyz") if np.any(np.abs(J[:, k]) > 1e-9))
+    turns_only_about_z = not np.any(np.abs(J[:, 3:5]) > 1e-9)
+    if turns_only_about_z:
+        spare = len(rows) > _rank(J[:, :3])
+        phi = bool(np.any(np.abs(J[:, 5]) > 1e-9)) and (spare or not moves or len(rows) == 1)
+        position = "" if phi and len(rows) == 1 else moves
+        key = f"{position} phi".strip() if phi else position
+        return NAMED.get(key, task_named("xyz"))
+    if len(rows) >= 6 and _rank(J) == 6:
+        return task_named("pose")
+    return task_named("xyz approach" if len(rows) >= 5 else "xyz")
+
+
+def _sampled_jacobians(arm: formulas.Description) -> NDArray[np.float64]:
+    rng = np.random.default_rng(0)
+    kernel = formulas.jacobian(arm)
+    values = [kernel.scalar(*rng.uniform(-3.0, 3.0, arm.n).tolist()) for _ in range(SAMPLES)]
+    return np.array(values).reshape(SAMPLES, 6, arm.n)
+
+
+def _rank(J: NDArray[np.float64]) -> int:
+    return max(int(np.linalg.matrix_rank(matrix, tol=1e-9)) for matrix in J)
