@@ -158,7 +158,7 @@ def _pose(table: Table | None) -> NDArray[np.float64]:
     position = table.numbers("position", 3, [0.0, 0.0, 0.0])
     roll_pitch_yaw = np.radians(table.numbers("rpy_deg", 3, [0.0, 0.0, 0.0]))
     table.done()
-    pose: NDArray[np.float64] = transform(rotation_from_sequence("xyz", roll_pitch_yaw, fixed=True), position)
+    pose = np.array(transform(rotation_from_sequence("xyz", roll_pitch_yaw, fixed=True), position), dtype=np.float64)
     # Quarter turns are meant to be exact.
     nearest = np.round(pose[:3, :3])
     pose[:3, :3] = np.where(np.abs(pose[:3, :3] - nearest) < 1e-12, nearest, pose[:3, :3])

@@ -1,0 +1,109 @@
+"""The command line: start the lab, print its address, open the browser."""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import os
+import signal
+import sys
+import threading
+import webbrowser
+from collections.abc import Sequence
+from pathlib import Path
+
+from armlab import __version__
+from armlab.content.robots import catalogue
+from armlab.errors import ArmlabError
+from armlab.front.addresses import addresses
+from armlab.front.start import Running, Settings, start
+
+DEFAULT_ROBOT = "puma560"
+DEFAULT_PORTS = range(8080, 8100)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the lab until Ctrl-C; return the exit status."""
+    options = parser().parse_args(arguments)
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
+    try:
+        opening = catalogue()[options.robot]
+        for problem in catalogue().problems:
+            print(f"armlab: {problem}", file=sys.stderr)
+        running = start(
+            Settings(
+                host=options.host,
+                ports=[options.port] if options.port is not None else list(DEFAULT_PORTS),
+                opening=opening.key,
+                folder=state_folder(options.state),
+                labs=options.labs,
+            )
+        )
+    except ArmlabError as error:
+        print(f"armlab: {error}", file=sys.stderr)
+        return 1
+    return _run(running, options)
+
+
+def _run(running: Running, options: argparse.Namespace) -> int:
+    done = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: done.set())
+    own, others = addresses(options.host, running.port)
+    print(f"Armlab is open at {own}")
+    for other in others:
+        print(f"Others in the room type {other}")
+    print("Stop it with Ctrl-C.", flush=True)
+    if not options.no_browser:
+        threading.Thread(target=_open_browser, args=(own,), daemon=True).start()
+    while not done.wait(3600.0):
+        pass
+    running.stop()
+    return 0
+
+
+def _open_browser(address: str) -> None:
+    try:
+        opened = webbrowser.open(address)
+    except (webbrowser.Error, OSError):
+        opened = False
+    if not opened:
+        print(f"No browser could be opened: open {address} yourself.", flush=True)
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the options."""
+    p = argparse.ArgumentParser(prog="armlab", description="A robot-arm laboratory in the browser.")
+    p.add_argument("--host", default="127.0.0.1", help="address to listen on; 0.0.0.0 lets others in the room in")
+    p.add_argument("--port", type=_port, help="port to listen on; by default the first free one from 8080")
+    p.add_argument("--no-browser", action="store_true", help="do not open a browser")
+    p.add_argument("--robot", default=DEFAULT_ROBOT, metavar="NAME", help=f"arm of new students ({DEFAULT_ROBOT})")
+    p.add_argument("--labs", type=_count, default=0, metavar="N", help="for a class: N lab processes behind one front")
+    p.add_argument("--state", type=Path, metavar="DIR", help="where students' work is kept")
+    p.add_argument("--version", action="version", version=f"armlab {__version__}")
+    return p
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or not 0 <= int(text) <= 65535:
+        raise argparse.ArgumentTypeError(f"expected a number from 0 to 65535, got {text!r}")
+    return int(text)
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or not 0 <= int(text) <= 64:
+        raise argparse.ArgumentTypeError(f"expected a number from 0 to 64, got {text!r}")
+    return int(text)
+
+
+def state_folder(chosen: Path | None) -> Path:
+    """Return where sessions are kept: the given folder, or the user's place for such data."""
+    if chosen is not None:
+        return chosen
+    if sys.platform == "win32":
+        base = Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"))
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Application Support"
+    else:
+        base = Path(os.environ.get("XDG_STATE_HOME", Path.home() / ".local" / "state"))
+    return base / "armlab"

@@ -1,0 +1,188 @@
+"""The front: the only thing people connect to."""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+import re
+import weakref
+from collections import Counter
+from collections.abc import AsyncIterator, Sequence
+
+import aiohttp
+from aiohttp import WSCloseCode, web
+
+from armlab.front.limits import Limits, Meter
+from armlab.front.page import Page
+from armlab.front.relay import relay
+from armlab.front.tokens import Tokens
+
+HEADERS = {
+    "Cache-Control": "no-store",  # a cached page of another viser version cannot talk to this one
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "same-origin",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Permissions-Policy": "camera=(), microphone=(), geolocation=()",
+}
+NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
+HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
+PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
+HALF_A_YEAR = 180 * 86400
+FOREIGN = ("websocket", "playbackPath")
+"""Query parameters of viser that would make the page talk to, or play, something of somebody else."""
+
+
+class Front:
+    """Serves the page, knows browsers by their token, and passes their sockets to a lab.
+
+    Parameters
+    ----------
+    page : Page
+    tokens : Tokens
+    secret : str
+        What this front says to its labs.
+    labs : sequence of int
+        Loopback ports; a browser always gets the same one.
+    hosts : frozenset of str, or None
+        Names this front is addressed by; None accepts every name.
+    limits : Limits
+    """
+
+    def __init__(
+        self,
+        page: Page,
+        tokens: Tokens,
+        secret: str,
+        labs: Sequence[int],
+        hosts: frozenset[str] | None,
+        limits: Limits | None = None,
+    ) -> None:
+        self._page, self._tokens, self._secret = page, tokens, secret
+        self._labs, self._hosts = list(labs), hosts
+        self._limits = limits or Limits()
+        self._meters: dict[str, Meter] = {}
+        self._wishes: dict[str, str] = {}
+        self._open: Counter[str] = Counter()
+        self._sockets: weakref.WeakSet[web.WebSocketResponse] = weakref.WeakSet()
+        self.app = web.Application(client_max_size=64 << 10)
+        self.app.cleanup_ctx.append(self._with_client)
+        self.app.on_shutdown.append(self._say_goodbye)
+        self.app.router.add_get("/", self._visit)
+        self.app.router.add_get("/robot/{name}", self._visit)
+
+    async def _with_client(self, _app: web.Application) -> AsyncIterator[None]:
+        self._client = aiohttp.ClientSession(auto_decompress=False)
+        yield
+        await self._client.close()
+
+    async def _say_goodbye(self, _app: web.Application) -> None:
+        closing = (ws.close(code=WSCloseCode.GOING_AWAY, message=b"restarting") for ws in list(self._sockets))
+        await asyncio.gather(*closing, return_exceptions=True)
+
+    async def _visit(self, request: web.Request) -> web.StreamResponse:
+        is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
+        refusal = self._refusal(request, is_socket)
+        if refusal is not None:
+            return refusal
+        return await (self._serve_socket(request) if is_socket else self._serve_page(request))
+
+    def _refusal(self, request: web.Request, is_socket: bool) -> web.Response | None:
+        host = request.host.lower()
+        if self._hosts is not None and _bare(host) not in self._hosts:
+            # Another name that points here (DNS rebinding) would otherwise be its own origin.
+            return _text(421, "This name is not served here.")
+        if is_socket and request.headers.get("Origin", "").lower() not in (f"http://{host}", f"https://{host}"):
+            return _text(403, "Cross-site connection refused.")
+        name = request.match_info.get("name")
+        if name is not None and not NAME.match(name):
+            return _text(404, "There is no such page.")
+        return None
+
+    async def _serve_page(self, request: web.Request) -> web.Response:
+        if any(name in request.query for name in FOREIGN):
+            kept = {key: value for key, value in request.query.items() if key not in FOREIGN}
+            raise web.HTTPFound(request.rel_url.with_query(kept), headers=HEADERS)
+        sockets = f"ws://{request.host} wss://{request.host}" if HOST.match(request.host) else "'self'"
+        compressed = "gzip" in request.headers.get("Accept-Encoding", "")
+        response = web.Response(
+            body=self._page.compressed if compressed else self._page.html,
+            content_type="text/html",
+            charset="utf-8",
+            headers=HEADERS | {"Content-Security-Policy": self._page.policy(sockets)},
+        )
+        if compressed:
+            response.headers["Content-Encoding"] = "gzip"
+        token = self._tokens.read(request.cookies.get(self._tokens.cookie))
+        if token is None:
+            value = self._tokens.new()
+            token = self._tokens.read(value)
+            secure = request.headers.get("X-Forwarded-Proto", request.scheme) == "https"
+            response.set_cookie(
+                self._tokens.cookie, value, max_age=HALF_A_YEAR, httponly=True, samesite="Lax", secure=secure, path="/"
+            )
+        if token is not None and "name" in request.match_info:
+            # A wish belongs to the loading of a page, not to the socket: a reconnect must not repeat it.
+            self._wishes[token] = request.path.strip("/")
+        return response
+
+    async def _serve_socket(self, request: web.Request) -> web.StreamResponse:
+        token = self._tokens.read(request.cookies.get(self._tokens.cookie))
+        protocol = request.headers.get("Sec-WebSocket-Protocol", "")
+        if token is None or not PROTOCOL.match(protocol):
+            return _text(401, "Open the page first.")
+        if self._open[token] >= self._limits.sockets_each or self._open.total() >= self._limits.sockets:
+            return _text(429, "Too many connections.")
+        headers = {"X-Armlab-Token": token, "X-Armlab-Secret": self._secret}
+        wish = self._wishes.pop(token, None)
+        if wish is not None:
+            headers["X-Armlab-Wish"] = wish
+        self._open[token] += 1
+        try:
+            # The lab first: a browser is accepted only when there is something to talk to; it tries again otherwise.
+            lab = await self._client.ws_connect(
+                f"ws://127.0.0.1:{self._lab_of(token)}",
+                protocols=[protocol],
+                max_msg_size=0,
+                compress=0,
+                headers=headers,
+            )
+        except (aiohttp.ClientError, OSError):
+            self._release(token)
+            if wish is not None:
+                self._wishes[token] = wish
+            return _text(503, "The lab is starting.")
+        try:
+            browser = web.WebSocketResponse(
+                protocols=[protocol], max_msg_size=self._limits.message, heartbeat=20.0, compress=False
+            )
+            await browser.prepare(request)
+            self._sockets.add(browser)
+            meter = self._meters.setdefault(token, Meter(self._limits))
+            await relay(request, browser, lab, meter)
+        finally:
+            await lab.close()
+            self._release(token)
+        return browser
+
+    def _release(self, token: str) -> None:
+        self._open[token] -= 1
+        if self._open[token] <= 0:
+            del self._open[token]
+            # Kept for a minute, or a flooder would only have to reconnect.
+            loop = asyncio.get_running_loop()
+            loop.call_later(60.0, lambda: self._open[token] or self._meters.pop(token, None))
+
+    def _lab_of(self, token: str) -> int:
+        number = int(hashlib.sha256(token.encode()).hexdigest(), 16)
+        return self._labs[number % len(self._labs)]
+
+
+def _bare(host: str) -> str:
+    """Return a host name without its port, an IPv6 address without its brackets."""
+    if host.startswith("["):
+        return host[1:].partition("]")[0]
+    return host.partition(":")[0]
+
+
+def _text(status: int, text: str) -> web.Response:
+    return web.Response(status=status, text=text, headers=HEADERS)

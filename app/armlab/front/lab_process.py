@@ -1,0 +1,28 @@
+"""One lab of a class: settings in by standard input, port out, and the end when standard input closes."""
+
+from __future__ import annotations
+
+import json
+import logging
+import sys
+from pathlib import Path
+
+from armlab.content.robots import catalogue
+from armlab.front.start import SWITCH_INTERVAL
+from armlab.ui.lab import Lab
+
+
+def main() -> None:
+    """Serve until the front is gone."""
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
+    sys.setswitchinterval(SWITCH_INTERVAL)
+    settings = json.loads(sys.stdin.readline())
+    folder = Path(settings["sessions"]) if settings["sessions"] else None
+    lab = Lab(catalogue()[settings["opening"]], folder, settings["secret"])
+    print(json.dumps({"port": lab.port}), flush=True)
+    sys.stdin.read()
+    lab.stop()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,75 @@
+"""What one browser may ask of the lab."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of messages and sockets.
+
+    An honest page sends at most 20 messages a second of the handle, 20 of controls and 50 of the camera; these limits
+    leave room for all three together. Too fast a sender is slowed down, never cut for it: nothing is lost, the order
+    is kept, and TCP makes the browser wait.
+
+    Attributes
+    ----------
+    message : int
+        Bytes of one message.
+    rate, burst : float
+        Messages a second, and in a burst.
+    byte_rate, byte_burst : float
+    patience : float
+        Seconds of unbroken slowing down by count after which a flooding socket is closed.
+    sockets_each, sockets : int
+        Of one browser, and of all.
+    """
+
+    message: int = 2 << 20
+    rate: float = 120.0
+    burst: float = 240.0
+    byte_rate: float = 2e6
+    byte_burst: float = 8e6
+    patience: float = 10.0
+    sockets_each: int = 6
+    sockets: int = 240
+
+
+class Bucket:
+    """A token bucket that says how long to wait."""
+
+    def __init__(self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic) -> None:
+        self._rate, self._burst, self._clock = rate, burst, clock
+        self._level, self._at = burst, clock()
+
+    def take(self, amount: float) -> float:
+        """Take an amount; return the seconds to wait before going on."""
+        now = self._clock()
+        self._level = min(self._burst, self._level + (now - self._at) * self._rate) - amount
+        self._at = now
+        return max(0.0, -self._level / self._rate)
+
+
+class Meter:
+    """Counts what one browser sends, over all its sockets, so that reconnecting buys nothing."""
+
+    def __init__(self, limits: Limits, clock: Callable[[], float] = time.monotonic) -> None:
+        self._count = Bucket(limits.rate, limits.burst, clock)
+        self._bytes = Bucket(limits.byte_rate, limits.byte_burst, clock)
+        self._patience, self._clock = limits.patience, clock
+        self._good = clock()
+
+    def take(self, size: int) -> float | None:
+        """Count a message; return the seconds to wait, or None when the sender has flooded too long.
+
+        Only the count can try our patience: an honest upload is slow, not hostile.
+        """
+        wait = self._count.take(1.0)
+        if wait == 0.0:
+            self._good = self._clock()
+        elif self._clock() - self._good > self._patience:
+            return None
+        return max(wait, self._bytes.take(size))

@@ -1,0 +1,114 @@
+"""The page as the front serves it: viser's own, with our script and style before it, and the policy that fits exactly.
+
+viser's page holds a small loader script whose attribute ``data-p`` carries the packed style sheet and program; the
+loader inserts the program as a second inline script. Both get a hash in the Content-Security-Policy, so that no other
+script can run, not even one that finds its way into a label.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from importlib import resources
+from importlib.util import find_spec
+from pathlib import Path
+
+import zstandard
+
+from armlab.errors import ArmlabError
+
+# The digits of the base-88 code of viser's build: printable ASCII without quotes, brackets and ampersand.
+_DIGITS = "".join(character for character in map(chr, range(0x21, 0x7F)) if character not in "\"&<>'`")
+_LOADER = re.compile(r'<script data-p="([^"]*)" data-ss="(\d+)" data-cs="(\d+)">(.*?)</script>', re.DOTALL)
+
+FRAMES = "'self' http://localhost:* http://127.0.0.1:*"
+"""Who may show the lab in a frame: a notebook on the same machine."""
+
+
+class PageError(ArmlabError):
+    """The installed viser is not the tested one."""
+
+
+@dataclass(frozen=True)
+class Page:
+    """The page and the hashes of its scripts."""
+
+    html: bytes
+    scripts: tuple[str, ...]
+
+    @cached_property
+    def compressed(self) -> bytes:
+        """The page, gzipped."""
+        return gzip.compress(self.html, 6)
+
+    def policy(self, sockets: str) -> str:
+        """Return the Content-Security-Policy; ``sockets`` are the addresses the page may open a WebSocket to."""
+        return "; ".join(
+            [
+                "default-src 'none'",
+                f"script-src {' '.join(self.scripts)} 'wasm-unsafe-eval'",
+                "worker-src blob:",
+                "style-src 'unsafe-inline'",  # Mantine writes style elements; MathML needs style attributes
+                "img-src data: blob:",
+                "font-src data:",
+                f"connect-src {sockets} data: blob:",
+                "frame-src 'none'",
+                "form-action 'none'",
+                "base-uri 'none'",
+                f"frame-ancestors {FRAMES}",
+            ]
+        )
+
+
+def make_page(title: str = "Armlab") -> Page:
+    """Return the page made from the installed viser.
+
+    Raises
+    ------
+    PageError
+        viser is missing or its page has another shape than the tested one.
+    """
+    spec = find_spec("viser")  # found, not imported: a front of its own process stays small
+    if spec is None or spec.origin is None:
+        raise PageError("viser is not installed")
+    source = (Path(spec.origin).parent / "client" / "build" / "index.html").read_text(encoding="utf-8")
+    match = _LOADER.search(source)
+    if match is None or "<title>" not in source or "<head>" not in source:
+        raise PageError(
+            "viser's page has changed: its loader script was not found; install the version of pyproject.toml"
+        )
+    packed, styles, _, loader = match.groups()
+    unpacked = zstandard.ZstdDecompressor().decompress(decode_base88(packed))
+    script, style = _asset("armlab.js"), _asset("armlab.css")
+    html = re.sub(r"<title>.*?</title>", f"<title>{title}</title>", source, count=1)
+    html = html.replace("<head>", f"<head><script>{script}</script><style>{style}</style>", 1)
+    program = unpacked[int(styles) :]
+    return Page(html.encode(), tuple(_hash(code) for code in (script.encode(), loader.encode(), program)))
+
+
+def decode_base88(text: str) -> bytes:
+    """Return the bytes of a base-88 text: five digits for four bytes, most significant first."""
+    value_of = {character: value for value, character in enumerate(_DIGITS)}
+    decoded = bytearray()
+    for start in range(0, len(text), 5):
+        group = text[start : start + 5]
+        value = 0
+        for character in group:
+            value = value * 88 + value_of[character]
+        decoded += value.to_bytes(len(group) - 1, "big")
+    return bytes(decoded)
+
+
+def _asset(name: str) -> str:
+    text = (resources.files("armlab.front") / "static" / name).read_text(encoding="utf-8")
+    if "</script" in text or "</style" in text:
+        raise PageError(f"{name} would end its own element")
+    return text
+
+
+def _hash(code: bytes) -> str:
+    return f"'sha256-{base64.b64encode(hashlib.sha256(code).digest()).decode()}'"

@@ -1,0 +1,53 @@
+"""Pass a WebSocket through to a lab and back, slowed down to the limits, with back-pressure from end to end."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+
+from aiohttp import ClientWebSocketResponse, WSCloseCode, WSMsgType, web
+
+from armlab.front.limits import Meter
+
+CLOSING = 3.0
+"""Seconds for a polite close; a browser that no longer reads would hold it for ever."""
+
+
+async def relay(
+    request: web.Request, browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter
+) -> None:
+    """Pass messages both ways until one side closes, then close the other."""
+    pumps = [asyncio.create_task(_to_lab(browser, lab, meter)), asyncio.create_task(_to_browser(lab, browser))]
+    try:
+        await asyncio.wait(pumps, return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        for pump in pumps:
+            pump.cancel()
+        ends = await asyncio.gather(*pumps, return_exceptions=True)
+        code = next((end for end in ends if isinstance(end, int)), None) or lab.close_code or WSCloseCode.GOING_AWAY
+        with contextlib.suppress(TimeoutError):
+            closing = asyncio.gather(lab.close(), browser.close(code=code), return_exceptions=True)
+            await asyncio.wait_for(closing, CLOSING)
+        if request.transport is not None:
+            request.transport.abort()
+
+
+async def _to_lab(browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter) -> int | None:
+    """Pass on what the browser sends; return a close code when it breaks the rules."""
+    async for message in browser:
+        if message.type is not WSMsgType.BINARY:
+            return WSCloseCode.UNSUPPORTED_DATA
+        wait = meter.take(len(message.data))
+        if wait is None:
+            return WSCloseCode.POLICY_VIOLATION
+        if wait > 0.0:
+            await asyncio.sleep(wait)
+        await lab.send_bytes(message.data)
+    return None
+
+
+async def _to_browser(lab: ClientWebSocketResponse, browser: web.WebSocketResponse) -> None:
+    # Sending waits until the browser has room: a slow one slows its lab connection, and viser merges what waits there.
+    async for message in lab:
+        if message.type is WSMsgType.BINARY:
+            await browser.send_bytes(message.data)

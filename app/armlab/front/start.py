@@ -1,0 +1,140 @@
+"""Start everything: one process for a laptop, or a front before several labs for a class."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import secrets
+import sys
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from aiohttp import web
+
+from armlab.content.robots import catalogue
+from armlab.errors import ArmlabError
+from armlab.front.addresses import served_names
+from armlab.front.front import Front
+from armlab.front.page import make_page
+from armlab.front.processes import LabProcesses
+from armlab.front.tokens import Tokens, kept_secret
+
+SWITCH_INTERVAL = 0.0005
+"""Seconds after which Python's threads take turns. With the default of 5 ms the worker holds up the event loop that
+sends the poses; safe because all writes to viser happen on that loop."""
+
+
+class StartError(ArmlabError):
+    """The lab cannot be started; the text says why in one line."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What to start.
+
+    Attributes
+    ----------
+    host : str
+    ports : list of int
+        Tried in turn; 0 takes any free one.
+    opening : str
+        Key of the arm new students begin with.
+    folder : Path or None
+        Where sessions are kept; None keeps them in memory.
+    labs : int
+        Number of lab processes; 0 runs everything in this one.
+    """
+
+    host: str
+    ports: list[int]
+    opening: str
+    folder: Path | None
+    labs: int = 0
+
+
+class Running:
+    """A lab that is open."""
+
+    def __init__(self, port: int, stop: Callable[[], None]) -> None:
+        self.port = port
+        self._stop = stop
+
+    def stop(self) -> None:
+        """Close all pages' connections, save, and end."""
+        self._stop()
+
+
+def start(settings: Settings) -> Running:
+    """Start the lab; returns when the front listens.
+
+    Raises
+    ------
+    StartError
+        The port is in use, or the folder cannot be written.
+    """
+    sys.setswitchinterval(SWITCH_INTERVAL)
+    secret = secrets.token_urlsafe(24)
+    try:
+        tokens = Tokens(kept_secret(settings.folder))
+    except OSError as error:
+        raise StartError(f"cannot keep students' work in {error.filename}: {error.strerror}; use --state DIR") from None
+    sessions = settings.folder / "sessions" if settings.folder is not None else None
+    if settings.labs:
+        processes = LabProcesses(settings.labs, settings.opening, sessions, secret)
+        return _with_front(settings, tokens, secret, processes.ports, processes.stop)
+    # Imported here: the front of a class does not need viser in its own process.
+    from armlab.ui.lab import Lab
+
+    lab = Lab(catalogue()[settings.opening], sessions, secret)
+    return _with_front(settings, tokens, secret, [lab.port], lab.stop)
+
+
+def _with_front(
+    settings: Settings, tokens: Tokens, secret: str, labs: list[int], stop_labs: Callable[[], None]
+) -> Running:
+    """Open the front in a thread of its own."""
+    front = Front(make_page(), tokens, secret, labs, served_names(settings.host))
+    loop = asyncio.new_event_loop()
+    thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-front")
+    thread.start()
+    try:
+        runner, port = asyncio.run_coroutine_threadsafe(_listen(front, settings), loop).result()
+    except BaseException:
+        stop_labs()
+        raise
+
+    def stop() -> None:
+        asyncio.run_coroutine_threadsafe(runner.cleanup(), loop).result(5.0)
+        loop.call_soon_threadsafe(loop.stop)
+        thread.join(2.0)
+        stop_labs()
+
+    return Running(port, stop)
+
+
+async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]:
+    runner = web.AppRunner(front.app, access_log=None, handle_signals=False, shutdown_timeout=1.0)
+    await runner.setup()
+    for port in settings.ports:
+        site = web.TCPSite(runner, settings.host, port, backlog=256)
+        try:
+            await site.start()
+        except OSError as error:
+            if error.errno in (errno.EADDRINUSE, errno.EACCES) and port != settings.ports[-1]:
+                await site.stop()
+                continue
+            await runner.cleanup()
+            raise StartError(_why(error, settings, port)) from None
+        return runner, int(runner.addresses[-1][1])
+    raise StartError("no port to try")
+
+
+def _why(error: OSError, settings: Settings, port: int) -> str:
+    if error.errno == errno.EADDRINUSE:
+        tried = f"port {port} is" if len(settings.ports) == 1 else f"ports {settings.ports[0]} to {port} are"
+        return f"{tried} in use; choose another with --port"
+    if error.errno == errno.EACCES:
+        return f"port {port} may not be used by this user; choose one above 1023 with --port"
+    return f"cannot listen on {settings.host}: {error.strerror}"

@@ -1,0 +1,41 @@
+"""Bring a target to what an arm can be asked for."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_about
+from armlab.kin.transforms import inverse, transform
+
+
+def feasible(arm: Arm, T: NDArray[np.floating], tool: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Return a target with the components outside the arm's task taken from a pose the tool really has.
+
+    Parameters
+    ----------
+    arm : Arm
+    T : ndarray, shape (4, 4)
+        Wanted pose in the world.
+    tool : ndarray, shape (4, 4)
+        A pose of the tool in the world, for the coordinates and angles the arm does not control.
+
+    Returns
+    -------
+    ndarray, shape (4, 4)
+    """
+    to_frame_0 = inverse(arm.base)
+    wanted, present = to_frame_0 @ T, to_frame_0 @ tool
+    p = present[:3, 3].copy()
+    p[arm.task.coordinates] = wanted[arm.task.coordinates, 3]
+    R = present[:3, :3]
+    if arm.task.rotation in ("full", "approach"):
+        R = wanted[:3, :3]
+    elif arm.task.rotation == "phi":
+        turn = wanted[:3, :3] @ R.T
+        angle = math.atan2(turn[1, 0] - turn[0, 1], turn[0, 0] + turn[1, 1])
+        R = rotation_about("z", angle) @ R
+    return np.array(arm.base @ transform(R, p), dtype=np.float64)

@@ -1,0 +1,114 @@
+"""One student's session: the present state, undo, messages."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from armlab.content.robots import Robot
+from armlab.errors import ArmlabError, InputError
+from armlab.session.history import History
+from armlab.session.mailbox import Mailbox
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import Command, State, apply
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Undo(Command):
+    """Take the last step back."""
+
+
+@dataclass(frozen=True)
+class Redo(Command):
+    """Bring the last step taken back again."""
+
+
+@dataclass(frozen=True)
+class StartFresh(Command):
+    """Forget everything, history included: the next person at a shared computer begins anew."""
+
+    label: ClassVar[str] = "start"
+
+
+@dataclass(frozen=True)
+class Refuse(Command):
+    """Say why something a person typed cannot be used."""
+
+    text: str
+
+    def apply(self, state: State) -> State:
+        """Refuse."""
+        raise InputError(self.text)
+
+
+@dataclass(frozen=True)
+class Notice:
+    """Something to tell the student once; ``number`` grows with each."""
+
+    number: int
+    text: str
+
+
+@dataclass(eq=False)
+class Session:
+    """One student. Only the worker changes it; views read ``state``, which is immutable.
+
+    Attributes
+    ----------
+    token : str
+        Of the student's browser.
+    opening : Robot
+        The arm a fresh session begins with.
+    state : State
+    """
+
+    token: str
+    opening: Robot
+    state: State
+    history: History = field(default_factory=History)
+    mailbox: Mailbox = field(default_factory=Mailbox)
+    notice: Notice | None = None
+
+    @classmethod
+    def fresh(cls, token: str, opening: Robot) -> Session:
+        """Return a session nobody has touched."""
+        return cls(token, opening, State.initial(opening))
+
+    @property
+    def robot(self) -> Robot:
+        """The arm on the table."""
+        return self.state[RobotPart].robot
+
+    def apply(self, command: Command, at: float) -> None:
+        """Apply one command. A refused or failing one leaves the state as it was and a notice.
+
+        Parameters
+        ----------
+        command : Command
+        at : float
+            Seconds of any steady clock; strokes with a pause between them are steps of their own.
+        """
+        try:
+            if isinstance(command, Undo):
+                self.state = self.history.undo(self.state)
+            elif isinstance(command, Redo):
+                self.state = self.history.redo(self.state)
+            elif isinstance(command, StartFresh):
+                self.state, self.history = State.initial(self.opening), History()
+            else:
+                after = apply(self.state, command)
+                if after is not self.state:
+                    self.history.note(self.state, command, at)
+                    self.state = after
+        except ArmlabError as refusal:
+            self.tell(str(refusal))
+        except Exception:
+            log.exception("%s failed", command)
+            self.tell(f"{type(command).__name__} failed inside the lab; nothing was changed.")
+
+    def tell(self, text: str) -> None:
+        """Leave a notice for the student."""
+        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, text)

@@ -1,0 +1,170 @@
+"""The state of one student: frozen parts, one for each topic.
+
+A part holds inputs only; what follows from it is a `cached_property` of the part, and what follows from several parts
+is asked for with `State.derived`. Both are computed once a change and only when somebody looks. A new bench brings a
+new part, as one file in `armlab.session.parts`, and touches no other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, ClassVar, Self, TypeVar
+
+from armlab.content.robots import Robot
+from armlab.plugins import discover
+
+Json = Any
+"""What `json.dumps` takes."""
+
+
+class Part:
+    """A topic of the state. Subclasses are frozen dataclasses and live in modules of `armlab.session.parts`."""
+
+    key: ClassVar[str]
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return the part as it is when an arm has just been chosen."""
+        raise NotImplementedError
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Return the part for another arm; what does not depend on the arm is kept by overriding this."""
+        return self.initial(robot)
+
+    def after(self, before: State, now: State) -> Self:
+        """Return the part adapted to what a command changed in others; called once for each command."""
+        return self
+
+    def to_json(self) -> Json:
+        """Return the part written down."""
+        raise NotImplementedError
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Return the part read back; raise anything when the data are not usable."""
+        raise NotImplementedError
+
+
+P = TypeVar("P", bound=Part)
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class PartType:
+    """The constant ``PART`` of a module of parts.
+
+    Parameters
+    ----------
+    part : type
+        The class.
+    order : int
+        Reactions (`Part.after`) run in this order.
+    """
+
+    part: type[Part]
+    order: int
+
+    @property
+    def key(self) -> str:
+        """The key of the class."""
+        return self.part.key
+
+
+@cache
+def part_types() -> tuple[type[Part], ...]:
+    """Return all parts, in order."""
+    from armlab.session import parts
+
+    return tuple(found.part for found in discover(parts, "PART", PartType).values())
+
+
+class State:
+    """An immutable set of parts, one of each type: ``state[Joints].q``."""
+
+    def __init__(self, parts: dict[type[Part], Part]) -> None:
+        self._parts = parts
+        self._derived: dict[Callable[[State], Any], Any] = {}
+
+    @classmethod
+    def initial(cls, robot: Robot) -> State:
+        """Return the state in which an arm opens."""
+        return cls({kind: kind.initial(robot) for kind in part_types()})
+
+    def __getitem__(self, kind: type[P]) -> P:
+        part = self._parts[kind]
+        assert isinstance(part, kind)
+        return part
+
+    def __iter__(self) -> Iterator[Part]:
+        return iter(self._parts.values())
+
+    def replace(self, *parts: Part) -> State:
+        """Return a state with these parts instead of the present ones of their types."""
+        return State(self._parts | {type(part): part for part in parts})
+
+    def with_robot(self, robot: Robot) -> State:
+        """Return the state with every part adapted to another arm."""
+        return State({kind: part.for_robot(robot) for kind, part in self._parts.items()})
+
+    def derived(self, compute: Callable[[State], T]) -> T:
+        """Return ``compute(state)``, computed at most once for this state."""
+        if compute not in self._derived:
+            self._derived[compute] = compute(self)
+        value: T = self._derived[compute]
+        return value
+
+    def to_json(self) -> Json:
+        """Return the whole state written down, part by part."""
+        return {part.key: part.to_json() for part in self}
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> State:
+        """Return a state read back; a part that is missing is as it opens with this arm."""
+        parts: dict[type[Part], Part] = {}
+        for kind in part_types():
+            parts[kind] = kind.from_json(data[kind.key], robot) if kind.key in data else kind.initial(robot)
+        return cls(parts)
+
+
+class Command:
+    """A wish to change the state. Subclasses are frozen dataclasses beside the part they change.
+
+    Attributes
+    ----------
+    snapshot : bool
+        Of snapshots of one `channel` waiting in a row only the newest counts (a drag, a moving slider); every event
+        counts, in order.
+    rests : bool
+        Whether a pause ends its stroke: sliders do not say when they are let go.
+    label : str
+        What an undo of it says it takes back.
+    """
+
+    snapshot: ClassVar[bool] = False
+    rests: ClassVar[bool] = False
+    label: ClassVar[str] = "change"
+
+    def apply(self, state: State) -> State:
+        """Return the new state. Pure: no clock, no randomness, no I/O. Raise `ArmlabError` to refuse."""
+        raise NotImplementedError
+
+    @property
+    def channel(self) -> object:
+        """Which snapshots replace each other."""
+        return type(self)
+
+    @property
+    def stroke(self) -> object:
+        """Commands in a row with the same stroke are one step of undo; None is always a step of its own."""
+        return None
+
+
+def apply(state: State, command: Command) -> State:
+    """Return the state after a command and after the reactions of the parts to it."""
+    changed = command.apply(state)
+    if changed is state:
+        return state
+    adapted = [(part, part.after(state, changed)) for part in changed]
+    return changed.replace(*(new for part, new in adapted if new is not part))

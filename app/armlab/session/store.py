@@ -1,0 +1,101 @@
+"""Sessions by token, kept on disk: a reload, a lost network or a restart brings a student's arm back."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import logging
+import os
+import tempfile
+import threading
+from pathlib import Path
+
+from armlab.content.robots import Robot, catalogue
+from armlab.errors import ArmlabError
+from armlab.session.session import Session
+from armlab.session.state import Json, State
+
+log = logging.getLogger(__name__)
+
+FORMAT = 1
+
+
+class Store:
+    """Live sessions, and one small file for each.
+
+    Parameters
+    ----------
+    folder : Path or None
+        Where the files lie; None keeps nothing beyond this process.
+    opening : Robot
+        The arm a new student begins with.
+    """
+
+    def __init__(self, folder: Path | None, opening: Robot) -> None:
+        self._folder, self.opening = folder, opening
+        self._live: dict[str, Session] = {}
+        self._saved: dict[str, State] = {}
+        self._lock = threading.Lock()
+        if folder is not None:
+            folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+
+    def get(self, token: str) -> Session:
+        """Return the session of a browser: live, from disk, or fresh."""
+        with self._lock:
+            if token not in self._live:
+                self._live[token] = self._load(token)
+            return self._live[token]
+
+    def save(self) -> int:
+        """Write the sessions whose state has changed since the last time; return how many.
+
+        Each file is replaced as a whole, so a crash leaves the old or the new one, never a half.
+        """
+        if self._folder is None:
+            return 0
+        with self._lock:
+            changed = [(t, s.state) for t, s in self._live.items() if self._saved.get(t) is not s.state]
+        for token, state in changed:
+            self._write(token, {"format": FORMAT, "parts": state.to_json()})
+            self._saved[token] = state
+        return len(changed)
+
+    def _path(self, token: str) -> Path:
+        """Return the file of a token, which never becomes a file name itself."""
+        assert self._folder is not None
+        return self._folder / f"{hashlib.sha256(token.encode()).hexdigest()[:40]}.json"
+
+    def _write(self, token: str, data: Json) -> None:
+        handle, temporary = tempfile.mkstemp(dir=self._folder, prefix=".writing-")
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            json.dump(data, file)
+        os.replace(temporary, self._path(token))
+
+    def _load(self, token: str) -> Session:
+        session = Session.fresh(token, self.opening)
+        self._saved[token] = session.state
+        if self._folder is None:
+            return session
+        try:
+            text = self._path(token).read_text(encoding="utf-8")
+        except FileNotFoundError:
+            return session
+        except OSError as error:
+            log.warning("a saved session cannot be read: %s", error)
+            session.tell("Your saved work could not be read; this is a fresh start.")
+            return session
+        try:
+            session.state = self._saved[token] = state_from_text(text)
+        except (ArmlabError, ValueError, KeyError, TypeError, IndexError, StopIteration) as error:
+            log.warning("a saved session is not usable: %r", error)
+            session.tell("Your saved work does not fit this version of the lab; this is a fresh start.")
+        return session
+
+
+def state_from_text(text: str) -> State:
+    """Return the state a saved file holds; raises on anything that does not fit."""
+    data = json.loads(text)
+    if data["format"] != FORMAT:
+        raise ValueError(f"format {data['format']}, expected {FORMAT}")
+    parts = data["parts"]
+    return State.from_json(parts, catalogue()[parts["robot"]])

@@ -1,0 +1,80 @@
+"""The one thread that applies the commands of all students."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from armlab.session.session import Session
+from armlab.session.state import Command
+
+log = logging.getLogger(__name__)
+
+
+@dataclass
+class Counts:
+    """What the worker has done since the start."""
+
+    posted: int = 0
+    applied: int = 0
+    runs: int = 0
+
+
+class Worker(threading.Thread):
+    """Serves students in turn: all waiting commands of one, then of the next.
+
+    Parameters
+    ----------
+    publish : callable
+        Called with a session after its commands were applied, in this thread; it must return at once.
+    """
+
+    def __init__(self, publish: Callable[[Session], None]) -> None:
+        super().__init__(daemon=True, name="armlab-worker")
+        self.counts = Counts()
+        self._publish = publish
+        self._lock, self._wake = threading.Lock(), threading.Event()
+        self._waiting: dict[str, Session] = {}
+        self._stopping = False
+
+    def post(self, session: Session, command: Command) -> None:
+        """Hand in a command; returns at once, from any thread."""
+        session.mailbox.post(command)
+        with self._lock:
+            self._waiting[session.token] = session
+            self.counts.posted += 1
+        self._wake.set()
+
+    def stop(self) -> None:
+        """Finish the student at hand and end."""
+        self._stopping = True
+        self._wake.set()
+
+    def run(self) -> None:
+        """Serve until `stop`."""
+        while not self._stopping:
+            self._wake.wait()
+            self._wake.clear()
+            while not self._stopping and (session := self._next()) is not None:
+                self._serve(session)
+
+    def _next(self) -> Session | None:
+        with self._lock:
+            if not self._waiting:
+                return None
+            return self._waiting.pop(next(iter(self._waiting)))
+
+    def _serve(self, session: Session) -> None:
+        commands = session.mailbox.take()
+        for command in commands:
+            session.apply(command, time.monotonic())
+        self.counts.applied += len(commands)
+        self.counts.runs += 1
+        try:
+            self._publish(session)
+        except Exception:
+            # A student whose page cannot be told must not stop the others.
+            log.exception("cannot publish")

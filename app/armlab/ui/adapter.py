@@ -1,0 +1,101 @@
+"""Every private or undocumented part of viser that Armlab touches, in one place, each with a test.
+
+viser is pinned to the tested version; when the pin moves, the tests of this module say what has to follow.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import logging
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import viser
+from viser import _messages
+
+TOKEN_HEADER = "X-Armlab-Token"
+WISH_HEADER = "X-Armlab-Wish"
+SECRET_HEADER = "X-Armlab-Secret"
+
+
+def make_server(port: int) -> viser.ViserServer:
+    """Return a viser server on loopback, silent, with the public-share messages switched off.
+
+    viser prints a banner with its own address even when told to be quiet; people must see the front's address only.
+    """
+    logging.getLogger("websockets.server").setLevel(logging.CRITICAL)
+    with contextlib.redirect_stdout(io.StringIO()):
+        server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
+    for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
+        server._websock_server.unregister_handler(message)
+    return server
+
+
+def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> dict[str, str] | None:
+    """Return the headers the front sent when it opened this client's connection; None when it is already gone."""
+    connection = server._websock_server._live_connections.get(client.client_id)
+    return None if connection is None else dict(connection.request.headers.raw_items())
+
+
+def gui_id(handle: Any) -> str:
+    """Return the identifier of a control, which is the ``id`` of its element and the ``for`` of its label."""
+    identifier: str = handle._impl.uuid
+    return identifier
+
+
+def set_value(handle: Any, value: Any) -> None:
+    """Set the value of a control without calling its callbacks, which viser would do as if the student had moved it."""
+    if handle._impl.removed or handle._impl.value == value:
+        return
+    handle._impl.value = value
+    _queue_gui(handle, {"value": value})
+
+
+def remember_value(handle: Any, value: Any) -> None:
+    """Note a value the page already shows, without sending it."""
+    handle._impl.value = value
+
+
+def set_content(handle: Any, content: str) -> None:
+    """Replace the content of an HTML element."""
+    if handle._impl.removed or handle._impl.props.content == content:
+        return
+    handle._impl.props.content = content
+    _queue_gui(handle, {"content": content})
+
+
+def _queue_gui(handle: Any, updates: dict[str, Any]) -> None:
+    message = _messages.GuiUpdateMessage(handle._impl.uuid, updates)
+    handle._impl.gui_api._websock_interface.queue_message(message)
+
+
+def set_wxyz(handle: Any, wxyz: tuple[float, float, float, float]) -> None:
+    """Turn a scene node: the same message as assigning ``wxyz``, without the comparisons around it."""
+    handle._impl.wxyz = np.array(wxyz)
+    handle._impl.api._queue_scene_message(_messages.SetOrientationMessage(handle._impl.name, wxyz))
+
+
+def set_position(handle: Any, position: tuple[float, float, float]) -> None:
+    """Move a scene node. viser's own setter drops moves it takes for noise; this one does not."""
+    handle._impl.position = np.array(position)
+    handle._impl.api._queue_scene_message(_messages.SetPositionMessage(handle._impl.name, position))
+
+
+def open_connections(server: viser.ViserServer) -> int:
+    """Return how many browsers are connected."""
+    return len(server._websock_server._live_connections)
+
+
+def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> None:
+    """Call back on an event of a student, on viser's loop, in order; echoes of the lab's own writes are left out.
+
+    Only ``async`` callbacks that never wait keep their order; viser runs plain functions in a pool of threads.
+    """
+
+    async def forward(event: Any) -> None:
+        if event.client is not None:
+            callback(event)
+
+    getattr(handle, register)(forward)

@@ -1,0 +1,61 @@
+"""Where the arm is looked at from."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from armlab.content.robots import Robot
+from armlab.ui.figure.figure import Figure
+
+FIELD_OF_VIEW = math.radians(32.0)
+"""viser's 75 degrees distort arms."""
+
+PRESETS: dict[str, tuple[float, float] | None] = {
+    "Home": None,
+    "Front": (-90.0, 6.0),
+    "Side": (0.0, 6.0),
+    "Top": (-90.0, 89.0),
+}
+"""Azimuth and elevation in degrees; the home view is the robot's own."""
+
+
+class Camera:
+    """The camera of one browser."""
+
+    def __init__(self, client: viser.ClientHandle) -> None:
+        self._client = client
+        self._robot: Robot | None = None
+        self._figure: Figure | None = None
+
+    def follow(self, robot: Robot, figure: Figure) -> None:
+        """Look at another arm, from its home view."""
+        self._robot, self._figure = robot, figure
+        self.look_from("Home")
+
+    def look_from(self, preset: str) -> None:
+        """Look from one of the `PRESETS`, with the whole arm in its home pose in the picture."""
+        if self._robot is None or self._figure is None:
+            return
+        home = self._robot.camera
+        azimuth, elevation = PRESETS[preset] or (home.azimuth_deg, home.elevation_deg)
+        bounds = self._figure.bounds(self._robot.home)
+        middle = bounds.mean(axis=0)
+        radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
+        camera = self._client.camera
+        narrow = math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, camera.aspect))
+        distance = 1.02 * home.distance * radius / math.sin(narrow)
+        # In this order: assigning the position keeps the point looked at.
+        camera.fov = FIELD_OF_VIEW
+        camera.look_at = middle
+        camera.position = middle + distance * _direction(math.radians(azimuth), math.radians(elevation))
+        camera.look_at = middle
+
+
+def _direction(azimuth: float, elevation: float) -> NDArray[np.float64]:
+    return np.array(
+        [math.cos(azimuth) * math.cos(elevation), math.sin(azimuth) * math.cos(elevation), math.sin(elevation)]
+    )

@@ -1,0 +1,139 @@
+"""The scene of one browser and one arm: the nodes everything else hangs on, and the pose they are shown in."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from collections.abc import Callable
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from armlab.kin.rotations import quaternion_from_rotation
+from armlab.ui import adapter
+from armlab.ui.figure.drawn import Drawn
+from armlab.ui.plugin import Post
+
+JUMP = 0.35
+"""Joint changes larger than this (rad, or sizes of the arm) are shown as a short move; smaller ones at once, so that
+nothing lags behind a hand."""
+
+GLIDE_SPEED = 4.0
+GLIDE_SECONDS = (0.12, 0.5)
+GLIDE_RATE = 30.0
+"""Moves made by the lab: rad/s, shortest and longest duration, pictures a second."""
+
+PoseListener = Callable[[NDArray[np.float64]], None]
+
+
+class Canvas:
+    """What layers draw on.
+
+    Attributes
+    ----------
+    client : viser.ClientHandle
+    drawn : Drawn
+        The arm's figure.
+    post : callable
+        Hands in a command.
+    number : int
+        Another one for each canvas of a browser. The page keeps the pose of a node that is removed and made again
+        under its name, so no name may be used twice.
+    """
+
+    def __init__(
+        self, client: viser.ClientHandle, drawn: Drawn, post: Post, q: NDArray[np.float64], number: int
+    ) -> None:
+        self.client, self.drawn, self.post, self._number = client, drawn, post, number
+        self.scene = client.scene
+        self.size = drawn.figure.anatomy.size
+        self._listeners: list[PoseListener] = []
+        self._nodes: list[viser.FrameHandle] = []
+        self._make_nodes(q)
+        self._shown = q
+        self._goal = q
+        self._glide: asyncio.TimerHandle | None = None
+
+    def _make_nodes(self, q: NDArray[np.float64]) -> None:
+        anatomy = self.drawn.figure.anatomy
+        path = self.path("arm")
+        root = quaternion_from_rotation(anatomy.root[:3, :3])
+        self._nodes.append(self.scene.add_frame(path, show_axes=False, wxyz=root, position=anatomy.root[:3, 3]))
+        for i, body in enumerate(anatomy.bodies):
+            path += f"/{i + 1}"
+            wxyz, position = body.node_wxyz(float(q[i])), body.node_position(float(q[i]))
+            self._nodes.append(self.scene.add_frame(path, show_axes=False, wxyz=wxyz, position=position))
+
+    def path(self, name: str) -> str:
+        """Return the full name of a node of this canvas."""
+        return f"/{self._number}/{name}"
+
+    def node(self, i: int) -> str:
+        """Return the name of the node of body i (0 is the base): what hangs under it moves with the body."""
+        return self._nodes[i].name
+
+    def on_pose(self, listener: PoseListener) -> None:
+        """Call back with every configuration that is shown, moves included."""
+        self._listeners.append(listener)
+
+    def show_pose(self, q: NDArray[np.float64]) -> None:
+        """Show a configuration: at once when it is near, by a short move when it is not."""
+        self._goal = q
+        if self._glide is not None:
+            return
+        if self._distance() <= JUMP:
+            self._write(q)
+        else:
+            self._begin_glide()
+
+    def close(self) -> None:
+        """Stop moving; the scene is about to be rebuilt or the browser is gone."""
+        if self._glide is not None:
+            self._glide.cancel()
+            self._glide = None
+
+    def _distance(self) -> float:
+        scale = np.where(self.drawn.figure.anatomy.arm.revolute, 1.0, self.size)
+        return float(np.max(np.abs(self._goal - self._shown) / scale))
+
+    def _begin_glide(self) -> None:
+        start, goal = self._shown, self._goal
+        low, high = GLIDE_SECONDS
+        duration = min(max(self._distance() / GLIDE_SPEED, low), high)
+        loop = asyncio.get_running_loop()
+        began = loop.time()
+
+        def step() -> None:
+            s = min((loop.time() - began) / duration, 1.0)
+            self._glide = None
+            if self._goal is not goal:  # something newer: go on from here
+                self._write(start + _ease(s) * (goal - start), flush=True)
+                self.show_pose(self._goal)
+                return
+            self._write(goal if s >= 1.0 else start + _ease(s) * (goal - start), flush=True)
+            if s < 1.0:
+                self._glide = loop.call_later(1.0 / GLIDE_RATE, step)
+
+        self._glide = loop.call_later(0.0, step)
+
+    def _write(self, q: NDArray[np.float64], flush: bool = False) -> None:
+        bodies = self.drawn.figure.anatomy.bodies
+        with self.client.atomic():
+            for i, body in enumerate(bodies):
+                if q[i] == self._shown[i]:
+                    continue
+                if body.revolute:
+                    adapter.set_wxyz(self._nodes[i + 1], body.node_wxyz(float(q[i])))
+                else:
+                    adapter.set_position(self._nodes[i + 1], body.node_position(float(q[i])))
+            self._shown = q
+            for listener in self._listeners:
+                listener(q)
+        if flush:
+            self.client.flush()
+
+
+def _ease(s: float) -> float:
+    """Return the minimum-jerk course from 0 to 1."""
+    return s * s * s * (10.0 + s * (6.0 * s - 15.0)) if 0.0 < s < 1.0 else math.floor(s)

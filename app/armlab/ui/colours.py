@@ -1,0 +1,45 @@
+"""The palette: colour carries meaning, and is never alone. Values are sRGB, 0 to 255."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Rgb = tuple[int, int, int]
+
+BLUE: Rgb = (0, 114, 178)
+ORANGE: Rgb = (230, 159, 0)
+GREEN: Rgb = (0, 158, 115)
+PURPLE: Rgb = (204, 121, 167)
+SKY: Rgb = (86, 180, 233)
+VERMILLION: Rgb = (213, 94, 0)
+YELLOW: Rgb = (240, 228, 66)
+
+JOINTS: tuple[Rgb, ...] = (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILLION, YELLOW)
+"""Colours of the joints in order (Okabe and Ito, apart also for the colour-blind); they begin again after seven."""
+
+AXES: dict[str, Rgb] = {"x": (213, 66, 30), "y": GREEN, "z": BLUE}
+
+VERDICT: dict[str, Rgb] = {"ok": (0, 115, 90), "warn": (184, 120, 0), "no": (196, 60, 10)}
+
+
+def joint_colour(i: int) -> Rgb:
+    """Return the colour of joint i (0-based)."""
+    return JOINTS[i % len(JOINTS)]
+
+
+def css(rgb: Rgb) -> str:
+    """Return ``rgb(r,g,b)``."""
+    return f"rgb({rgb[0]},{rgb[1]},{rgb[2]})"
+
+
+def line_colour(rgb: Rgb) -> Rgb:
+    """Return the colour to give viser's lines, which take it as linear light, so that this one is seen."""
+    r, g, b = (round(255.0 * float(value)) for value in linear(rgb))
+    return r, g, b
+
+
+def linear(rgb: ArrayLike) -> NDArray[np.float64]:
+    """Return linear light, 0 to 1: what GLB materials and viser's line segments take."""
+    c = np.asarray(rgb, dtype=float) / 255.0
+    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)

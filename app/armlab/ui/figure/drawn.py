@@ -1,0 +1,50 @@
+"""Figures made ready for the page, one for each arm, kept because making one takes some 100 ms."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass
+
+from armlab.kin.arm import Arm
+from armlab.ui.figure.figure import Figure, build_figure
+
+KEPT = 64
+"""Figures that are kept: half a megabyte each."""
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A figure and its GLB files.
+
+    Attributes
+    ----------
+    figure : Figure
+    glbs : list of bytes or None
+        For bodies 0 to n.
+    """
+
+    figure: Figure
+    glbs: list[bytes | None]
+
+
+class Gallery:
+    """Makes each figure once. Safe to use from several threads."""
+
+    def __init__(self) -> None:
+        self._ready: dict[Arm, Drawn] = {}
+        self._making = threading.Lock()
+
+    def ready(self, arm: Arm) -> Drawn | None:
+        """Return the figure when it has been made."""
+        return self._ready.get(arm)
+
+    def make(self, arm: Arm) -> Drawn:
+        """Return the figure, making it when it is new; call this outside the event loop."""
+        with self._making:
+            if arm not in self._ready:
+                figure = build_figure(arm)
+                drawn = Drawn(figure, figure.glbs())
+                while len(self._ready) >= KEPT:
+                    del self._ready[next(iter(self._ready))]
+                self._ready[arm] = drawn
+            return self._ready[arm]

@@ -1,0 +1,145 @@
+"""The lab of one process: viser on loopback, the sessions, the worker."""
+
+from __future__ import annotations
+
+import logging
+import threading
+from pathlib import Path
+
+import viser
+
+from armlab.content.robots import Robot, catalogue
+from armlab.errors import ArmlabError
+from armlab.kin.ik import methods
+from armlab.session.parts.robot import ChooseRobot
+from armlab.session.session import Session
+from armlab.session.state import part_types
+from armlab.session.store import Store
+from armlab.session.worker import Worker
+from armlab.ui import adapter
+from armlab.ui.figure.drawn import Gallery
+from armlab.ui.plugin import layers, panels
+from armlab.ui.view import View
+
+log = logging.getLogger(__name__)
+
+SAVE_INTERVAL = 1.0
+"""Seconds between savings: what a crash can lose."""
+
+
+class Lab:
+    """Everything behind the front.
+
+    Parameters
+    ----------
+    opening : Robot
+        The arm a new student begins with.
+    folder : Path or None
+        Where sessions are kept.
+    secret : str
+        What the front says with every connection; others on this machine cannot.
+    port : int
+        On loopback; 0 takes a free one.
+    """
+
+    def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
+        # Found now, so that a broken plug-in stops the start and not the first student.
+        for found in (part_types, methods, panels, layers):
+            found()
+        self._secret = secret
+        self.server = adapter.make_server(port)
+        self.loop = self.server.get_event_loop()
+        self.gallery = Gallery()
+        self.store = Store(folder, opening)
+        self.worker = Worker(self._publish)
+        self._views: dict[int, View] = {}
+        self._of_session: dict[str, set[View]] = {}
+        self._due: set[str] = set()
+        self._stopped = threading.Event()
+        self.server.scene.configure_default_lights(False)
+        self.server.scene.configure_environment_map("studio", environment_intensity=0.38)
+        self.server.scene.world_axes.visible = False
+        self.server.on_client_connect(self._connect)
+        self.server.on_client_disconnect(self._disconnect)
+        self.worker.start()
+        threading.Thread(target=self._keep_saving, daemon=True, name="armlab-saver").start()
+        threading.Thread(target=self._prepare, args=(opening,), daemon=True, name="armlab-figures").start()
+
+    @property
+    def port(self) -> int:
+        """The loopback port."""
+        return self.server.get_port()
+
+    def stop(self) -> None:
+        """Save everything and end."""
+        self._stopped.set()
+        self.worker.stop()
+        self.server.stop()
+        self.store.save()
+
+    async def _connect(self, client: viser.ClientHandle) -> None:
+        headers = adapter.request_headers(self.server, client)
+        if headers is None:
+            return  # already gone
+        found = {name.lower(): value for name, value in headers.items()}
+        token = found.get(adapter.TOKEN_HEADER.lower())
+        if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
+            log.warning("refused a connection that did not come through the front")
+            return
+        session = self.store.get(token)
+        view = View(client, session, self.gallery, lambda command: self.worker.post(session, command))
+        self._views[client.client_id] = view
+        self._of_session.setdefault(token, set()).add(view)
+        self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
+
+    def _grant(self, session: Session, wish: str) -> None:
+        """Do what a readable link asks for: ``robot/puma560`` puts that arm on the table, if it is not there."""
+        kind, _, key = wish.partition("/")
+        if kind != "robot":
+            return
+        if key != session.robot.key:
+            self.worker.post(session, ChooseRobot(key))
+
+    async def _disconnect(self, client: viser.ClientHandle) -> None:
+        view = self._views.pop(client.client_id, None)
+        if view is not None:
+            view.close()
+            views = self._of_session[view.session.token]
+            views.discard(view)
+            if not views:
+                del self._of_session[view.session.token]
+
+    def _publish(self, session: Session) -> None:
+        """Have the views of a session shown, on the event loop; called by the worker."""
+        if session.token in self._due:
+            return
+        self._due.add(session.token)
+        try:
+            self.loop.call_soon_threadsafe(self._show, session)
+        except RuntimeError:
+            log.debug("the server has stopped")
+
+    def _show(self, session: Session) -> None:
+        self._due.discard(session.token)
+        for view in tuple(self._of_session.get(session.token, ())):
+            view.show()
+
+    def _keep_saving(self) -> None:
+        while not self._stopped.wait(SAVE_INTERVAL):
+            try:
+                self.store.save()
+            except OSError as error:
+                log.warning("sessions cannot be saved: %s", error)
+
+    def _prepare(self, opening: Robot) -> None:
+        """Make the figures of all arms ahead of time, the opening one first."""
+        for robot in [opening, *catalogue().robots.values()]:
+            if self._stopped.is_set():
+                return
+            try:
+                self.gallery.make(robot.arm)
+            except (ArmlabError, ValueError, ArithmeticError):
+                log.exception("no figure for %s", robot.key)
+
+
+__all__ = ["Lab"]

@@ -1,0 +1,1 @@
+"""One file a layer of the scene; each holds a constant ``LAYER``."""

@@ -1,0 +1,75 @@
+"""The arm as the textbooks draw it: lines along the table's lengths, a cylinder or a box for each joint."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from armlab.kin.rotations import quaternion_from_rotation
+from armlab.session.parts.display import Display
+from armlab.session.state import State
+from armlab.ui.canvas import Canvas
+from armlab.ui.colours import joint_colour, line_colour
+from armlab.ui.figure.marks import joint_symbol
+from armlab.ui.plugin import Layer, Show
+
+INK = {False: (52, 60, 72), True: (205, 212, 222)}
+
+
+def build(canvas: Canvas, state: State) -> Show:
+    """Hang lines and symbols on the bodies; they are shown instead of the solids."""
+    anatomy, scene = canvas.drawn.figure.anatomy, canvas.scene
+    handles, lines = [], []
+    for i, body in enumerate(anatomy.bodies):
+        r = float(anatomy.radius[i])
+        # The symbol of a prismatic joint stays with the body before, that of a revolute one turns.
+        on, pose = (i + 1, np.eye(4)) if body.revolute else (i, body.mount)
+        handles.append(
+            scene.add_glb(
+                f"{canvas.node(on)}/symbol{i + 1}",
+                joint_symbol(body.revolute, 1.25 * r, joint_colour(i)),
+                wxyz=quaternion_from_rotation(pose[:3, :3]),
+                position=pose[:3, 3],
+                visible=False,
+            )
+        )
+        segments = _segments(canvas, i)
+        if len(segments):
+            lines.append((i + 1, segments))
+
+    def show(state: State) -> None:
+        display = state[Display]
+        for on, segments in lines:
+            # Lines are made anew because their colour follows the theme.
+            scene.add_line_segments(
+                f"{canvas.node(on)}/lines",
+                segments,
+                line_colour(INK[display.dark]),
+                thickness=0.008 * canvas.size,
+                visible=display.skeleton,
+            )
+        for handle in handles:
+            if handle.visible != display.skeleton:
+                handle.visible = display.skeleton
+
+    show(state)
+    return show
+
+
+def _segments(canvas: Canvas, i: int) -> np.ndarray:
+    """Return the lines of body i in its node, (k, 2, 3): along z, along x, and to the tool at the last body."""
+    anatomy = canvas.drawn.figure.anatomy
+    body = anatomy.bodies[i]
+    points = [np.zeros(3), np.array([0.0, 0.0, body.d]), np.array([body.a, 0.0, body.d])]
+    if not body.revolute:
+        # The rod is as long as the full stroke; it reaches back into its box.
+        points.insert(0, np.array([0.0, 0.0, -(body.offset + body.high)]))
+    if i == len(anatomy.bodies) - 1:
+        points.append(anatomy.tool_on_last()[:3, 3])
+    pairs = np.array(list(pairwise(points)))
+    long_enough = np.linalg.norm(pairs[:, 0] - pairs[:, 1], axis=1) > 1e-6 * canvas.size
+    return pairs[long_enough].astype(np.float32)
+
+
+LAYER = Layer("skeleton", order=30, watches=(Display,), build=build)

@@ -1,0 +1,82 @@
+"""The path of the tool point as it has been shown."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from armlab.session.parts.display import Display
+from armlab.session.state import State
+from armlab.ui.canvas import Canvas
+from armlab.ui.colours import BLUE, line_colour
+from armlab.ui.plugin import Layer, Show
+
+STEP = 0.004
+"""Distance between the points that are kept, in sizes of the arm."""
+
+CHUNK = 64
+CHUNKS = 40
+"""Segments in one node of the scene, and nodes that are kept: only the newest node is ever sent again."""
+
+
+class Trace:
+    """Collects the shown tool points and draws them in chunks."""
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._canvas = canvas
+        self._points: list[NDArray[np.float64]] = []
+        self._chunks: list[viser.LineSegmentsHandle] = []
+        self._made = 0
+        self.on = False
+
+    def add(self, q: NDArray[np.float64]) -> None:
+        """Note a shown configuration."""
+        if not self.on:
+            return
+        point = self._canvas.drawn.figure.anatomy.arm.position(q)
+        if self._points and np.linalg.norm(point - self._points[-1]) < STEP * self._canvas.size:
+            return
+        self._points.append(np.array(point))
+        if len(self._points) > 1:
+            self._draw()
+
+    def _draw(self) -> None:
+        points = np.array(self._points, dtype=np.float32)
+        segments = np.stack([points[:-1], points[1:]], axis=1)
+        name = self._canvas.path(f"trace/{self._made}")
+        handle = self._canvas.scene.add_line_segments(
+            name, segments, line_colour(BLUE), thickness=0.0035 * self._canvas.size
+        )
+        self._chunks[-1:] = [handle] if self._chunks and self._chunks[-1].name == name else [*self._chunks[-1:], handle]
+        if len(segments) >= CHUNK:
+            self._points = self._points[-1:]
+            self._made += 1
+        while len(self._chunks) > CHUNKS:
+            self._chunks.pop(0).remove()
+
+    def clear(self) -> None:
+        """Forget the path."""
+        for chunk in self._chunks:
+            if not chunk._impl.removed:
+                chunk.remove()
+        self._chunks.clear()
+        self._points.clear()
+        self._made += 1
+
+
+def build(canvas: Canvas, state: State) -> Show:
+    """Follow the tool while the switch is on; switching off clears the path."""
+    trace = Trace(canvas)
+    canvas.on_pose(trace.add)
+
+    def show(state: State) -> None:
+        if trace.on and not state[Display].trace:
+            trace.clear()
+        trace.on = state[Display].trace
+
+    show(state)
+    return show
+
+
+LAYER = Layer("trace", order=70, watches=(Display,), build=build)

@@ -1,0 +1,63 @@
+"""What lies over the scene: a line that says what to do or how it went, undo and redo, and notes to the page's script.
+
+The markup is put into viser's own main window, which the style sheet hides except for these children; so it stays
+mounted whatever tab is open.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+import viser
+
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target, verdict
+from armlab.session.session import Redo, Session, Undo
+from armlab.session.state import Command
+from armlab.ui.format import escaped, verdict_line
+from armlab.ui.widgets import Fields
+
+FIRST_HINT = "Drag the handle: the arm follows"
+
+
+class Overlay:
+    """The layer of HTML over the scene of one browser."""
+
+    def __init__(self, client: viser.ClientHandle, post: Callable[[Command], None]) -> None:
+        self._fields = Fields(client.gui, lambda cell, _: post(Undo() if cell == "undo" else Redo()))
+        self._tab, self._opened = "", 0
+
+    def open_tab(self, title: str) -> None:
+        """Ask the page's script to bring a tab to the front with the next `show`."""
+        self._tab, self._opened = title, self._opened + 1
+
+    def show(self, session: Session) -> None:
+        """Show the state of a session."""
+        untouched = session.state[Target].pose is None
+        if not untouched:
+            line = verdict_line(session.state.derived(verdict))
+        else:
+            line = FIRST_HINT if session.history.undo_label is None else ""
+        hint = f'<div class="al-over al-hint" role="status">{line}</div>' if line else ""
+        self._fields.show(hint + self._steps(session) + self._notes(session))
+
+    def _steps(self, session: Session) -> str:
+        labels = {
+            "undo": ("↶", "Undo", session.history.undo_label, "Ctrl+Z"),
+            "redo": ("↷", "Redo", session.history.redo_label, "Ctrl+Shift+Z"),
+        }
+        buttons = []
+        for cell, (sign, word, what, key) in labels.items():
+            title = f"{word}: {what} ({key})" if what else f"Nothing to {word.lower()}"
+            off = "" if what else " disabled"
+            buttons.append(
+                f'<button data-chan="{self._fields.channel_id}" data-cell="{cell}" aria-label="{word}"'
+                f' title="{escaped(title)}"{off}>{sign}</button>'
+            )
+        return f'<div class="al-over al-steps">{"".join(buttons)}</div>'
+
+    def _notes(self, session: Session) -> str:
+        """Return what the page's script reads: the address of this arm, and the tab to open."""
+        notes = {"path": f"/robot/{session.state[RobotPart].robot.key}", "tab": self._tab, "opened": self._opened}
+        return f'<i id="al-notes" hidden data-notes="{escaped(json.dumps(notes))}"></i>'

@@ -1,0 +1,130 @@
+"""Joint variables: sliders, locks, poses, and where the tool is."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from armlab.kin.rotations import euler_zyx
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import State
+from armlab.ui.adapter import gui_id
+from armlab.ui.colours import css, joint_colour
+from armlab.ui.format import degrees, escaped, mathml, matrix, millimetres, number, pairs, subscript, turn
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.widgets import Control, Gui
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make a slider for each joint and the read-out of the tool."""
+    joints = state[Joints]
+    gui.heading("Joint variables")
+    sliders = [_slider(gui, joints, i, post) for i in range(joints.arm.n)]
+    gui.html(_colours(sliders))
+    locks = gui.fields(lambda cell, _: post(LockJoint(int(cell), not held[int(cell)])))
+    names = [*state[RobotPart].robot.poses, "zero"]
+    poses = gui.fields(lambda cell, _: post(RandomPose() if cell == "random" else TakePose(cell)))
+    buttons = [(name, name.capitalize()) for name in dict.fromkeys(names)] + [("random", "Random")]
+    poses.show(_row("Pose", "".join(_chip(poses.channel_id, key, title) for key, title in buttons)))
+    readout = gui.html()
+    held = list(joints.locked)
+
+    def show(state: State) -> None:
+        joints = state[Joints]
+        for i, slider in enumerate(sliders):
+            slider.show(_shown(joints, i))
+            slider.enable(not joints.locked[i])
+        held[:] = joints.locked
+        locks.show(_row("Hold", "".join(_lock(locks.channel_id, i, on) for i, on in enumerate(held))))
+        readout.show(_readout(joints))
+
+    show(state)
+    return show
+
+
+def _shown(joints: Joints, i: int) -> float:
+    value = float(joints.q[i])
+    return degrees(value) if joints.arm.rows[i].revolute else millimetres(value)
+
+
+def _slider(gui: Gui, joints: Joints, i: int, post: Post) -> Control:
+    revolute = joints.arm.rows[i].revolute
+    unit, scale, step = ("°", math.pi / 180.0, 0.1) if revolute else ("mm", 1e-3, 0.1)
+    low, high = (float(value) / scale for value in joints.arm.limits[i])
+    symbol = subscript("θ" if revolute else "d", i + 1)
+    kind = "revolute, turns about" if revolute else "prismatic, slides along"
+    axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
+    return gui.slider(
+        f"{subscript('q', i + 1)} {unit}",
+        round(low, 1),
+        round(high, 1),
+        step,
+        _shown(joints, i),
+        lambda value: post(MoveJoint(i, value * scale)),
+        f"Joint {i + 1}: {kind} {axis}, the variable {symbol} of the table. {number(low, 1)} to {number(high, 1)} {unit}.",
+    )
+
+
+def _colours(sliders: list[Control]) -> str:
+    """Return the style that gives each slider the colour of its joint."""
+    rules = []
+    for i, slider in enumerate(sliders):
+        key, colour = gui_id(slider.handle), css(joint_colour(i))
+        rules.append(
+            f"label[for='{key}']::before{{content:'';display:inline-block;width:9px;height:9px;border-radius:50%;"
+            f"margin-right:7px;background:{colour}}}"
+            f"[id='{key}'] .mantine-Slider-bar,[id='{key}'] .mantine-Slider-thumb"
+            f"{{background:{colour}!important;border-color:{colour}!important}}"
+            f"div:has(>p>label[for='{key}']){{width:4.6em!important}}"
+        )
+    return f"<style>{''.join(rules)}</style>"
+
+
+def _row(label: str, content: str) -> str:
+    return f'<div class="row"><span>{label}</span><div>{content}</div></div>'
+
+
+def _chip(channel: str, key: str, title: str) -> str:
+    return f'<button class="chip" data-chan="{channel}" data-cell="{escaped(key)}">{escaped(title)}</button>'
+
+
+def _lock(channel: str, i: int, on: bool) -> str:
+    name = subscript("q", i + 1)
+    title = f"Joint {i + 1} is held: click to let it go" if on else f"Hold joint {i + 1} where it is"
+    return (
+        f'<button class="chip lock" data-chan="{channel}" data-cell="{i}" aria-pressed="{str(on).lower()}"'
+        f' title="{title}">{name}</button>'
+    )
+
+
+def _readout(joints: Joints) -> str:
+    T = joints.tool_pose
+    (yaw, pitch, roll), singular = euler_zyx(T[:3, :3])
+    position = "&ensp;".join(number(1000.0 * float(value), 1) for value in T[:3, 3])
+    angles = [turn(float(value)) for value in (yaw, pitch, roll)]
+    product = r"R=R_z(%s°)\,R_y(%s°)\,R_x(%s°)" % tuple(angles)  # noqa: UP031
+    note = '<p class="dim">Pitch is ±90°: only yaw ∓ roll is defined, roll is set to 0.</p>' if bool(singular) else ""
+    unit = {0: "", 1: " m", 2: " m²", 3: " m³"}[_length_power(joints)]
+    return (
+        f"<h3>Tool in the world, {mathml('{}^{w}T_{E}')} <small>position in m</small></h3>{matrix(T, 3, 3)}"
+        + pairs(
+            [
+                ("position x y z, mm", position),
+                ("yaw pitch roll, °", "&ensp;".join(angles)),
+                (f"manipulability {mathml('w')}", f"{number(joints.manipulability, 4)}{unit}"),
+            ]
+        )
+        + f'<div class="eq small">{mathml(product)}</div>{note}'
+    )
+
+
+def _length_power(joints: Joints) -> int:
+    """Return the power of metres in w: one for each controlled coordinate, less one for each prismatic column."""
+    arm = joints.arm
+    power = min(len(arm.task.position), arm.n) - int(np.sum(~arm.revolute))
+    return max(power, 0) if arm.task.m <= arm.n else len(arm.task.position[: arm.n])
+
+
+PANEL = Panel("joints", "Joints", "ADJUSTMENTS_HORIZONTAL", 20, (Joints,), build)

@@ -1,0 +1,85 @@
+"""Choose an arm: by family, each with a line about it; below, the table of the one in use."""
+
+from __future__ import annotations
+
+from armlab.content.robots import FAMILIES, Robot, catalogue
+from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.state import State
+from armlab.ui.format import escaped, length, mathml, pairs
+from armlab.ui.panels._tables import dh_table
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.widgets import Gui
+
+FORMULAS = {
+    "standard": r"{}^{i-1}T_i=R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)",
+    "modified": r"{}^{i-1}T_i=R_x(\alpha_{i-1})\,T_x(a_{i-1})\,R_z(\theta_i)\,T_z(d_i)",
+}
+BOOKS = {"standard": "standard (Paul, Spong, Siciliano)", "modified": "modified (Craig)"}
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the list of arms and the description of the present one."""
+    present = state[RobotPart].robot
+    shown = present.family
+
+    def choose_family(family: str) -> None:
+        nonlocal shown
+        shown = family
+        list_arms()
+
+    gui.dropdown(
+        "Family",
+        {family: family.capitalize() for family in FAMILIES},
+        shown,
+        choose_family,
+        "Arms by their structure; the list below shows one family.",
+    )
+    arms = gui.fields(lambda key, _: post(ChooseRobot(key)))
+    gui.html(_description(present))
+
+    def list_arms() -> None:
+        robots = [robot for robot in catalogue().robots.values() if robot.family == shown]
+        arms.show("".join(_entry(robot, robot is present, arms.channel_id) for robot in robots) + _problems())
+
+    list_arms()
+
+    def show(state: State) -> None:
+        # Another arm rebuilds the whole panel; nothing else is watched.
+        del state
+
+    return show
+
+
+def _entry(robot: Robot, present: bool, channel: str) -> str:
+    mark = ' aria-current="true"' if present else ""
+    kinds = "".join(row.kind for row in robot.arm.rows)
+    return (
+        f'<button class="pick" data-chan="{channel}" data-cell="{robot.key}"{mark}>'
+        f"<b>{escaped(robot.name)}</b><i>{kinds}</i><span>{escaped(robot.summary)}</span></button>"
+    )
+
+
+def _problems() -> str:
+    """Return what is wrong with robot files that cannot be used."""
+    problems = catalogue().problems
+    if not problems:
+        return ""
+    return f'<div class="verdict no"><b>✕ {len(problems)} broken robot file{"s" if len(problems) > 1 else ""}</b>' + (
+        "".join(f"<p>{escaped(str(problem))}</p>" for problem in problems) + "</div>"
+    )
+
+
+def _description(robot: Robot) -> str:
+    arm = robot.arm
+    rows = [
+        ("convention", BOOKS[arm.convention]),
+        ("task", escaped(arm.task.title)),
+        ("all lengths in a line", length(arm.reach)),
+    ]
+    table = f"<h3>Denavit–Hartenberg table</h3>{dh_table(arm)}"
+    formula = f'<div class="eq">{mathml(FORMULAS[arm.convention], block=True)}</div>'
+    source = f'<p class="dim">{escaped(robot.source)}</p>'
+    return f"<h3>{escaped(robot.name)}</h3>{pairs(rows)}{table}{formula}<h3>Source</h3>{source}"
+
+
+PANEL = Panel("robot", "Robot", "ROBOT", 10, (RobotPart,), build)

@@ -1,0 +1,251 @@
+"""The controls of a panel, all made here: callbacks see only what a person did, never the lab's own writes."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import logging
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import viser
+
+from armlab.ui import adapter
+from armlab.ui.camera import Camera
+
+log = logging.getLogger(__name__)
+
+REST = 0.4
+"""Seconds after a person's last touch before the lab writes to the same control: it must not pull at a moving hand."""
+
+
+class Control:
+    """A control with a value.
+
+    Parameters
+    ----------
+    handle : viser handle
+    on_change : callable
+        Called with the value a person gave.
+    """
+
+    def __init__(self, handle: Any, on_change: Callable[[Any], None]) -> None:
+        self.handle = handle
+        self._touched, self._later = 0.0, None
+        adapter.on_event(handle, "on_update", lambda _: self._change(on_change))
+
+    def _change(self, on_change: Callable[[Any], None]) -> None:
+        self._touched = time.monotonic()
+        on_change(self.handle.value)
+
+    def show(self, value: Any) -> None:
+        """Show a value; while a person is moving the control, show it when the hand has come to rest."""
+        if self._later is not None:
+            self._later.cancel()
+            self._later = None
+        wait = self._touched + REST - time.monotonic()
+        if wait > 0.0 and self.handle.value != value:
+            self._later = asyncio.get_running_loop().call_later(wait, self.show, value)
+        else:
+            adapter.set_value(self.handle, value)
+
+    def enable(self, on: bool) -> None:
+        """Enable or disable the control."""
+        if self.handle.disabled == on:
+            self.handle.disabled = not on
+
+
+class Choice(Control):
+    """A drop-down of named options; values are the keys."""
+
+    def __init__(self, handle: Any, options: Mapping[str, str], on_change: Callable[[str], None]) -> None:
+        self._titles = dict(options)
+        keys = {title: key for key, title in options.items()}
+        super().__init__(handle, lambda title: on_change(keys[title]))
+
+    def show(self, value: str) -> None:
+        """Show the option with this key."""
+        super().show(self._titles[value])
+
+
+class Html:
+    """A piece of markup; written only when it changes."""
+
+    def __init__(self, handle: Any) -> None:
+        self.handle = handle
+
+    def show(self, content: str) -> None:
+        """Show this markup."""
+        adapter.set_content(self.handle, f'<div class="al">{content}</div>')
+
+    def visible(self, on: bool) -> None:
+        """Show or hide the element."""
+        if self.handle.visible != on:
+            self.handle.visible = on
+
+
+class Fields:
+    """Markup with input fields of our own, whose values arrive when Enter is pressed or the field is left.
+
+    Make the fields with `field`; the page's script sends what a person typed through a hidden text control.
+    """
+
+    def __init__(self, gui: viser.GuiApi, on_input: Callable[[str, str], None]) -> None:
+        self.channel = gui.add_text("channel", "", visible=False)
+        self.html = gui.add_html("")
+        self._on_input = on_input
+        self._revision = 0
+        adapter.on_event(self.channel, "on_update", lambda _: self._receive())
+
+    def _receive(self) -> None:
+        try:
+            cell, text, _ = json.loads(self.channel.value)
+        except (ValueError, TypeError):
+            log.warning("a page that is not ours wrote into a field")
+            return
+        self._revision += 1  # so that the next `show` also replaces a text that was not taken
+        self._on_input(str(cell), str(text))
+
+    @property
+    def channel_id(self) -> str:
+        """Where buttons in the markup send their ``data-cell``: put it into their ``data-chan``."""
+        return adapter.gui_id(self.channel)
+
+    def field(self, cell: str, value: str, label: str, disabled: bool = False) -> str:
+        """Return the markup of one input field."""
+        off = " disabled" if disabled else ""
+        return (
+            f'<input class="field" inputmode="decimal" autocomplete="off" data-chan="{self.channel_id}" data-cell="{cell}"'
+            f' aria-label="{label}" value="{value}"{off}>'
+        )
+
+    def show(self, content: str) -> None:
+        """Show this markup, which holds the fields."""
+        adapter.set_content(self.html, f'<div class="al" data-revision="{self._revision}">{content}</div>')
+
+
+class Segments:
+    """A row of choices of which one holds."""
+
+    def __init__(self, fields: Fields, label: str, options: Mapping[str, str], hint: str) -> None:
+        self._fields, self._label, self._options, self._hint = fields, label, options, hint
+
+    def show(self, value: str) -> None:
+        """Show which choice holds."""
+        chips = "".join(
+            f'<button class="chip" data-chan="{self._fields.channel_id}" data-cell="{key}" title="{self._hint}"'
+            f' aria-pressed="{"true" if key == value else "false"}">{title}</button>'
+            for key, title in self._options.items()
+        )
+        self._fields.show(
+            f'<div class="row wide"><span title="{self._hint}">{self._label}</span><div>{chips}</div></div>'
+        )
+
+
+class Gui:
+    """Makes the controls of one panel and can remove them all again.
+
+    Attributes
+    ----------
+    camera : Camera
+        The camera of this browser.
+    """
+
+    def __init__(self, client: viser.ClientHandle, camera: Camera) -> None:
+        self._gui, self.camera = client.gui, camera
+        self._made: list[Any] = []
+
+    def clear(self) -> None:
+        """Remove everything this has made."""
+        for handle in reversed(self._made):
+            if not handle._impl.removed:
+                handle.remove()
+        self._made.clear()
+
+    def _keep(self, handle: Any) -> Any:
+        self._made.append(handle)
+        return handle
+
+    def slider(
+        self,
+        label: str,
+        low: float,
+        high: float,
+        step: float,
+        value: float,
+        on_change: Callable[[float], None],
+        hint: str,
+    ) -> Control:
+        """Add a slider with its number box."""
+        return Control(self._keep(self._gui.add_slider(label, low, high, step, value, hint=hint)), on_change)
+
+    def checkbox(self, label: str, value: bool, on_change: Callable[[bool], None], hint: str) -> Control:
+        """Add a check box."""
+        return Control(self._keep(self._gui.add_checkbox(label, value, hint=hint)), on_change)
+
+    def dropdown(
+        self, label: str, options: Mapping[str, str], value: str, on_change: Callable[[str], None], hint: str
+    ) -> Choice:
+        """Add a drop-down; ``options`` maps keys to what a person reads."""
+        handle = self._gui.add_dropdown(label, tuple(options.values()), initial_value=options[value], hint=hint)
+        return Choice(self._keep(handle), options, on_change)
+
+    def buttons(self, label: str, names: Sequence[str], on_click: Callable[[str], None], hint: str) -> None:
+        """Add a row of buttons."""
+        handle = self._keep(self._gui.add_button_group(label, tuple(names), hint=hint))
+        adapter.on_event(handle, "on_click", lambda _: on_click(handle.value))
+
+    def segments(
+        self, label: str, options: Mapping[str, str], value: str, on_change: Callable[[str], None], hint: str
+    ) -> Segments:
+        """Add a row of choices; ``options`` maps keys to what a person reads."""
+        segments = Segments(self.fields(lambda key, _: on_change(key)), label, options, hint)
+        segments.show(value)
+        return segments
+
+    def confirm(self, title: str, text: str, yes: str, on_yes: Callable[[], None]) -> None:
+        """Ask before something that cannot be undone."""
+        modal = self._gui.add_modal(title)
+
+        def answer(agreed: bool) -> None:
+            modal.close()
+            if agreed:
+                on_yes()
+
+        with modal:
+            self._gui.add_html(f'<div class="al"><p>{text}</p></div>')
+            for label, agreed in ((yes, True), ("No, go back", False)):
+                handle = self._gui.add_button(label, color=None if agreed else "gray")
+                adapter.on_event(handle, "on_click", lambda _, agreed=agreed: answer(agreed))
+
+    def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
+        """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""
+        handle = self._keep(self._gui.add_button(label, hint=hint, icon=icon))
+        adapter.on_event(handle, "on_click", lambda _: on_click())
+        return handle
+
+    def html(self, content: str = "") -> Html:
+        """Add markup."""
+        element = Html(self._keep(self._gui.add_html("")))
+        element.show(content)
+        return element
+
+    def heading(self, text: str) -> None:
+        """Add a heading; the markup of the text is the caller's."""
+        self.html(f"<h3>{text}</h3>")
+
+    def fields(self, on_input: Callable[[str, str], None]) -> Fields:
+        """Add markup with input fields; ``on_input`` gets the cell and the text."""
+        fields = Fields(self._gui, on_input)
+        self._keep(fields.channel)
+        self._keep(fields.html)
+        return fields
+
+    @contextmanager
+    def folder(self, label: str, expanded: bool = False) -> Iterator[None]:
+        """Put what is made inside into a folder."""
+        handle = self._keep(self._gui.add_folder(label, expand_by_default=expanded))
+        with handle:
+            yield
