@@ -123,12 +123,13 @@ def _columns(arm: Description, axes: Sequence[Frame], walker: Walker) -> tuple[l
 def _task_jacobian(arm: Description, graph: Graph, k: int | None) -> list[list[Number]]:
     """Return the task Jacobian in the axes of frame 0 (k None) or of joint k.
 
-    Turning the axes of all rows leaves w alone. For the full pose so does moving the point whose velocity is meant
-    (the adjoint of a rigid motion has determinant 1), so the origin of the axes is taken and the tool drops out.
+    Turning the axes of all rows leaves w alone. For the full pose of an arm with six joints or more so does moving the
+    point whose velocity is meant (the adjoint of a rigid motion has determinant 1), so the origin of the axes is taken
+    and the tool drops out.
     """
     chain = arm.chain(graph)
     axes, walker = chain.axes() if k is None else chain.axes_seen_from(k)
-    if arm.task.position == "xyz" and arm.task.rotation == "full":
+    if arm.task.key == "pose" and arm.n >= arm.task.m:
         moments = [vec.cross(a.p, a.z) if row.revolute else a.z for row, a in zip(arm.rows, axes, strict=True)]
         turns = [a.z if row.revolute else (0.0, 0.0, 0.0) for row, a in zip(arm.rows, axes, strict=True)]
         return arm.task.jacobian_rows(moments, turns, ORIGIN)

@@ -117,8 +117,8 @@ class Fields:
         """Return the markup of one input field."""
         off = " disabled" if disabled else ""
         return (
-            f'<input class="field" inputmode="decimal" autocomplete="off" data-chan="{self.channel_id}" data-cell="{cell}"'
-            f' aria-label="{label}" value="{value}"{off}>'
+            f'<input class="field" inputmode="decimal" autocomplete="off" aria-label="{label}" value="{value}"'
+            f' data-chan="{self.channel_id}" data-cell="{cell}"{off}>'
         )
 
     def show(self, content: str) -> None:

@@ -93,7 +93,9 @@ class Expression:
             return 0.0 if self.sign != other.sign else self * 2.0
         if self.sign == other.sign:
             return self._signed(self.sign, "add", *sorted((self.node, other.node)))
-        return self._signed(self.sign, "sub", self.node, other.node)
+        if self.node < other.node:
+            return self._signed(self.sign, "sub", self.node, other.node)
+        return self._signed(other.sign, "sub", other.node, self.node)
 
     def __radd__(self, other: float) -> Number:
         return self + other

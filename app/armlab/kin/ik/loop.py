@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.ik.closest import Closest
 from armlab.kin.ik.problem import Errors, Linearised, Problem
 
 TOLERANCE = 1e-8
@@ -43,13 +44,13 @@ class Descent:
 
 
 def descend(
-    problem: Problem, target: Sequence[float], q0: Sequence[float], free: Sequence[float], limit: int
+    problem: Problem, target: Sequence[float], q0: Sequence[float], free: Sequence[float] | None, limit: int
 ) -> Descent:
     """Iterate without limits on the joints; the caller wraps the angles and looks at the limits.
 
     The plain method: each step is taken as it comes, only clipped to `MAX_STEP`.
     """
-    q, gain = list(q0), problem.method.gain
+    q, gain = list(q0), problem.gain
     largest = _largest_steps(problem)
     at = problem.linearise(q, target, gain, free)
     for iteration in range(limit):
@@ -64,10 +65,10 @@ def descend(
 
 
 def descend_inside(
-    problem: Problem,
+    problem: Problem | Closest,
     target: Sequence[float],
     q0: Sequence[float],
-    free: Sequence[float],
+    free: Sequence[float] | None,
     low: Sequence[float],
     high: Sequence[float],
     limit: int,
@@ -79,7 +80,7 @@ def descend_inside(
     of ``q0`` and cannot jump, jitter or leave its limits, whatever the target is.
     """
     q = [min(max(value, lo), hi) for value, lo, hi in zip(q0, low, high, strict=True)]
-    gain, shorten = problem.method.gain, 1.0
+    gain, shorten = problem.gain, 1.0
     largest = _largest_steps(problem)
     at = problem.linearise(q, target, gain, free)
     for iteration in range(limit):
@@ -94,10 +95,10 @@ def descend_inside(
         if there.errors.cost < at.errors.cost:
             still = at.errors.cost - there.errors.cost < 1e-9 * at.errors.cost
             q, at = tried, there
-            gain, shorten = max(problem.method.gain, gain / 4.0), min(1.0, shorten * 2.0)
+            gain, shorten = max(problem.gain, gain / 4.0), min(1.0, shorten * 2.0)
             if still:
                 return Descent(q, at.errors, iteration + 1)
-        elif problem.method.damped and gain < 1e6:
+        elif problem.damped and gain < 1e6:
             gain *= 8.0
             at = problem.linearise(q, target, gain, free)
         else:
@@ -108,16 +109,17 @@ def descend_inside(
 
 
 def _inward_step(
-    problem: Problem,
+    problem: Problem | Closest,
     q: Sequence[float],
     at: Linearised,
     target: Sequence[float],
     gain: float,
-    free: Sequence[float],
+    free: Sequence[float] | None,
     low: Sequence[float],
     high: Sequence[float],
 ) -> Sequence[float]:
-    step, held = at.step, list(free)
+    step = at.step
+    held = [1.0] * len(q) if free is None else list(free)
     for _ in q:
         outward = [
             i
@@ -132,7 +134,7 @@ def _inward_step(
     return step
 
 
-def _largest_steps(problem: Problem) -> list[float]:
+def _largest_steps(problem: Problem | Closest) -> list[float]:
     scale = problem.arm.length_scale
     return [MAX_STEP if row.revolute else MAX_STEP * scale for row in problem.arm.rows]
 

@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.ik.closest import closest_of
 from armlab.kin.ik.loop import Descent, descend, descend_inside, wrapped
 from armlab.kin.ik.method import Method, method_named
 from armlab.kin.ik.problem import Errors, Problem
-from armlab.kin.ik.verdict import Verdict, judge
+from armlab.kin.ik.verdict import Verdict, free_joints, judge
 from armlab.kin.transforms import as_pose
 
 ITERATIONS = 22
@@ -24,8 +25,11 @@ ITERATIONS = 22
 SEARCHES = 100
 """Starts before giving up."""
 
-STEPS_INSIDE = 60
-"""Steps of a descent inside limits, which also has to come to rest where the target cannot be reached."""
+STEPS_INSIDE = 20
+"""Steps of the method inside limits; what is not reached by then probably cannot be."""
+
+STEPS_CLOSEST = 100
+"""Steps of Newton's method towards the closest configuration after that; it needs five to ten."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +61,7 @@ class IkResult:
     verdict: Verdict
 
 
-FAR = Errors(math.inf, math.inf, math.inf)
+FAR = Errors(math.inf, math.inf, 1.0)
 """The errors of a search that found nothing."""
 
 
@@ -110,7 +114,7 @@ def solve(
     start = None if q0 is None else _start(arm, q0)
     if locked is not None and any(locked) and start is None:
         raise InputError("locked: give q0, the values the locked joints keep")
-    free = [0.0 if held else 1.0 for held in locked] if locked is not None else [1.0] * arm.n
+    free = free_joints(locked)
     problem = problem_of(arm, method_named(method))
     target = problem.target(pose)
     found = _search(problem, target, start, free, seed, searches)
@@ -135,25 +139,25 @@ def _search(
     problem: Problem,
     target: Sequence[float],
     start: NDArray[np.float64] | None,
-    free: Sequence[float],
+    free: Sequence[float] | None,
     seed: int,
     searches: int,
 ) -> Descent:
     """Try one start after the other until one converges inside the limits; return it, or the last."""
     arm, iterations = problem.arm, 0
     rng = np.random.default_rng(seed)
-    low = np.where(arm.revolute, np.maximum(arm.limits[:, 0], -math.pi), arm.limits[:, 0])
-    high = np.where(arm.revolute, np.minimum(arm.limits[:, 1], math.pi), arm.limits[:, 1])
-    high = np.maximum(low, high)
-    held = np.array(free) == 0.0
+    low, width = problem.starts
+    held = None if free is None else np.array(free) == 0.0
+    q = low
     for search in range(searches):
-        q = start if search == 0 and start is not None else rng.uniform(low, high)
-        if start is not None:
+        q = start if search == 0 and start is not None else low + width * rng.random(arm.n)
+        if held is not None and start is not None:
             q = np.where(held, start, q)
         descent = descend(problem, target, q.tolist(), free, ITERATIONS)
         iterations += descent.iterations
         if descent.converged:
-            solution = np.where(held, q, wrapped(descent.q, arm.revolute, arm.limits))
+            solution = wrapped(descent.q, arm.revolute, arm.limits)
+            solution = solution if held is None else np.where(held, q, solution)
             if arm.within_limits(solution):
                 return Descent(solution.tolist(), descent.errors, iterations)
     return Descent(q.tolist(), FAR, iterations)
@@ -163,7 +167,7 @@ def come_closer(
     problem: Problem,
     target: Sequence[float],
     q0: ArrayLike,
-    free: Sequence[float],
+    free: Sequence[float] | None,
     travel: float = math.inf,
 ) -> Descent:
     """Go downhill inside the limits from ``q0``, each joint by at most ``travel`` (rad, or length scales)."""
@@ -172,7 +176,12 @@ def come_closer(
     box = np.where(arm.revolute, travel, travel * arm.length_scale)
     low = np.maximum(arm.limits[:, 0], start - box)
     high = np.minimum(arm.limits[:, 1], start + box)
-    return descend_inside(problem, target, start.tolist(), free, low.tolist(), high.tolist(), STEPS_INSIDE)
+    box_limits = low.tolist(), high.tolist()
+    first = descend_inside(problem, target, start.tolist(), free, *box_limits, STEPS_INSIDE)
+    if first.converged:
+        return first
+    rest = descend_inside(closest_of(arm), target, first.q, free, *box_limits, STEPS_CLOSEST)
+    return Descent(rest.q, rest.errors, first.iterations + rest.iterations)
 
 
 def _start(arm: Arm, q0: ArrayLike) -> NDArray[np.float64]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -79,22 +80,26 @@ def judge(arm: Arm, T: ArrayLike, q: ArrayLike, locked: Sequence[bool] | None = 
         Joints that may not move.
     """
     pose, values = np.asarray(T, dtype=float), np.asarray(q, dtype=float)
-    free = [1.0] * arm.n if locked is None else [0.0 if held else 1.0 for held in locked]
+    free = free_joints(locked) or [1.0] * arm.n
     task = task_error_of(arm)
-    J, e, errors = task.at(values.tolist(), task.target(pose), free)
+    slope, errors = task.slope(values.tolist(), task.target(pose), free)
     if errors.position < REACHED_M and errors.rotation < REACHED_RAD and arm.within_limits(values):
         return Verdict("reached", errors.position, errors.rotation, ())
-    slope = J.T @ e  # the direction in which each joint would reduce the error
     low, high = arm.limits[:, 0] + 1e-9, arm.limits[:, 1] - 1e-9
     pushing = ((values <= low) & (slope < -PUSH)) | ((values >= high) & (slope > PUSH))
     limits = tuple(int(i) for i in np.flatnonzero(pushing))
-    at_rest = bool(np.all(np.abs(slope[~pushing]) < REST * max(1.0, float(np.linalg.norm(e)))))
+    at_rest = bool(np.all(np.abs(slope[~pushing]) < REST * max(1.0, math.sqrt(errors.cost))))
     status: Status = "moving"
     if at_rest:
         distance = float(np.linalg.norm(pose[:3, 3] - arm.base[:3, 3]))
         far = bool(arm.task.position) and distance > arm.reach
         status = "beyond" if far else "limit" if limits else "closest"
     return Verdict(status, errors.position, errors.rotation, limits)
+
+
+def free_joints(locked: Sequence[bool] | None) -> list[float] | None:
+    """Return 1 for joints that may move and 0 for locked ones; None when none is locked."""
+    return [0.0 if held else 1.0 for held in locked] if locked is not None and any(locked) else None
 
 
 @lru_cache(maxsize=64)

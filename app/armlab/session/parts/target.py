@@ -13,6 +13,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin import ik
 from armlab.kin.ik.solve import come_closer, problem_of
 from armlab.kin.ik.target import feasible
+from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Json, Part, PartType, State
@@ -231,7 +232,7 @@ def _followed(state: State, handle: NDArray[np.floating] | None, travel: float) 
         handle = target.pose
     pose = _wanted(joints, handle)
     problem = problem_of(joints.arm, ik.method_named(target.method))
-    free = [0.0 if held else 1.0 for held in joints.locked]
+    free = free_joints(joints.locked)
     q = np.array(come_closer(problem, problem.target(pose), joints.q, free, travel).q)
     scale = np.where(joints.arm.revolute, 1.0, joints.arm.length_scale)
     held_back = bool(np.any(np.abs(q - joints.q) > 0.999 * travel * scale)) if np.isfinite(travel) else False

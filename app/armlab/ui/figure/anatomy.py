@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,10 +70,14 @@ class Body:
     def node_position(self, q: float) -> tuple[float, float, float]:
         """Return the position of the node in the node before."""
         along = 0.0 if self.revolute else self.offset + q
-        p = self.mount[:3, 3] + along * self.mount[:3, 2]
-        return float(p[0]), float(p[1]), float(p[2])
+        (px, py, pz), (zx, zy, zz) = self._mount_axis
+        return px + along * zx, py + along * zy, pz + along * zz
 
-    @property
+    @cached_property
+    def _mount_axis(self) -> tuple[list[float], list[float]]:
+        return self.mount[:3, 3].tolist(), self.mount[:3, 2].tolist()
+
+    @cached_property
     def _mount_wxyz(self) -> tuple[float, float, float, float]:
         w, x, y, z = quaternion_from_rotation(self.mount[:3, :3]).tolist()
         return w, x, y, z

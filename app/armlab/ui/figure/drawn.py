@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from armlab.kin.arm import Arm
 from armlab.ui.figure.figure import Figure, build_figure
+from armlab.ui.figure.marks import symbols_of
 
 KEPT = 64
 """Figures that are kept: half a megabyte each."""
@@ -21,10 +22,13 @@ class Drawn:
     figure : Figure
     glbs : list of bytes or None
         For bodies 0 to n.
+    symbols : list of bytes
+        Textbook symbols of joints 1 to n.
     """
 
     figure: Figure
     glbs: list[bytes | None]
+    symbols: list[bytes]
 
 
 class Gallery:
@@ -43,7 +47,7 @@ class Gallery:
         with self._making:
             if arm not in self._ready:
                 figure = build_figure(arm)
-                drawn = Drawn(figure, figure.glbs())
+                drawn = Drawn(figure, figure.glbs(), symbols_of(figure.anatomy))
                 while len(self._ready) >= KEPT:
                     del self._ready[next(iter(self._ready))]
                 self._ready[arm] = drawn

@@ -6,7 +6,8 @@ from functools import cache
 
 import trimesh
 
-from armlab.ui.colours import AXES, Rgb
+from armlab.ui.colours import AXES, Rgb, joint_colour
+from armlab.ui.figure.anatomy import Anatomy
 from armlab.ui.figure.glb import CREASE, coloured
 from armlab.ui.figure.solids import along, block, drum, lathe, placed
 
@@ -31,7 +32,15 @@ def frame_glb() -> bytes:
     return exported
 
 
-def joint_symbol(revolute: bool, r: float, colour: Rgb) -> bytes:
+def symbols_of(anatomy: Anatomy) -> list[bytes]:
+    """Return the symbol of each joint, about z of its axis."""
+    return [
+        _symbol(body.revolute, 1.25 * float(anatomy.radius[i]), joint_colour(i))
+        for i, body in enumerate(anatomy.bodies)
+    ]
+
+
+def _symbol(revolute: bool, r: float, colour: Rgb) -> bytes:
     """Return the symbol of the textbooks about z: a cylinder for a revolute, a box for a prismatic joint."""
     solid = drum(0.55 * r, 1.5 * r, 0.1 * r) if revolute else block((0.95 * r, 0.95 * r, 3.0 * r), 0.1 * r)
     solid = trimesh.graph.smooth_shade(solid, angle=CREASE)

@@ -10,8 +10,7 @@ from armlab.kin.rotations import quaternion_from_rotation
 from armlab.session.parts.display import Display
 from armlab.session.state import State
 from armlab.ui.canvas import Canvas
-from armlab.ui.colours import joint_colour, line_colour
-from armlab.ui.figure.marks import joint_symbol
+from armlab.ui.colours import line_colour
 from armlab.ui.plugin import Layer, Show
 
 INK = {False: (52, 60, 72), True: (205, 212, 222)}
@@ -22,13 +21,12 @@ def build(canvas: Canvas, state: State) -> Show:
     anatomy, scene = canvas.drawn.figure.anatomy, canvas.scene
     handles, lines = [], []
     for i, body in enumerate(anatomy.bodies):
-        r = float(anatomy.radius[i])
         # The symbol of a prismatic joint stays with the body before, that of a revolute one turns.
         on, pose = (i + 1, np.eye(4)) if body.revolute else (i, body.mount)
         handles.append(
             scene.add_glb(
                 f"{canvas.node(on)}/symbol{i + 1}",
-                joint_symbol(body.revolute, 1.25 * r, joint_colour(i)),
+                canvas.drawn.symbols[i],
                 wxyz=quaternion_from_rotation(pose[:3, :3]),
                 position=pose[:3, 3],
                 visible=False,

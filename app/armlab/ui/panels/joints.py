@@ -63,7 +63,7 @@ def _slider(gui: Gui, joints: Joints, i: int, post: Post) -> Control:
         step,
         _shown(joints, i),
         lambda value: post(MoveJoint(i, value * scale)),
-        f"Joint {i + 1}: {kind} {axis}, the variable {symbol} of the table. {number(low, 1)} to {number(high, 1)} {unit}.",
+        f"Joint {i + 1}: {kind} {axis}, {symbol} of the table. From {number(low, 1)} to {number(high, 1)} {unit}.",
     )
 
 

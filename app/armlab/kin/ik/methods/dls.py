@@ -1,6 +1,6 @@
 """Damped least squares with damping proportional to the squared error (Levenberg-Marquardt).
 
-    dq = J^T (J J^T + mu I)^-1 e,    mu = gain |e|^2 + 1e-13
+    dq = J^T (J J^T + mu I)^-1 e,    mu = gain |e|^2 + floor
 
 Far from the target it is a safe gradient step, close to it a Newton step that converges quadratically; at a singularity
 the damping keeps it finite.
@@ -17,10 +17,7 @@ from collections.abc import Sequence
 from armlab.kin.graph import vector as vec
 from armlab.kin.graph.expression import Number
 from armlab.kin.ik.method import Method
-
-FLOOR = 1e-13
-"""Keeps the matrix invertible at a singular pose that is also the solution. A larger one slows the last digits near
-singularities: with 1e-9 three of a thousand random PUMA poses are lost."""
+from armlab.kin.ik.problem import FLOOR
 
 
 def step(J: Sequence[Sequence[Number]], e: Sequence[Number], gain: Number) -> list[Number]:

@@ -1,0 +1,79 @@
+"""Newton's method on the distance itself, for targets that cannot be reached.
+
+Gauss-Newton methods, damped least squares among them, linearise the error and forget its curvature. Where the error
+stays large, at a stretched arm above all, the curvature is what decides, and they crawl. Here the second derivatives
+are exact: with z_i the axis of joint i and J_j a column of the Jacobian,
+
+    d2 p / dq_i dq_j = z_i x J_j                       for i <= j, joint i revolute, 0 for a prismatic joint i
+
+and for the orientation, with rotation R = [r_1 r_2 r_3], target [t_1 t_2 t_3] and M = sum r_k t_k^T,
+
+    d2 (sum r_k . t_k) / dq_i dq_j = z_i^T M z_j - (z_i . z_j) tr M
+
+The squared distance is |position error|^2 / length scale^2 + 2 - 2 cos(theta), the same as everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property, lru_cache
+
+from armlab.kin.arm import Arm
+from armlab.kin.graph import vector as vec
+from armlab.kin.graph.expression import Number
+from armlab.kin.graph.kernel import Kernel
+from armlab.kin.graph.vector import Vector
+from armlab.kin.ik.problem import FLOOR, Linearised, Posed, TaskError
+
+NONE: Vector = (0.0, 0.0, 0.0)
+
+
+class Closest(TaskError):
+    """Newton steps towards the closest configuration of an arm, damped until they lead downhill."""
+
+    gain = 1e-3
+    damped = True
+
+    def linearise(
+        self, q: Sequence[float], target: Sequence[float], gain: float, free: Sequence[float] | None
+    ) -> Linearised:
+        """Return one step at ``q`` and the errors there."""
+        numbers = self._compiled(*q, *target, *([1.0] * self.arm.n if free is None else free), gain)
+        return Linearised(numbers[:-3], self._errors(numbers[-3:]))
+
+    @cached_property
+    def _compiled(self) -> Callable[..., tuple[float, ...]]:
+        posed = Posed(self.arm, holds=True)
+        n = self.arm.n
+        curvature = _curvature(self.arm, posed)
+        weights = [posed.free[i] * posed.scales[i] for i in range(n)]
+        mu = posed.cost * posed.graph.variable(self._inputs()) + FLOOR
+        H = [[weights[i] * weights[j] * curvature[i][j] for j in range(n)] for i in range(n)]
+        for i in range(n):
+            H[i][i] = H[i][i] + mu
+        step = vec.solve_symmetric(H, posed.slope)
+        unscaled = [dq * scale for dq, scale in zip(step, posed.scales, strict=True)]
+        return Kernel(posed.graph, [*unscaled, *posed.squares], self._inputs() + 1).scalar
+
+
+def _curvature(arm: Arm, posed: Posed) -> list[list[Number]]:
+    """Return the second derivatives (n, n) of half the squared scaled distance, in joint variables."""
+    n, coordinates = arm.n, arm.task.coordinates
+    far = [posed.far[k] / arm.length_scale**2 for k in coordinates]
+    moves = [[column[k] for k in coordinates] for column in posed.linear]
+    curvature: list[list[Number]] = [[0.0] * n for _ in range(n)]
+    for i in range(n):
+        turned = [vec.dot(posed.angular[i], column) for column in zip(*posed.overlap, strict=True)]
+        for j in range(i, n):
+            bend = vec.cross(posed.angular[i], posed.linear[j])
+            entry = vec.dot(moves[i], moves[j]) / arm.length_scale**2 - vec.dot(far, [bend[k] for k in coordinates])
+            trace = posed.overlap[0][0] + posed.overlap[1][1] + posed.overlap[2][2]
+            entry = entry + vec.dot(posed.angular[i], posed.angular[j]) * trace - vec.dot(turned, posed.angular[j])
+            curvature[i][j] = curvature[j][i] = entry
+    return curvature
+
+
+@lru_cache(maxsize=64)
+def closest_of(arm: Arm) -> Closest:
+    """Return the compiled solver of an arm (arms are compared by identity)."""
+    return Closest(arm)

@@ -1,0 +1,33 @@
+"""Fixtures of all tests."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import Robot, catalogue
+
+DATA = Path(__file__).parent / "data"
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    """The same random numbers in every run."""
+    return np.random.default_rng(20260)
+
+
+@pytest.fixture(params=list(catalogue().robots))
+def robot(request: pytest.FixtureRequest) -> Robot:
+    """Each robot file in turn."""
+    return catalogue()[request.param]
+
+
+@pytest.fixture(scope="session")
+def truth() -> dict[str, dict[str, Any]]:
+    """Numeric cases of the course notes, each cross-checked by other means, by identifier."""
+    cases = json.loads((DATA / "truth.json").read_text(encoding="utf-8"))
+    return {case["id"]: case for case in cases}

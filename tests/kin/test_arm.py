@@ -1,0 +1,144 @@
+"""Arms: forward kinematics in every form, and what a wrong table is told."""
+
+import numpy as np
+import pytest
+
+from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
+from support.arms import frames_by_products, random_arm, random_q, tool_by_products
+
+TABLES = ["2R", "3R", "RRP", "RRP-alt", "3R-elbow", "PUMA-A", "PUMA-B", "UR10", "UR10-notes", "SCARA"]
+TABLES += ["UNIMATE", "STANFORD", "3P", "CYL", "R4", "MD16"]
+TWO_R = [("R", 1.0, 0.0, 0.0, 0.0), ("R", 0.5, 0.0, 0.0, 0.0)]
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_the_tables_of_the_notes(truth, name):
+    case = truth[f"DH-{name}"]
+    arm = Arm.from_dh([tuple(row) for row in case["inputs"]["rows"]])
+    T = arm.fk(case["inputs"]["q"])
+    np.testing.assert_allclose(T, case["expected"]["T"], rtol=0, atol=case["tol"])
+    np.testing.assert_allclose(arm.fk(case["inputs"]["q"][0]), case["expected"]["T"][0], rtol=0, atol=case["tol"])
+
+
+def test_the_planar_2r_of_the_notes(truth):
+    case = truth["C4.0-2R-fk"]
+    l1, l2 = case["inputs"]["l1"], case["inputs"]["l2"]
+    arm = Arm.from_dh([("R", l1, 0, 0, 0), ("R", l2, 0, 0, 0)])
+    T = arm.fk(case["inputs"]["q"])
+    np.testing.assert_allclose(T[:2, 3], case["expected"]["p"], rtol=0, atol=case["tol"])
+    assert np.arctan2(T[1, 0], T[0, 0]) == pytest.approx(case["expected"]["phi"], abs=case["tol"])
+
+
+@pytest.mark.parametrize("special", [False, True])
+@pytest.mark.parametrize("n", [1, 2, 3, 5, 7, 12])
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_forward_kinematics_is_the_product_of_matrices(n, special, convention, rng):
+    for _ in range(4):
+        arm = random_arm(rng, n, convention=convention, special=special)
+        for q in random_q(arm, rng, 3):
+            np.testing.assert_allclose(arm.frames(q), frames_by_products(arm, q), rtol=0, atol=1e-13)
+            T = tool_by_products(arm, q)
+            np.testing.assert_allclose(arm.fk(q), T, rtol=0, atol=1e-13)
+            np.testing.assert_allclose(arm.position(q), T[:3, 3], rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize("method", ["fk", "frames", "position", "jacobian", "manipulability"])
+def test_a_batch_is_the_single_results_stacked(method, robot, rng):
+    q = random_q(robot.arm, rng, 6).reshape(2, 3, robot.arm.n)
+    batch = getattr(robot.arm, method)(q)
+    singles = [[getattr(robot.arm, method)(row) for row in block] for block in q]
+    np.testing.assert_allclose(batch, singles, rtol=0, atol=1e-12)
+
+
+def test_no_rows_of_a_batch_are_no_results(robot):
+    assert robot.arm.fk(np.empty((0, robot.arm.n))).shape == (0, 4, 4)
+
+
+@pytest.mark.parametrize("method", ["fk", "frames", "position", "jacobian", "manipulability"])
+def test_out_is_written_and_returned(method, robot, rng):
+    q = random_q(robot.arm, rng, 5)
+    expected = getattr(robot.arm, method)(q)
+    out = np.full_like(expected, np.nan)
+    assert getattr(robot.arm, method)(q, out=out) is out
+    np.testing.assert_array_equal(out, expected)
+
+
+def test_single_precision_stays_single(robot, rng):
+    q = random_q(robot.arm, rng, 100)
+    positions = robot.arm.position(q.astype(np.float32))
+    assert positions.dtype == np.float32
+    np.testing.assert_allclose(positions, robot.arm.position(q), rtol=0, atol=5e-6)
+
+
+def test_whole_numbers_are_joint_values_too():
+    assert Arm.from_dh(TWO_R).position([0, 0]).tolist() == [1.5, 0.0, 0.0]
+
+
+def test_wrong_shapes_are_named():
+    arm = Arm.from_dh(TWO_R)
+    with pytest.raises(InputError, match=r"q: expected shape \(\.\.\., 2\), got \(3,\)"):
+        arm.fk([0.0, 0.0, 0.0])
+    with pytest.raises(InputError, match=r"out: .* shape \(5, 3\)"):
+        arm.position(np.zeros((5, 2)), out=np.empty((4, 3)))
+    with pytest.raises(InputError, match="C-contiguous"):
+        arm.position(np.zeros((5, 2)), out=np.empty((5, 6))[:, ::2])
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        ({"rows": []}, "an arm has 1 to 12 joints, got 0"),
+        ({"rows": TWO_R * 7}, "an arm has 1 to 12 joints, got 14"),
+        ({"convention": "craig"}, "unknown name 'craig'"),
+        ({"limits": [[0, 1]]}, r"limits: expected shape \(2, 2\), got \(1, 2\)"),
+        ({"limits": [[0, 1], [1, 0]]}, r"limits of joint 2: the smaller comes first, got \[1\.0, 0\.0\]"),
+        ({"limits": [[0, 1], [0, np.inf]]}, "limits of joint 2: expected finite numbers"),
+        ({"speed_limits": [1.0, 0.0]}, "speed_limits: expected positive numbers"),
+        ({"speed_limits": [1.0]}, "speed_limits: expected 2 numbers"),
+        ({"acceleration_limits": [np.nan, 1.0]}, "acceleration_limits: expected positive numbers"),
+        ({"tool": np.zeros((4, 4))}, "tool: the last row"),
+        ({"task": "position"}, "task: unknown name 'position'"),
+    ],
+)
+def test_a_wrong_table_is_told_what_is_wrong(change, text):
+    arguments = {"rows": TWO_R} | change
+    with pytest.raises(InputError, match=text):
+        Arm.from_dh(**arguments)
+
+
+def test_arms_cannot_be_changed():
+    arm = Arm.from_dh(TWO_R)
+    with pytest.raises(AttributeError):
+        arm.name = "other"
+    with pytest.raises(ValueError, match="read-only"):
+        arm.limits[0, 0] = 1.0
+
+
+def test_limits_that_are_left_out_are_a_full_turn_and_a_metre():
+    arm = Arm.from_dh([("R", 1, 0, 0, 0), ("P", 0, 0, 0, 0)])
+    np.testing.assert_allclose(arm.limits, [[-np.pi, np.pi], [0.0, 1.0]])
+    assert np.all(np.isinf(arm.speed_limits))
+
+
+def test_no_tool_point_is_farther_than_the_reach(robot, rng):
+    p = robot.arm.position(random_q(robot.arm, rng, 2000)) - robot.arm.base[:3, 3]
+    assert np.linalg.norm(p, axis=1).max() <= robot.arm.reach + 1e-12
+
+
+def test_printing_shows_the_table_in_degrees():
+    arm = Arm.from_dh(
+        [("R", 0.3, np.pi / 2, 0.2, np.pi / 4), ("P", 0.0, 0.0, 0.1, 0.0)], name="Test arm", limits=[[-1, 1], [0, 0.5]]
+    )
+    assert str(arm).splitlines() == [
+        "Test arm: 2 joints (RP), standard convention",
+        "joint  a, m  alpha, deg      d, m  theta, deg                   limits",
+        "  1 R   0.3          90       0.2     q1 + 45  -57.2958 to 57.2958 deg",
+        "  2 P     0           0  q2 + 0.1           0               0 to 0.5 m",
+        "task: position (x, y)",
+    ]
+
+
+def test_an_unknown_name_lists_the_others():
+    with pytest.raises(UnknownName, match=r"did you mean 'pose'\? Available: phi, pose, x, xy,"):
+        Arm.from_dh(TWO_R, task="pos")

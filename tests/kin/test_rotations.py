@@ -1,0 +1,136 @@
+"""Rotations and their representations, with the numbers of the notes."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from armlab.errors import InputError
+from armlab.kin.rotations import (
+    axis_angle,
+    euler_zyx,
+    is_rotation,
+    quaternion_from_rotation,
+    rotation_about,
+    rotation_from_axis_angle,
+    rotation_from_quaternion,
+    rotation_from_sequence,
+    skew,
+)
+from support.arms import random_pose
+
+APPENDIX = ["XYZ", "YXY", "YXZ", "YZY", "ZXY", "ZYX", "ZYZ", "XY", "XZ", "YZ", "ZX", "ZY"]
+
+
+@pytest.mark.parametrize("axis", ["x", "y"])
+def test_elementary_rotations_of_the_notes(truth, axis):
+    case = truth[f"C3.1-R{axis}"]
+    R = rotation_about(axis, case["inputs"]["theta"])
+    np.testing.assert_allclose(R, case["expected"]["R"], rtol=0, atol=case["tol"])
+
+
+@pytest.mark.parametrize("sequence", APPENDIX)
+def test_products_of_the_appendix(truth, sequence):
+    case = truth[f"CA-{sequence}"]
+    angles = [case["inputs"][name] for name in ("alpha", "beta", "gamma") if name in case["inputs"]]
+    R = rotation_from_sequence(case["inputs"]["seq"], angles)
+    np.testing.assert_allclose(R, case["expected"]["R"], rtol=0, atol=case["tol"])
+
+
+@pytest.mark.parametrize("axes", ["xyz", "zyx", "zxz", "yxy", "xzy"])
+def test_sequences_agree_with_scipy(axes, rng):
+    angles = rng.uniform(-3, 3, (20, 3))
+    moving = rotation_from_sequence(axes, angles)
+    np.testing.assert_allclose(moving, Rotation.from_euler(axes.upper(), angles).as_matrix(), atol=1e-14)
+    fixed = rotation_from_sequence(axes, angles, fixed=True)
+    np.testing.assert_allclose(fixed, Rotation.from_euler(axes, angles).as_matrix(), atol=1e-14)
+
+
+def test_rodrigues_of_the_notes(truth):
+    case = truth["C3.2-rodrigues"]
+    R = rotation_from_axis_angle(case["inputs"]["r"], case["inputs"]["theta"])
+    np.testing.assert_allclose(R, case["expected"]["R"], rtol=0, atol=case["tol"])
+    assert np.trace(R) == pytest.approx(case["expected"]["trace"], abs=case["tol"])
+
+
+def test_quaternion_of_the_notes(truth):
+    case = truth["C3.2-quaternion"]
+    R = rotation_from_axis_angle(case["inputs"]["r"], case["inputs"]["theta"])
+    q = quaternion_from_rotation(R)
+    np.testing.assert_allclose(q, [case["expected"]["eta"], *case["expected"]["eps"]], rtol=0, atol=case["tol"])
+    np.testing.assert_allclose(rotation_from_quaternion(q), case["expected"]["R"], rtol=0, atol=case["tol"])
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-12, 1e-7, 1e-3, 1.0, 3.0, np.pi - 1e-3, np.pi - 1e-7, np.pi])
+def test_axis_and_angle_come_back_at_every_angle(angle, rng):
+    for _ in range(20):
+        r = rng.normal(size=3)
+        r /= np.linalg.norm(r)
+        R = rotation_from_axis_angle(r, angle)
+        axis, found = axis_angle(R)
+        assert found == pytest.approx(angle, abs=1e-12)
+        np.testing.assert_allclose(rotation_from_axis_angle(axis, found), R, rtol=0, atol=1e-12)
+        if angle > 1e-3:
+            sign = np.sign(axis @ r) if angle == np.pi else 1.0
+            np.testing.assert_allclose(sign * axis, r, rtol=0, atol=1e-10)
+
+
+def test_quaternions_come_back_for_half_turns_about_any_axis(rng):
+    """Where the signs of equations 3.77 to 3.79 are all zero."""
+    r = rng.normal(size=(200, 3))
+    r /= np.linalg.norm(r, axis=1)[:, None]
+    R = 2.0 * r[:, :, None] * r[:, None, :] - np.eye(3)
+    np.testing.assert_allclose(rotation_from_quaternion(quaternion_from_rotation(R)), R, rtol=0, atol=1e-14)
+
+
+def test_quaternions_are_unit_and_scalar_first_and_not_negative(rng):
+    R = np.array([random_pose(rng)[:3, :3] for _ in range(200)])
+    q = quaternion_from_rotation(R)
+    np.testing.assert_allclose(np.linalg.norm(q, axis=1), 1.0, atol=1e-15)
+    assert np.all(q[:, 0] >= 0.0)
+    expected = Rotation.from_matrix(R).as_quat()[:, [3, 0, 1, 2]]
+    np.testing.assert_allclose(np.abs(np.sum(q * expected, axis=1)), 1.0, atol=1e-14)
+
+
+def test_yaw_pitch_roll_come_back(rng):
+    angles = rng.uniform(-1.5, 1.5, (200, 3))
+    found, singular = euler_zyx(rotation_from_sequence("zyx", angles))
+    np.testing.assert_allclose(found, angles, rtol=0, atol=1e-12)
+    assert not singular.any()
+
+
+@pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2])
+def test_yaw_pitch_roll_at_the_singularity_give_the_same_rotation(pitch):
+    R = rotation_from_sequence("zyx", [0.7, pitch, 0.3])
+    angles, singular = euler_zyx(R)
+    assert singular
+    assert angles[2] == 0.0
+    np.testing.assert_allclose(rotation_from_sequence("zyx", angles), R, rtol=0, atol=1e-12)
+
+
+def test_skew_is_the_cross_product(rng):
+    v, u = rng.normal(size=(2, 50, 3))
+    np.testing.assert_allclose((skew(v) @ u[..., None])[..., 0], np.cross(v, u), atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (lambda: rotation_about("w", 1.0), "axis: expected 'x', 'y' or 'z', got 'w'"),
+        (lambda: rotation_from_sequence("zyx", [1.0]), "angles: expected 3 for the sequence 'zyx'"),
+        (lambda: rotation_from_axis_angle([0.0, 0.0, 0.0], 1.0), "axis: expected a finite vector that is not zero"),
+        (lambda: rotation_from_quaternion([0.0] * 4), "q: expected a finite quaternion that is not zero"),
+        (lambda: rotation_from_quaternion([1.0, 0.0, 0.0]), r"q: expected shape \(\.\.\., 4\), got \(3,\)"),
+        (lambda: quaternion_from_rotation(np.eye(4)), r"R: expected shape \(\.\.\., 3, 3\)"),
+    ],
+)
+def test_wrong_input_is_named(call, text):
+    with pytest.raises(InputError, match=text):
+        call()
+
+
+def test_what_a_rotation_is():
+    assert is_rotation(np.eye(3))
+    assert not is_rotation(np.diag([1.0, 1.0, -1.0]))
+    assert not is_rotation(1.001 * np.eye(3))
+    assert not is_rotation(np.full((3, 3), np.nan))
+    assert not is_rotation(np.eye(4))

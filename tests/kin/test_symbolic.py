@@ -1,0 +1,49 @@
+"""Formulas in symbols: they read like the book and they are right."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.kin.arm import Arm
+from armlab.kin.symbolic import constants, pose_formulas
+from support.arms import random_q
+
+H = math.pi / 2
+ELBOW = Arm.from_dh([("R", 0, H, 0.6, 0), ("R", 0.8, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
+SCARA = Arm.from_dh([("R", 0.3, 0, 0.4, 0), ("R", 0.2, math.pi, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)])
+
+
+def test_formulas_evaluate_to_forward_kinematics(robot, rng):
+    formulas, values = pose_formulas(robot.arm), constants(robot.arm)
+    for q in random_q(robot.arm, rng, 3):
+        names = values | {f"q{i + 1}": value for i, value in enumerate(q)}
+        names |= {"sin": math.sin, "cos": math.cos}
+        T = np.linalg.inv(robot.arm.base) @ robot.arm.fk(q)
+        for name, text in formulas.items():
+            expected = T["xyz".index(name[1]), 3] if name[0] == "p" else T[int(name[1]) - 1, int(name[2]) - 1]
+            assert eval(text, {}, names) == pytest.approx(expected, abs=1e-12), (name, text)
+
+
+def test_a_twist_that_is_no_quarter_turn_is_a_symbol_too():
+    arm = Arm.from_dh([("R", 0.2, 0.3, 0.1, 0), ("R", 0.4, 0, 0, 0)])
+    assert "cos(alpha1)" in pose_formulas(arm)["py"]
+    names = constants(arm) | {"q1": 0.4, "q2": -0.7, "sin": math.sin, "cos": math.cos}
+    assert eval(pose_formulas(arm)["py"], {}, names) == pytest.approx(arm.position([0.4, -0.7])[1], abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("arm", "name", "style", "formula"),
+    [
+        (ELBOW, "px", "text", "a2*cos(q1)*cos(q2) + a3*cos(q1)*cos(q2 + q3)"),
+        (ELBOW, "pz", "text", "d1 + a2*sin(q2) + a3*sin(q2 + q3)"),
+        (ELBOW, "px", "latex", "a_2 c_1 c_2 + a_3 c_1 c_{23}"),
+        (ELBOW, "r33", "latex", "0"),
+        (ELBOW, "r23", "latex", "-c_1"),
+        (SCARA, "pz", "latex", "d_1 - q_3"),
+        (SCARA, "r11", "latex", r"\cos(q_1 + q_2 - q_4)"),
+        (SCARA, "r13", "text", "0"),
+    ],
+)
+def test_formulas_read_like_the_book(arm, name, style, formula):
+    assert pose_formulas(arm, style)[name] == formula

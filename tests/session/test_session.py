@@ -1,0 +1,300 @@
+"""One student: undo, mailbox, worker, store."""
+
+import threading
+import time
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.session.history import PAUSE
+from armlab.session.mailbox import Mailbox
+from armlab.session.parts.display import Show
+from armlab.session.parts.joints import Joints, MoveJoint, TakePose
+from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
+from armlab.session.session import Redo, Refuse, Session, StartFresh, Undo
+from armlab.session.state import Command
+from armlab.session.store import Store
+from armlab.session.worker import Worker
+
+PUMA = catalogue()["puma560"]
+
+
+@pytest.fixture
+def session():
+    return Session.fresh("token", PUMA)
+
+
+def drag(session, drag_id, start, count=10):
+    """Drag the handle as a hand does; returns the last target."""
+    T = np.array(target_pose(session.state))
+    for k in range(count):
+        T = T.copy()
+        T[0, 3] += 0.01
+        session.apply(DragTarget(T, drag_id), start + 0.05 * k)
+    session.apply(EndDrag(T, drag_id), start + 0.05 * count + 3.0)
+    return T
+
+
+def test_one_drag_is_one_step_of_undo(session):
+    before = session.state
+    drag(session, object(), 0.0)
+    assert len(session.history.past) == 1
+    session.apply(Undo(), 100.0)
+    assert session.state is before
+
+
+def test_two_drags_are_two_steps_however_quick(session):
+    drag(session, object(), 0.0)
+    middle = session.state
+    drag(session, object(), 0.1)
+    session.apply(Undo(), 1.0)
+    assert session.state is middle
+
+
+def test_one_slide_is_one_step_and_a_pause_begins_another(session):
+    for k in range(20):
+        session.apply(MoveJoint(0, 0.01 * k), 0.05 * k)
+    assert len(session.history.past) == 1
+    session.apply(MoveJoint(0, 0.5), 1.0 + 2 * PAUSE)
+    assert len(session.history.past) == 2
+    session.apply(MoveJoint(1, 0.5), 1.1 + 2 * PAUSE)
+    assert len(session.history.past) == 3
+
+
+def test_redo_brings_back_and_a_new_step_forgets_it(session):
+    session.apply(TakePose("zero"), 0.0)
+    zero = session.state
+    session.apply(Undo(), 1.0)
+    assert session.history.redo_label == "move"
+    session.apply(Redo(), 2.0)
+    assert session.state is zero
+    session.apply(Undo(), 3.0)
+    session.apply(Show("frames", True), 4.0)
+    assert session.history.redo_label is None
+
+
+def test_undo_with_nothing_to_undo_changes_nothing(session):
+    before = session.state
+    session.apply(Undo(), 0.0)
+    session.apply(Redo(), 0.0)
+    assert session.state is before
+    assert session.notice is None
+
+
+def test_undo_crosses_a_choice_of_arm(session):
+    session.apply(TakePose("zero"), 0.0)
+    session.apply(ChooseRobot("scara"), 1.0)
+    session.apply(Undo(), 2.0)
+    assert session.robot is PUMA
+    assert session.state[Joints].q.tolist() == [0.0] * 6
+
+
+def test_a_command_without_effect_is_no_step(session):
+    session.apply(Show("names", True), 0.0)
+    assert session.history.undo_label is None
+
+
+def test_the_history_is_bounded(session):
+    for k in range(500):
+        session.apply(Show("frames", k % 2 == 0), float(k))
+    assert len(session.history.past) == 200
+
+
+def test_start_fresh_forgets_everything(session):
+    session.apply(ChooseRobot("scara"), 0.0)
+    session.apply(StartFresh(), 1.0)
+    assert session.robot is PUMA
+    assert session.history.undo_label is None
+
+
+def test_a_refused_command_leaves_the_state_and_a_sentence(session):
+    before = session.state
+    session.apply(MoveJoint(0, float("nan")), 0.0)
+    assert session.state is before
+    assert "expected 6 finite numbers" in session.notice.text
+    session.apply(Refuse("x: expected a number"), 0.0)
+    assert session.notice.number == 2
+    assert session.notice.text == "x: expected a number"
+
+
+class Broken(Command):
+    """A command with a bug."""
+
+    def apply(self, state):
+        return 1 / 0
+
+
+def test_a_failing_command_leaves_the_state_and_a_notice_and_the_log_the_trace(session, caplog):
+    before = session.state
+    session.apply(Broken(), 0.0)
+    assert session.state is before
+    assert "Broken failed inside the lab" in session.notice.text
+    assert "ZeroDivisionError" in caplog.text
+
+
+def test_of_waiting_snapshots_only_the_newest_counts():
+    mailbox = Mailbox()
+    for k in range(5):
+        mailbox.post(MoveJoint(0, float(k)))
+    mailbox.post(MoveJoint(1, 9.0))
+    assert mailbox.take() == [MoveJoint(0, 4.0), MoveJoint(1, 9.0)]
+    assert mailbox.take() == []
+
+
+def test_events_keep_their_place_among_snapshots():
+    mailbox = Mailbox()
+    posted = [MoveJoint(0, 1.0), Show("frames", True), MoveJoint(0, 2.0), Show("frames", False), MoveJoint(0, 3.0)]
+    for command in posted:
+        mailbox.post(command)
+    assert mailbox.take() == posted
+
+
+class Recorder:
+    """Collects what a worker publishes."""
+
+    def __init__(self):
+        self.states = []
+        self.done = threading.Event()
+
+    def __call__(self, session):
+        self.states.append(session.state)
+        self.done.set()
+
+
+def wait_for(condition, seconds=5.0):
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline, "the condition did not come true"
+        time.sleep(0.002)
+
+
+@pytest.fixture
+def worker():
+    recorder = Recorder()
+    worker = Worker(recorder)
+    worker.start()
+    yield worker, recorder
+    worker.stop()
+    worker.join(2.0)
+    assert not worker.is_alive()
+
+
+def test_the_worker_applies_what_is_posted(worker, session):
+    thread, recorder = worker
+    thread.post(session, MoveJoint(0, 0.5))
+    wait_for(lambda: recorder.states)
+    assert session.state[Joints].q[0] == 0.5
+
+
+def test_the_worker_outlives_a_broken_command_and_a_broken_page(session, caplog):
+    calls = []
+
+    def publish(_session):
+        calls.append(1)
+        raise RuntimeError("the page is gone")
+
+    worker = Worker(publish)
+    worker.start()
+    worker.post(session, Broken())
+    wait_for(lambda: calls)
+    worker.post(session, MoveJoint(0, 0.25))
+    wait_for(lambda: len(calls) == 2)
+    assert session.state[Joints].q[0] == 0.25
+    worker.stop()
+    worker.join(2.0)
+    assert "the page is gone" in caplog.text
+
+
+def test_students_are_served_in_turn(worker):
+    thread, _ = worker
+    sessions = [Session.fresh(f"student {k}", PUMA) for k in range(20)]
+    for k in range(50):
+        for session in sessions:
+            thread.post(session, MoveJoint(0, 0.01 * k))
+    wait_for(lambda: all(s.state[Joints].q[0] == pytest.approx(0.49) for s in sessions))
+    assert thread.counts.posted == 1000
+    assert thread.counts.applied <= 1000
+
+
+def test_one_drag_is_one_chain_of_commands(session):
+    """A scripted drag: how many commands are posted, applied, and how often the worker runs."""
+    publish = threading.Event()
+    worker = Worker(lambda _session: publish.set())
+    worker.start()
+    T = np.array(target_pose(session.state))
+    for _ in range(10):
+        T = T.copy()
+        T[0, 3] += 0.005
+        publish.clear()
+        worker.post(session, DragTarget(T, 1))
+        assert publish.wait(5.0)
+    worker.post(session, EndDrag(T, 1))
+    wait_for(lambda: worker.counts.applied == 11)
+    worker.stop()
+    worker.join(2.0)
+    assert (worker.counts.posted, worker.counts.applied, worker.counts.runs) == (11, 11, 11)
+    assert len(session.history.past) == 1
+
+
+def test_a_session_comes_back_from_disk(tmp_path):
+    store = Store(tmp_path, PUMA)
+    session = store.get("a student")
+    session.apply(ChooseRobot("scara"), 0.0)
+    drag(session, object(), 1.0)
+    assert store.save() == 1
+    assert store.save() == 0
+    again = Store(tmp_path, PUMA).get("a student")
+    assert again.state.to_json() == session.state.to_json()
+    assert again.state[Target].pose is not None
+
+
+def test_a_session_in_memory_is_the_same_object():
+    store = Store(None, PUMA)
+    assert store.get("a") is store.get("a")
+    assert store.get("a") is not store.get("b")
+    assert store.save() == 0
+
+
+def test_tokens_do_not_become_file_names(tmp_path):
+    store = Store(tmp_path / "sessions", PUMA)
+    store.get("../../escape").apply(TakePose("zero"), 0.0)
+    store.save()
+    assert [path.parent for path in tmp_path.rglob("*.json")] == [tmp_path / "sessions"]
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"format": 99, "parts": {}}', '{"format": 1, "parts": {}}'])
+def test_a_broken_file_gives_a_fresh_session_and_a_notice(tmp_path, text):
+    broken_store(tmp_path, text)
+    session = Store(tmp_path, PUMA).get("a student")
+    assert session.robot is PUMA
+    assert "fresh start" in session.notice.text
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"robot": "gone"},
+        {"joints": {"q": [0.0], "locked": [], "draws": 0}},
+        {"joints": {"q": [float("nan")] * 6, "locked": [False] * 6, "draws": 0}},
+        {"target": {"pose": [[1]], "axes": "world", "handle": "move", "method": "dls"}},
+        {"target": {"pose": None, "axes": "nowhere", "handle": "move", "method": "dls"}},
+        {"target": {"pose": None, "axes": "world", "handle": "move", "method": "gone"}},
+    ],
+)
+def test_a_file_of_another_version_gives_a_fresh_session_and_a_notice(tmp_path, change):
+    import json
+
+    parts = Session.fresh("x", PUMA).state.to_json() | change
+    broken_store(tmp_path, json.dumps({"format": 1, "parts": parts}))
+    session = Store(tmp_path, PUMA).get("a student")
+    assert session.robot is PUMA
+    assert "does not fit" in session.notice.text
+
+
+def broken_store(folder, text):
+    store = Store(folder, PUMA)
+    store.get("a student").apply(TakePose("zero"), 0.0)
+    store.save()
+    next(folder.glob("*.json")).write_text(text, encoding="utf-8")

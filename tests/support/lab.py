@@ -1,0 +1,24 @@
+"""A whole lab for a test: front and viser in this process, sessions in a temporary folder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from armlab.front.start import Running, Settings, start
+
+
+@contextmanager
+def running_lab(folder: Path | None = None, opening: str = "puma560", labs: int = 0) -> Iterator[str]:
+    """Open a lab on a free port; yields its address."""
+    lab = open_lab(folder, opening, labs)
+    try:
+        yield f"http://127.0.0.1:{lab.port}/"
+    finally:
+        lab.stop()
+
+
+def open_lab(folder: Path | None = None, opening: str = "puma560", labs: int = 0, port: int = 0) -> Running:
+    """Open a lab on a free port, or on this one."""
+    return start(Settings("127.0.0.1", [port], opening, folder, labs))
