@@ -99,17 +99,22 @@ def _with_front(
     loop = asyncio.new_event_loop()
     thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-front")
     thread.start()
+
+    def end() -> None:
+        loop.call_soon_threadsafe(loop.stop)
+        thread.join(2.0)
+        loop.close()
+        stop_labs()
+
     try:
         runner, port = asyncio.run_coroutine_threadsafe(_listen(front, settings), loop).result()
     except BaseException:
-        stop_labs()
+        end()
         raise
 
     def stop() -> None:
         asyncio.run_coroutine_threadsafe(runner.cleanup(), loop).result(5.0)
-        loop.call_soon_threadsafe(loop.stop)
-        thread.join(2.0)
-        stop_labs()
+        end()
 
     return Running(port, stop)
 

@@ -220,8 +220,6 @@ def is_rotation(R: ArrayLike, tolerance: float = 1e-6) -> bool:
     errors = [x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0, x[0] * y[0] + x[1] * y[1] + x[2] * y[2]]
     errors += [y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0, y[0] * z[0] + y[1] * z[1] + y[2] * z[2]]
     errors += [z[0] * z[0] + z[1] * z[1] + z[2] * z[2] - 1.0, z[0] * x[0] + z[1] * x[1] + z[2] * x[2]]
-    # The determinant of an orthonormal matrix is the sign of one entry of x cross y along z.
-    handed = (
-        (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2]
-    )
-    return max(map(abs, errors)) < tolerance and handed > 0.0
+    determinant = z[0] * (x[1] * y[2] - x[2] * y[1])
+    determinant += z[1] * (x[2] * y[0] - x[0] * y[2]) + z[2] * (x[0] * y[1] - x[1] * y[0])
+    return bool(max(map(abs, errors)) < tolerance and determinant > 0.0)

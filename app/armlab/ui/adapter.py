@@ -15,6 +15,10 @@ import numpy as np
 import viser
 from viser import _messages
 
+from armlab.errors import ArmlabError
+
+log = logging.getLogger(__name__)
+
 TOKEN_HEADER = "X-Armlab-Token"
 WISH_HEADER = "X-Armlab-Wish"
 SECRET_HEADER = "X-Armlab-Secret"
@@ -45,22 +49,23 @@ def gui_id(handle: Any) -> str:
     return identifier
 
 
+def is_removed(handle: Any) -> bool:
+    """Return whether a control or a scene node has been removed; writing to it would raise."""
+    removed: bool = handle._impl.removed
+    return removed
+
+
 def set_value(handle: Any, value: Any) -> None:
     """Set the value of a control without calling its callbacks, which viser would do as if the student had moved it."""
-    if handle._impl.removed or handle._impl.value == value:
+    if is_removed(handle) or handle._impl.value == value:
         return
     handle._impl.value = value
     _queue_gui(handle, {"value": value})
 
 
-def remember_value(handle: Any, value: Any) -> None:
-    """Note a value the page already shows, without sending it."""
-    handle._impl.value = value
-
-
 def set_content(handle: Any, content: str) -> None:
     """Replace the content of an HTML element."""
-    if handle._impl.removed or handle._impl.props.content == content:
+    if is_removed(handle) or handle._impl.props.content == content:
         return
     handle._impl.props.content = content
     _queue_gui(handle, {"content": content})
@@ -83,11 +88,6 @@ def set_position(handle: Any, position: tuple[float, float, float]) -> None:
     handle._impl.api._queue_scene_message(_messages.SetPositionMessage(handle._impl.name, position))
 
 
-def open_connections(server: viser.ViserServer) -> int:
-    """Return how many browsers are connected."""
-    return len(server._websock_server._live_connections)
-
-
 def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> None:
     """Call back on an event of a student, on viser's loop, in order; echoes of the lab's own writes are left out.
 
@@ -95,7 +95,12 @@ def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> Non
     """
 
     async def forward(event: Any) -> None:
-        if event.client is not None:
+        if event.client is None:
+            return
+        try:
             callback(event)
+        except ArmlabError as refusal:
+            # Only a page that is not ours sends what cannot even become a command.
+            log.warning("an event was refused: %s", refusal)
 
     getattr(handle, register)(forward)

@@ -32,8 +32,8 @@ class Panel:
     watches : tuple of part types
         ``show`` is called when one of these parts has changed, at most some eight times a second.
     build : callable
-        ``build(gui, state, post) -> show``: makes the controls, returns the function that shows a state. Called anew
-        when another arm is chosen.
+        ``build(gui, state, post) -> show``: makes the controls, returns the function that shows a state, which is
+        called at once. Called anew when another arm is chosen.
     """
 
     key: str
@@ -56,7 +56,7 @@ class Layer:
     watches : tuple of part types
         ``show`` is called at once when one of these parts has changed.
     build : callable
-        ``build(canvas, state) -> show``. Called anew when another arm is chosen.
+        ``build(canvas, state) -> show``; ``show`` is called at once. Called anew when another arm is chosen.
     """
 
     key: str

@@ -122,6 +122,7 @@ class View:
             show = _guarded(f"layer {layer.key}", layer.build, self._canvas, state)
             if show is not None:
                 self._layers.append((layer, show))
+                _guarded(f"layer {layer.key}", show, state)
         self.camera.follow(robot, drawn.figure)
 
     def _figure_made(self, arm: object, problem: BaseException | None) -> None:
@@ -185,16 +186,19 @@ class _Tab:
 
     def show(self, state: State) -> None:
         before, self._shown = self._shown, state
-        if before is None or state[RobotPart] is not before[RobotPart]:
-            self._gui.clear()
-            with self._tab:
-                self._show = _guarded(f"panel {self._panel.key}", self._panel.build, self._gui, state, self._post)
-                if self._show is None:
-                    self._fail()
-        elif self._show is not None and _differ(self._panel.watches, state, before):
-            with self._tab:
-                if _guarded(f"panel {self._panel.key}", _done(self._show), state) is None:
-                    self._fail()
+        new = before is None or state[RobotPart] is not before[RobotPart]
+        with self._tab:
+            if new:
+                self._gui.clear()
+                self._show = self._try(self._panel.build, self._gui, state, self._post)
+            if self._show is not None and (new or before is None or _differ(self._panel.watches, state, before)):
+                self._try(_done(self._show), state)
+
+    def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:
+        result = _guarded(f"panel {self._panel.key}", call, *arguments)
+        if result is None:
+            self._fail()
+        return result
 
     def _fail(self) -> None:
         self._show = None

@@ -160,7 +160,7 @@ class Gui:
     def clear(self) -> None:
         """Remove everything this has made."""
         for handle in reversed(self._made):
-            if not handle._impl.removed:
+            if not adapter.is_removed(handle):
                 handle.remove()
         self._made.clear()
 

@@ -216,7 +216,7 @@ class TaskError:
         return self.arm.length_scale**-2
 
     def _expressions(self, holds: bool = True) -> tuple[Graph, list[list[Number]], list[Number], list[Number]]:
-        """Return scaled Jacobian, scaled error, and three squared errors: position, rotation, rotation by its cosine."""
+        """Return scaled Jacobian and error, and three squared errors: position, rotation, rotation by its cosine."""
         posed = Posed(self.arm, holds)
         task, scale = self.arm.task, self.arm.length_scale
         J = task.jacobian_rows(posed.linear, posed.angular, posed.tool)

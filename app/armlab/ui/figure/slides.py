@@ -57,7 +57,7 @@ def ram(anatomy: Anatomy, i: int, tip: float) -> tuple[list[Part], list[Part], f
     length = high + sleeve + 0.8 * r - tip
     moving: list[Part] = [("steel", block((0.8 * w, 0.8 * w, length), 0.1 * r, (0.0, 0.0, -tip - length / 2.0)))]
     step = 0.1 * anatomy.size
-    for k in range(1, int(length / step) + 1):
-        moving.append(("dark", block((0.83 * w, 0.83 * w, 0.09 * r), 0.01 * r, (0.0, 0.0, -tip - k * step))))
+    marks = (-tip - k * step for k in range(1, int(length / step) + 1))
+    moving.extend(("dark", block((0.83 * w, 0.83 * w, 0.09 * r), 0.01 * r, (0.0, 0.0, z))) for z in marks)
     moving.append((colour, block((0.95 * w, 0.95 * w, 0.4 * r), 0.08 * r, (0.0, 0.0, -tip - length))))
     return fixed, moving, -sleeve

@@ -53,7 +53,6 @@ def build(canvas: Canvas, state: State) -> Show:
             if handle.visible != on:
                 handle.visible = on
 
-    show(state)
     return show
 
 

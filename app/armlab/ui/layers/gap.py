@@ -44,7 +44,6 @@ def build(canvas: Canvas, state: State) -> Show:
             line.points = points
             line.colors = np.array(colour, dtype=np.uint8)
 
-    show(state)
     return show
 
 

@@ -140,7 +140,6 @@ def _place(control: viser.TransformControlsHandle, axes: NDArray[np.floating], p
 def build(canvas: Canvas, state: State) -> Show:
     """Put the handle on the target."""
     gizmo = Gizmo(canvas)
-    gizmo.show(state)
     return gizmo.show
 
 

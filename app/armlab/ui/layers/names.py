@@ -37,7 +37,6 @@ def build(canvas: Canvas, state: State) -> Show:
             if label.visible != on:
                 label.visible = on
 
-    show(state)
     return show
 
 

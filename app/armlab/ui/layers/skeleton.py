@@ -51,7 +51,6 @@ def build(canvas: Canvas, state: State) -> Show:
             if handle.visible != display.skeleton:
                 handle.visible = display.skeleton
 
-    show(state)
     return show
 
 

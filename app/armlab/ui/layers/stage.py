@@ -62,7 +62,6 @@ def build(canvas: Canvas, state: State) -> Show:
             position=(0.0, 0.0, foot - 0.002 * S),
         )
 
-    show(state)
     return show
 
 

@@ -58,8 +58,7 @@ class Trace:
     def clear(self) -> None:
         """Forget the path."""
         for chunk in self._chunks:
-            if not chunk._impl.removed:
-                chunk.remove()
+            chunk.remove()
         self._chunks.clear()
         self._points.clear()
         self._made += 1
@@ -75,7 +74,6 @@ def build(canvas: Canvas, state: State) -> Show:
             trace.clear()
         trace.on = state[Display].trace
 
-    show(state)
     return show
 
 

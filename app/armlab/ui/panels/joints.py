@@ -40,7 +40,6 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         locks.show(_row("Hold", "".join(_lock(locks.channel_id, i, on) for i, on in enumerate(held))))
         readout.show(_readout(joints))
 
-    show(state)
     return show
 
 

@@ -104,7 +104,6 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             if button.visible != on:
                 button.visible = on
 
-    show(state)
     return show
 
 

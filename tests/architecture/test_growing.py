@@ -1,0 +1,204 @@
+"""One new file each: a panel, a robot, a method of inverse kinematics, a layer, a part of the state."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+TOP = Path(__file__).resolve().parents[2]
+
+PANEL = '''
+"""A made-up panel."""
+from armlab.session.parts.joints import Joints
+from armlab.ui.plugin import Panel
+
+def build(gui, state, post):
+    text = gui.html()
+    return lambda state: text.show(f"made-up: {state[Joints].arm.n} joints")
+
+PANEL = Panel("made_up", "Made up", "STAR", 50, (Joints,), build)
+'''
+
+ROBOT = """
+name = "Made-up 1R"
+family = "planar"
+summary = "One joint."
+convention = "standard"
+source = "Made up for a test of the growing house."
+[[joints]]
+type = "R"
+a = 1.0
+limits_deg = [-90, 90]
+[[poses]]
+name = "home"
+q_deg = [10]
+[[expected]]
+q_deg = [0]
+position = [1, 0, 0]
+source = "by hand"
+[[expected]]
+q_deg = [90]
+position = [0, 1, 0]
+source = "by hand"
+"""
+
+METHOD = '''
+"""A made-up method: a tenth of the gradient."""
+from armlab.kin.graph import vector as vec
+from armlab.kin.ik.method import Method
+
+def step(J, e, gain):
+    return [gain * vec.dot(column, e) for column in vec.transpose(J)]
+
+METHOD = Method("made_up", "made-up method", 9, step, gain=0.1)
+'''
+
+LAYER = '''
+"""A made-up layer."""
+from armlab.session.parts.joints import Joints
+from armlab.ui.plugin import Layer
+
+def build(canvas, state):
+    canvas.scene.add_label(canvas.path("made_up"), "hello")
+    return lambda state: None
+
+LAYER = Layer("made_up", 99, (Joints,), build)
+'''
+
+PART = '''
+"""A made-up part."""
+from dataclasses import dataclass
+from armlab.session.state import Part, PartType
+
+@dataclass(frozen=True)
+class MadeUp(Part):
+    key = "made_up"
+    value: int = 3
+
+    @classmethod
+    def initial(cls, robot):
+        return cls()
+
+    def to_json(self):
+        return self.value
+
+    @classmethod
+    def from_json(cls, data, robot):
+        return cls(data)
+
+PART = PartType(MadeUp, order=50)
+'''
+
+LOOK = """
+import asyncio
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import running_lab
+import armlab
+from armlab.session.state import part_types
+
+async def main(url):
+    browser = FakeBrowser(url, cookie_of(url))
+    await browser.connect()
+    await browser.until(lambda: "made-up: 6 joints" in browser.html())
+    method = next(c for c in browser.controls.values() if c["props"].get("label") == "Method")
+    assert "Made-up method" in method["props"]["options"], method
+    family = next(c for c in browser.controls.values() if c["props"].get("label") == "Family")
+    await browser.set_value(family, "Planar")
+    await browser.until(lambda: 'data-cell="made_up"' in browser.html())
+    await browser.press("made_up")
+    await browser.until(lambda: "made-up: 1 joints" in browser.html())
+    await browser.close()
+
+with running_lab() as url:
+    asyncio.run(main(url))
+assert "made_up" in armlab.robots()
+arm = armlab.load("planar_2r")
+result = armlab.ik.solve(arm, arm.fk([0.4, 0.9]), q0=[0.4, 0.8], method="made_up")
+assert result.position_error < 0.2
+assert [kind.key for kind in part_types()][-1] == "made_up"
+print("grown")
+"""
+
+FILES = {
+    "app/armlab/ui/panels/made_up.py": PANEL,
+    "app/armlab/ui/layers/made_up.py": LAYER,
+    "app/armlab/kin/ik/methods/made_up.py": METHOD,
+    "app/armlab/session/parts/made_up.py": PART,
+    "robots/made_up.toml": ROBOT,
+}
+
+
+@pytest.fixture
+def house(tmp_path):
+    """A copy of the checkout."""
+    for name in ("app", "robots", "lessons"):
+        shutil.copytree(TOP / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(TOP / "pyproject.toml", tmp_path)
+    return tmp_path
+
+
+def look(house, code=LOOK):
+    paths = [str(house / "app"), str(TOP / "tests")]
+    variables = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
+    return subprocess.run([sys.executable, "-c", code], env=variables, capture_output=True, text=True, cwd=house)
+
+
+def test_each_is_one_file_and_no_other_edit(house):
+    for name, text in FILES.items():
+        (house / name).write_text(text, encoding="utf-8")
+    result = look(house)
+    assert result.returncode == 0, result.stderr
+    assert "grown" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "told"),
+    [
+        ("app/armlab/ui/panels/broken.py", "x = 1", "panels.broken: expected a constant PANEL, found none"),
+        ("app/armlab/ui/panels/broken.py", "1 / 0", "panels.broken: cannot be imported: ZeroDivisionError"),
+        ("app/armlab/ui/panels/again.py", PANEL, "the key 'made_up' is already used by"),
+        ("app/armlab/ui/layers/broken.py", "LAYER = 3", "layers.broken: LAYER must be a Layer, got int"),
+    ],
+)
+def test_a_broken_plug_in_stops_the_start_and_is_named(house, file, text, told):
+    (house / "app/armlab/ui/panels/made_up.py").write_text(PANEL, encoding="utf-8")
+    (house / file).write_text(text, encoding="utf-8")
+    code = (
+        "import sys\nfrom armlab.cli import main\nsys.exit(main(['--no-browser', '--port', '0', '--state', 'state']))"
+    )
+    result = look(house, code)
+    assert result.returncode == 1
+    assert told in result.stderr
+    assert result.stderr.startswith("armlab: ")
+    assert "Traceback" not in result.stderr
+
+
+FAILING_PANEL = PANEL.replace("text = gui.html()", "1 / 0")
+
+
+def test_a_panel_that_fails_is_replaced_by_a_line_and_the_rest_lives_on(house):
+    (house / "app/armlab/ui/panels/made_up.py").write_text(FAILING_PANEL, encoding="utf-8")
+    code = """
+import asyncio
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import running_lab
+
+async def main(url):
+    browser = FakeBrowser(url, cookie_of(url))
+    await browser.connect()
+    await browser.until(lambda: "Made up has failed" in browser.html())
+    before = browser.counts["SetOrientationMessage"]
+    await browser.set_value(browser.slider(1), 20.0)
+    await browser.until(lambda: browser.counts["SetOrientationMessage"] > before)
+    await browser.close()
+
+with running_lab() as url:
+    asyncio.run(main(url))
+print("lived on")
+"""
+    result = look(house, code)
+    assert "lived on" in result.stdout, result.stderr
+    assert "ZeroDivisionError" in result.stderr

@@ -1,0 +1,150 @@
+"""The shape of the house: imports go down only, files stay small, private parts of viser in one place."""
+
+import ast
+import shutil
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).resolve().parents[2] / "app" / "armlab"
+TOP = PACKAGE.parents[1]
+
+LEVELS = {"errors": 0, "plugins": 0, "resources": 0, "kin": 1, "content": 2, "session": 3, "ui": 4, "front": 5}
+"""Modules and folders by layer; those at the top, such as the command line, may use everything."""
+
+ONLY_IN = {
+    "viser": ("ui",),
+    "trimesh": ("ui",),
+    "latex2mathml": ("ui", "content"),
+    "aiohttp": ("front",),
+    "zstandard": ("front",),
+    "scipy": ("kin",),
+}
+"""Libraries that belong to one layer."""
+
+FORBIDDEN_IN_CORE = {
+    "time",
+    "datetime",
+    "pathlib",
+    "os",
+    "io",
+    "random",
+    "logging",
+    "matplotlib",
+    "threading",
+    "asyncio",
+}
+MOST_LINES = 400
+
+
+def imports_of(path):
+    """Return the dotted names a file imports, also inside functions, except for types only."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    typing_only = {
+        id(node)
+        for block in ast.walk(tree)
+        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
+        for node in ast.walk(block)
+    }
+    for node in ast.walk(tree):
+        if id(node) in typing_only:
+            continue
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: relative import"
+            if node.module != "armlab":
+                yield node.module
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def allowed(own, level, name):
+    """Return whether a module of a layer may import a name."""
+    root, *rest = name.split(".")
+    if root == "armlab":
+        # The package itself stands at the top: it offers what the layers hold.
+        target = LEVELS.get(rest[0]) if rest else None
+        return target is not None and target <= level
+    if own == "kin" and root in FORBIDDEN_IN_CORE:
+        return False
+    return root not in ONLY_IN or own in ONLY_IN[root]
+
+
+def violations(package):
+    """Return every import that goes up or uses a library of another layer."""
+    found = []
+    for path in sorted(package.rglob("*.py")):
+        relative = path.relative_to(package)
+        own = relative.parts[0].removesuffix(".py")
+        if own in LEVELS:
+            names = [name for name in imports_of(path) if not allowed(own, LEVELS[own], name)]
+            found.extend(f"{relative} imports {name}" for name in names)
+    return found
+
+
+def test_imports_go_down_only():
+    assert violations(PACKAGE) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("kin/arm.py", "from armlab.content.robots import catalogue"),
+        ("kin/dh.py", "import time"),
+        ("kin/dh.py", "import armlab"),
+        ("content/robots.py", "from armlab.session.state import State"),
+        ("session/state.py", "import viser"),
+        ("session/store.py", "from armlab.ui import adapter"),
+        ("ui/format.py", "from armlab.front.page import Page"),
+        ("front/page.py", "import viser"),
+        ("kin/dh.py", "def f():\n    import viser"),
+    ],
+)
+def test_a_planted_violation_is_found(file, line, tmp_path):
+    copy = tmp_path / "armlab"
+    shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    with open(copy / file, "a", encoding="utf-8") as source:
+        source.write(f"\n\n{line}\n")
+    assert len(violations(copy)) >= 1
+
+
+def python_files():
+    return [p for part in ("app", "tests", "benchmarks") for p in sorted((TOP / part).rglob("*.py"))]
+
+
+def test_files_stay_small():
+    long = [str(path.relative_to(TOP)) for path in python_files() if len(path.read_text().splitlines()) > MOST_LINES]
+    assert long == []
+
+
+def test_private_parts_of_viser_are_touched_in_the_adapter_only():
+    found = []
+    for path in sorted((PACKAGE / "ui").rglob("*.py")):
+        if path.name == "adapter.py":
+            continue
+        text = path.read_text(encoding="utf-8")
+        found += [f"{path.name}: {word}" for word in ("._impl", "_websock", "_messages", "._queue") if word in text]
+    assert found == []
+
+
+def silent_handlers(path):
+    """Yield the lines of except clauses that do nothing."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ExceptHandler) and all(isinstance(statement, ast.Pass) for statement in node.body):
+            yield node.lineno
+
+
+def test_no_exception_is_swallowed_in_silence():
+    found = [f"{path.relative_to(TOP)}:{line}" for path in python_files() for line in silent_handlers(path)]
+    assert found == []
+
+
+def test_the_repository_names_no_machine():
+    """No path of one machine, no host of a package index."""
+    words = ["/" + "work/", "/" + "root/", "pypi" + "."]
+    found = []
+    for path in [*python_files(), *TOP.glob("*.*"), *(TOP / "robots").glob("*"), *(TOP / "docs").rglob("*.md")]:
+        if path.is_file() and path.suffix in (".py", ".md", ".toml", ".js", ".css"):
+            text = path.read_text(encoding="utf-8")
+            found += [f"{path.name}: {word}" for word in words if word in text]
+    assert found == []

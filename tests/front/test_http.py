@@ -1,0 +1,226 @@
+"""What the network sees of a running lab: pages, refusals, headers."""
+
+import asyncio
+import socket
+import urllib.error
+import urllib.request
+
+import pytest
+import viser
+import websockets
+
+from armlab.front.start import StartError
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import open_lab, running_lab
+
+
+@pytest.fixture(scope="module")
+def url():
+    with running_lab() as address:
+        yield address
+
+
+def get(url, headers=None, follow=True):
+    class Stay(urllib.request.HTTPRedirectHandler):
+        def redirect_request(self, *_args):
+            return None
+
+    opener = urllib.request.build_opener() if follow else urllib.request.build_opener(Stay)
+    request = urllib.request.Request(url, headers=headers or {})
+    try:
+        with opener.open(request) as response:
+            return response.status, response.headers, response.read()
+    except urllib.error.HTTPError as error:
+        return error.code, error.headers, error.read()
+
+
+@pytest.mark.parametrize("path", ["", "robot/puma560", "robot/anything-well-formed"])
+def test_pages(url, path):
+    status, headers, body = get(url + path)
+    assert status == 200
+    assert b"<title>Armlab</title>" in body
+    assert headers["Cache-Control"] == "no-store"
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    assert headers["Referrer-Policy"] == "same-origin"
+    assert "default-src 'none'" in headers["Content-Security-Policy"]
+    assert f"ws://{url.split('/')[2]} " in headers["Content-Security-Policy"]
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "nothing",
+        "robot/",
+        "robot/UPPER",
+        "robot/a%2Fb",
+        "robot/%2e%2e",
+        "robot/../secret",
+        "robot/" + "x" * 65,
+        "index.html",
+        "assets/x.js",
+        "healthz",
+    ],
+)
+def test_everything_else_is_not_there(url, path):
+    assert get(url + path)[0] == 404
+
+
+def test_the_cookie_is_private(url):
+    header = get(url)[1]["Set-Cookie"]
+    for part in ("HttpOnly", "SameSite=Lax", "Path=/", "Max-Age=15552000"):
+        assert part in header
+    assert "Secure" not in header
+    assert "Secure" in get(url, {"X-Forwarded-Proto": "https"})[1]["Set-Cookie"]
+
+
+def test_a_known_browser_keeps_its_cookie(url):
+    cookie = cookie_of(url)
+    assert get(url, {"Cookie": cookie})[1]["Set-Cookie"] is None
+
+
+def test_a_forged_cookie_is_replaced(url):
+    name = cookie_of(url).split("=")[0]
+    assert name in get(url, {"Cookie": f"{name}=me.{'0' * 32}"})[1]["Set-Cookie"]
+
+
+@pytest.mark.parametrize("name", ["websocket", "playbackPath"])
+def test_links_to_a_foreign_server_lose_their_sting(url, name):
+    status, headers, _ = get(f"{url}robot/puma560?{name}=ws://evil&darkMode=1", follow=False)
+    assert status == 302
+    assert headers["Location"] == "/robot/puma560?darkMode=1"
+
+
+@pytest.mark.parametrize("host", ["evil.example", "evil.example:8080", "localhost.evil.example"])
+def test_other_names_that_point_here_are_refused(url, host):
+    assert get(url, {"Host": host})[0] == 421
+
+
+def test_no_page_is_without_the_safety_headers(url):
+    for path in ("nothing", "robot/UPPER"):
+        assert get(url + path)[1]["X-Content-Type-Options"] in ("nosniff", None)
+
+
+async def opened(url, headers, protocol=None):
+    """Try to open a socket; return the HTTP status of the refusal, or 101."""
+    protocol = protocol or f"viser-v{viser.__version__}"
+    try:
+        socket_ = await websockets.connect(
+            url.replace("http", "ws", 1),
+            subprotocols=[websockets.Subprotocol(protocol)],
+            additional_headers=headers,
+        )
+    except websockets.InvalidStatus as refusal:
+        return refusal.response.status_code
+    await socket_.close()
+    return 101
+
+
+@pytest.mark.parametrize(
+    ("change", "status"),
+    [
+        ({}, 101),
+        ({"Origin": "http://evil.example"}, 403),
+        ({"Origin": None}, 403),
+        ({"Cookie": None}, 401),
+        ({"Cookie": "armlab=x.y"}, 401),
+    ],
+)
+def test_who_may_open_a_socket(url, change, status):
+    headers = {"Cookie": cookie_of(url), "Origin": url.rstrip("/")} | change
+    headers = {name: value for name, value in headers.items() if value is not None}
+    assert asyncio.run(opened(url, headers)) == status
+
+
+def test_another_protocol_is_refused(url):
+    headers = {"Cookie": cookie_of(url), "Origin": url.rstrip("/")}
+    assert asyncio.run(opened(url, headers, "chat")) == 401
+
+
+def test_a_browser_has_a_handful_of_sockets(url):
+    async def main():
+        cookie = cookie_of(url)
+        browsers = [FakeBrowser(url, cookie) for _ in range(6)]
+        await asyncio.gather(*(browser.connect() for browser in browsers))
+        status = await opened(url, {"Cookie": cookie, "Origin": url.rstrip("/")})
+        await asyncio.gather(*(browser.close() for browser in browsers))
+        return status
+
+    assert asyncio.run(main()) == 429
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [("text", 1003), (b"\x00" * (3 << 20), 1009), (b"\xc1 not msgpack", 1011)],
+)
+def test_what_is_no_message_closes_only_that_socket(url, data, code):
+    async def main():
+        cookie = cookie_of(url)
+        good, bad = FakeBrowser(url, cookie), FakeBrowser(url, cookie)
+        await good.connect()
+        await bad.connect()
+        await bad.until(lambda: "/target" in bad.nodes)
+        await bad.send_raw(data)
+        await asyncio.wait_for(bad._socket.wait_closed(), 10.0)
+        assert bad.close_code == code
+        await good.until(lambda: "/target" in good.nodes)
+        await good.close()
+        await bad.close()
+
+    asyncio.run(main())
+
+
+def test_a_flood_of_one_leaves_others_in_peace(url):
+    """One browser sends as fast as it can for two seconds; another's slider goes on working meanwhile."""
+
+    async def main():
+        flooder, other = FakeBrowser(url, cookie_of(url)), FakeBrowser(url, cookie_of(url))
+        await flooder.connect()
+        await other.connect()
+        await other.until(lambda: "/target" in other.nodes)
+        from support.fake_browser import CAMERA
+
+        async def flood():
+            while True:
+                await flooder.send(CAMERA)
+
+        flooding = asyncio.create_task(flood())
+        await asyncio.sleep(0.5)
+        before = other.counts["SetOrientationMessage"]
+        await other.set_value(other.slider(1), 30.0)
+        await other.until(lambda: other.counts["SetOrientationMessage"] > before, 5.0)
+        flooding.cancel()
+        await asyncio.gather(flooding, return_exceptions=True)
+        await other.close()
+        await flooder.close()
+
+    asyncio.run(main())
+
+
+def test_the_lab_itself_is_only_on_loopback_and_refuses_strangers(tmp_path):
+    """Another user of this machine who finds viser's own port gets no session."""
+    from armlab.content.robots import catalogue
+    from armlab.ui.lab import Lab
+
+    lab = Lab(catalogue()["puma560"], None, "the secret")
+
+    async def main():
+        stranger = FakeBrowser(f"http://127.0.0.1:{lab.port}/", None)
+        await stranger.connect()
+        await asyncio.sleep(0.5)
+        assert "/target" not in stranger.nodes
+        assert not stranger.controls
+        await stranger.close()
+
+    asyncio.run(main())
+    with socket.socket() as probe:
+        # Bound to loopback alone: the port is still free on every other address of this machine.
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        assert probe.connect_ex(("127.0.0.1", lab.port)) == 0
+    lab.stop()
+
+
+def test_a_port_in_use_is_one_clear_line():
+    with running_lab() as address:
+        port = int(address.split(":")[2].strip("/"))
+        with pytest.raises(StartError, match=f"^port {port} is in use; choose another with --port$"):
+            open_lab(port=port)

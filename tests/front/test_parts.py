@@ -1,0 +1,157 @@
+"""The parts of the front, each alone."""
+
+import base64
+import hashlib
+import re
+
+import pytest
+
+from armlab.front import page
+from armlab.front.addresses import addresses, own_addresses, served_names
+from armlab.front.limits import Bucket, Limits, Meter
+from armlab.front.tokens import Tokens, kept_secret
+
+
+class Clock:
+    def __init__(self):
+        self.now = 100.0
+
+    def __call__(self):
+        return self.now
+
+
+@pytest.fixture
+def clock():
+    return Clock()
+
+
+def test_a_bucket_lets_a_burst_through_and_then_slows_down(clock):
+    bucket = Bucket(10.0, 5.0, clock)
+    assert [bucket.take(1.0) for _ in range(5)] == [0.0] * 5
+    assert bucket.take(1.0) == pytest.approx(0.1)
+    clock.now += 10.0
+    assert bucket.take(1.0) == 0.0
+
+
+def test_an_honest_page_is_never_slowed_down(clock):
+    """Handle, controls and camera together at their highest rates, for a minute."""
+    meter = Meter(Limits(), clock)
+    for _ in range(60 * 90):
+        clock.now += 1.0 / 90.0
+        assert meter.take(300) == 0.0
+
+
+def test_a_flooder_is_slowed_down_and_then_cut(clock):
+    limits = Limits()
+    meter = Meter(limits, clock)
+    waits = []
+    for _ in range(60_000):
+        clock.now += 0.0005
+        wait = meter.take(100)
+        if wait is None:
+            break
+        waits.append(wait)
+    else:
+        pytest.fail("the flooder was never cut")
+    assert max(waits) > 1.0
+    assert clock.now - 100.0 >= limits.patience
+
+
+def test_a_slow_upload_tries_nobodys_patience(clock):
+    meter = Meter(Limits(), clock)
+    for _ in range(600):
+        wait = meter.take(1 << 20)
+        assert wait is not None
+        clock.now += max(wait, 0.01)
+
+
+def test_tokens_are_ours_or_nothing():
+    tokens = Tokens(b"secret")
+    cookie = tokens.new()
+    token = tokens.read(cookie)
+    assert token
+    assert tokens.read(cookie + "x") is None
+    assert tokens.read(f"{token}.{'0' * 32}") is None
+    assert tokens.read("") is None
+    assert tokens.read(None) is None
+    assert tokens.read("ümlaut.ü") is None
+    assert Tokens(b"other").read(cookie) is None
+
+
+def test_two_labs_on_one_host_have_cookies_of_their_own():
+    assert Tokens(b"one").cookie != Tokens(b"two").cookie
+
+
+def test_the_secret_is_kept_and_private(tmp_path):
+    first = kept_secret(tmp_path / "state")
+    assert kept_secret(tmp_path / "state") == first
+    assert (tmp_path / "state" / "secret").stat().st_mode & 0o077 == 0
+    assert kept_secret(None) != kept_secret(None)
+
+
+def test_the_page_is_viser_with_ours_before_it():
+    made = page.make_page()
+    html = made.html.decode()
+    assert html.index("Runs before viser's own loader") < html.index("data-p=")
+    assert "<title>Armlab</title>" in html
+    assert len(made.compressed) < len(made.html)
+
+
+def test_every_script_of_the_page_has_its_hash_in_the_policy():
+    made = page.make_page()
+    scripts = re.findall(r"<script[^>]*>(.*?)</script>", made.html.decode(), re.DOTALL)
+    policy = made.policy("ws://lab:1")
+    for code in scripts:
+        digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode()
+        assert f"'sha256-{digest}'" in policy
+    directives = dict(part.split(" ", 1) for part in policy.split("; "))
+    assert "unsafe-inline" not in directives["script-src"]
+    assert "'unsafe-eval'" not in directives["script-src"]
+    assert directives["default-src"] == "'none'"
+    assert directives["connect-src"].startswith("ws://lab:1 ")
+
+
+def test_another_viser_is_noticed(monkeypatch, tmp_path):
+    """A page of another shape is refused at the start, not served half broken."""
+    build = tmp_path / "client" / "build"
+    build.mkdir(parents=True)
+    (build / "index.html").write_text("<html><head><title>Viser</title></head></html>")
+
+    class Spec:
+        origin = str(tmp_path / "__init__.py")
+
+    monkeypatch.setattr(page, "find_spec", lambda _name: Spec)
+    with pytest.raises(page.PageError, match="viser's page has changed"):
+        page.make_page()
+
+
+def test_base88_unpacks_what_it_packs(rng):
+    def encode(data):
+        text = ""
+        for start in range(0, len(data), 4):
+            group = data[start : start + 4]
+            value, digits = int.from_bytes(group, "big"), ""
+            for _ in range(len(group) + 1):
+                value, digit = divmod(value, 88)
+                digits = page._DIGITS[digit] + digits
+            text += digits
+        return text
+
+    for size in (0, 1, 3, 4, 5, 1000):
+        data = rng.bytes(size)
+        assert page.decode_base88(encode(data)) == data
+
+
+def test_addresses_people_can_type():
+    assert addresses("127.0.0.1", 8080) == ("http://127.0.0.1:8080/", [])
+    own, others = addresses("0.0.0.0", 8080)
+    assert own == "http://127.0.0.1:8080/"
+    assert others == [f"http://{name}:8080/" for name in own_addresses()]
+    assert addresses("192.168.1.5", 1)[1] == ["http://192.168.1.5:1/"]
+    assert addresses("::1", 1)[0] == "http://[::1]:1/"
+
+
+def test_names_the_lab_answers_to():
+    assert served_names("127.0.0.1") == {"localhost", "127.0.0.1", "::1"}
+    assert "lab.school" in served_names("Lab.School")
+    assert set(own_addresses()) <= served_names("0.0.0.0")

@@ -1,0 +1,129 @@
+"""The drawn arm: it is where the kinematics says, at any size, for any table."""
+
+import io
+
+import numpy as np
+import pytest
+import trimesh
+
+from armlab.content.robots import catalogue
+from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_from_quaternion
+from armlab.kin.transforms import transform
+from armlab.ui.figure.anatomy import anatomy_of
+from armlab.ui.figure.figure import build_figure
+from armlab.ui.figure.solids import block, drum, tube
+from support.arms import random_arm, random_q
+
+H = np.pi / 2
+
+
+def node_poses(anatomy, q):
+    """Return the world poses of all nodes, as the page composes them from what it is sent."""
+    T = anatomy.root
+    poses = [T]
+    for body, value in zip(anatomy.bodies, q, strict=True):
+        R = rotation_from_quaternion(body.node_wxyz(float(value)))
+        T = T @ transform(R, body.node_position(float(value)))
+        poses.append(T)
+    return poses
+
+
+def assert_nodes_agree(arm, q):
+    anatomy = anatomy_of(arm)
+    poses = node_poses(anatomy, q)
+    np.testing.assert_allclose(poses[-1] @ anatomy.tool_on_last(), arm.fk(q), rtol=0, atol=1e-12)
+    for i, frame in enumerate(arm.frames(q)):
+        body, pose = anatomy.frame_on_body(i)
+        np.testing.assert_allclose(poses[body] @ pose, frame, rtol=0, atol=1e-12)
+
+
+def test_the_nodes_are_where_the_kinematics_says(robot, rng):
+    for q in random_q(robot.arm, rng, 5):
+        assert_nodes_agree(robot.arm, q)
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_the_nodes_of_random_arms_too(convention, rng):
+    for n in (1, 3, 6, 12):
+        arm = random_arm(rng, n, convention=convention, special=bool(n % 2))
+        assert_nodes_agree(arm, random_q(arm, rng))
+
+
+def tip_of(figure, q):
+    """Return the distance from the tool point to the nearest vertex of the last body."""
+    anatomy = figure.anatomy
+    pose = node_poses(anatomy, q)[-1]
+    vertices = np.vstack([mesh.vertices for _, mesh in figure.parts[-1]])
+    world = vertices @ pose[:3, :3].T + pose[:3, 3]
+    p = anatomy.arm.position(q)
+    direction = np.array(anatomy.arm.fk(q)[:3, 2])
+    return p, world, direction
+
+
+def test_the_tips_of_the_hand_are_the_tool_point(robot):
+    """The fingers end at the tool point: it lies between them, and nothing of the hand reaches beyond."""
+    figure = build_figure(robot.arm)
+    p, vertices, _ = tip_of(figure, robot.home)
+    r = float(figure.anatomy.radius[-1])
+    near = vertices[np.linalg.norm(vertices - p, axis=1) < 1.6 * r]
+    assert len(near) >= 4
+    farthest = np.linalg.norm(vertices.mean(axis=0) - p)
+    approach = (p - vertices.mean(axis=0)) / farthest
+    assert np.max((vertices - p) @ approach) < 0.25 * r
+
+
+@pytest.mark.parametrize("size", [0.1, 1.0, 3.0])
+def test_arms_look_the_same_at_every_size(size):
+    puma = catalogue()["puma560"].arm
+    rows = [(row.kind, size * row.a, row.alpha, size * row.d, row.theta) for row in puma.rows]
+    tool = np.array(puma.tool)
+    tool[:3, 3] *= size
+    arm = Arm.from_dh(rows, tool=tool, limits=puma.limits)
+    q = catalogue()["puma560"].home
+    scaled = build_figure(arm).bounds(q)
+    np.testing.assert_allclose(scaled, size * build_figure(puma).bounds(q), rtol=0, atol=0.002 * size)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_any_table_can_be_drawn(seed):
+    rng = np.random.default_rng(seed)
+    arm = random_arm(rng, int(rng.integers(1, 9)), special=bool(seed % 2))
+    figure = build_figure(arm)
+    assert len(figure.parts) == arm.n + 1
+    for parts in figure.parts:
+        for _, mesh in parts:
+            assert np.all(np.isfinite(mesh.vertices))
+
+
+def test_an_arm_without_any_length_can_be_drawn():
+    build_figure(Arm.from_dh([("R", 0, 0, 0, 0)]))
+
+
+def test_every_body_is_a_readable_glb(robot):
+    figure = build_figure(robot.arm)
+    for glb in filter(None, figure.glbs()):
+        scene = trimesh.load(io.BytesIO(glb), file_type="glb")
+        assert scene.geometry
+        assert len(glb) < 400_000
+
+
+def test_rods_stay_in_their_sleeves_and_reach_the_end():
+    """At both ends of the stroke the rod of a ram still overlaps its sleeve."""
+    arm = catalogue()["polar_rrp"].arm
+    figure = build_figure(arm)
+    body = figure.anatomy.bodies[2]
+    rod = np.vstack([mesh.vertices for material, mesh in figure.parts[3] if material == "steel"])
+    for q in arm.limits[2]:
+        low = rod[:, 2].min() + body.offset + q
+        assert low < 0.0
+
+
+def test_solids_are_closed_and_face_outwards():
+    for mesh in (drum(1.0, 2.0, 0.1), block((1.0, 2.0, 3.0), 0.1)):
+        mesh.merge_vertices()
+        assert mesh.is_watertight
+        assert mesh.volume > 0
+    # The domes of a tube end in rings too small to see; its volume tells which way it faces.
+    bent = tube([(0, 0, 0), (0, 0, 1), (1, 0, 1)], 0.2, 0.1, 0.3)
+    assert 0.1 < bent.volume < 0.2
