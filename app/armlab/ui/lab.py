@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
 import threading
 from pathlib import Path
@@ -22,6 +23,9 @@ from armlab.ui.plugin import layers, panels
 from armlab.ui.view import View
 
 log = logging.getLogger(__name__)
+
+GRANT_PATIENCE = 2.0
+"""Seconds to wait for the arm a link names before the page is built without it."""
 
 SAVE_INTERVAL = 1.0
 """Seconds between savings: what a crash can lose."""
@@ -55,6 +59,7 @@ class Lab:
         self._views: dict[int, View] = {}
         self._of_session: dict[str, set[View]] = {}
         self._due: set[str] = set()
+        self._waiting: dict[str, list[asyncio.Future[None]]] = {}
         self._stopped = threading.Event()
         self.server.scene.configure_default_lights(False)
         self.server.scene.configure_environment_map("studio", environment_intensity=0.38)
@@ -87,18 +92,23 @@ class Lab:
             log.warning("refused a connection that did not come through the front")
             return
         session = self.store.get(token)
+        await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
         view = View(client, session, self.gallery, lambda command: self.worker.post(session, command))
         self._views[client.client_id] = view
         self._of_session.setdefault(token, set()).add(view)
-        self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
 
-    def _grant(self, session: Session, wish: str) -> None:
-        """Do what a readable link asks for: ``robot/puma560`` puts that arm on the table, if it is not there."""
+    async def _grant(self, session: Session, wish: str) -> None:
+        """Do what a readable link asks for, before the page is built: ``robot/puma560`` puts that arm on the table."""
         kind, _, key = wish.partition("/")
-        if kind != "robot":
+        if kind != "robot" or key == session.robot.key:
             return
-        if key != session.robot.key:
-            self.worker.post(session, ChooseRobot(key))
+        done = self.loop.create_future()
+        self._waiting.setdefault(session.token, []).append(done)
+        self.worker.post(session, ChooseRobot(key))
+        try:
+            await asyncio.wait_for(done, GRANT_PATIENCE)
+        except TimeoutError:
+            log.warning("the worker is slow; the page is built before the link's arm is chosen")
 
     async def _disconnect(self, client: viser.ClientHandle) -> None:
         view = self._views.pop(client.client_id, None)
@@ -121,6 +131,9 @@ class Lab:
 
     def _show(self, session: Session) -> None:
         self._due.discard(session.token)
+        for done in self._waiting.pop(session.token, ()):
+            if not done.done():
+                done.set_result(None)
         for view in tuple(self._of_session.get(session.token, ())):
             view.show()
 

@@ -7,6 +7,7 @@ mounted whatever tab is open.
 from __future__ import annotations
 
 import json
+import secrets
 from collections.abc import Callable
 
 import viser
@@ -26,11 +27,12 @@ class Overlay:
 
     def __init__(self, client: viser.ClientHandle, post: Callable[[Command], None]) -> None:
         self._fields = Fields(client.gui, lambda cell, _: post(Undo() if cell == "undo" else Redo()))
-        self._tab, self._opened = "", 0
+        self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
         """Ask the page's script to bring a tab to the front with the next `show`."""
-        self._tab, self._opened = title, self._opened + 1
+        # Another word each time: the page may outlive the server that asked before.
+        self._tab, self._asked = title, secrets.token_hex(4)
 
     def show(self, session: Session) -> None:
         """Show the state of a session."""
@@ -59,5 +61,5 @@ class Overlay:
 
     def _notes(self, session: Session) -> str:
         """Return what the page's script reads: the address of this arm, and the tab to open."""
-        notes = {"path": f"/robot/{session.state[RobotPart].robot.key}", "tab": self._tab, "opened": self._opened}
+        notes = {"path": f"/robot/{session.state[RobotPart].robot.key}", "tab": self._tab, "asked": self._asked}
         return f'<i id="al-notes" hidden data-notes="{escaped(json.dumps(notes))}"></i>'

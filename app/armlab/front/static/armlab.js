@@ -19,6 +19,8 @@
   // viser reconnects only in the focused tab; a class wants all of its tabs back.
   document.hasFocus = () => true;
 
+  let last = null; // the field or button of ours that has the focus
+
   // Our own fields and buttons: <input data-chan=ID data-cell=NAME>, <button data-chan=ID data-cell=NAME>.
   const send = (element, value) => {
     const { chan, cell } = element.dataset;
@@ -30,7 +32,10 @@
     if (event.target.matches?.('input[data-chan]')) send(event.target, event.target.value);
   });
   document.addEventListener('keydown', event => {
-    if (event.key === 'Enter' && event.target.matches?.('input[data-chan]')) event.target.blur();
+    if (event.key === 'Enter' && event.target.matches?.('input[data-chan]')) {
+      event.target.blur();
+      last = null;
+    }
   });
   document.addEventListener('click', event => {
     const button = event.target.closest?.('button[data-chan]');
@@ -38,10 +43,13 @@
   });
 
   // The lab replaces the markup around a field; the cursor goes on in the field of the same name.
-  let last = null;
   document.addEventListener('focusin', event => {
     last = event.target.matches?.('[data-chan]') ? event.target : null;
   });
+  // A field the person has left is not to be gone back to. (Its removal looks like leaving it, so focusout cannot tell.)
+  document.addEventListener('pointerdown', event => {
+    if (!event.target.closest?.('[data-chan]')) last = null;
+  }, true);
   const keepFocus = () => {
     if (!last || last.isConnected || document.activeElement !== document.body) return;
     const { chan, cell } = last.dataset;
@@ -68,16 +76,16 @@
   }, true);
 
   // What the lab asks of the page: the address of the arm in use, and which tab to bring to the front.
-  let opened = 0;
+  let asked = '';
   const obey = () => {
     const element = document.getElementById('al-notes');
     if (!element) return;
     const notes = JSON.parse(element.dataset.notes);
     if (location.pathname !== notes.path) replace(null, '', notes.path + location.search);
-    if (notes.opened > opened) {
+    if (notes.asked !== asked) {
       const tab = [...document.querySelectorAll('[role=tab]')].find(t => t.title === notes.tab);
       if (tab) {
-        opened = notes.opened;
+        asked = notes.asked;
         // A tab answers to the keyboard and to a whole press, not to a bare click.
         tab.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
       }

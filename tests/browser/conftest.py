@@ -1,0 +1,43 @@
+"""One lab and one browser for all tests with pictures."""
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from playwright.sync_api import Browser
+
+from support.lab import running_lab
+from support.page import COARSE, LabPage, chromium
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    with chromium() as started:
+        yield started
+
+
+@pytest.fixture(scope="session")
+def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    with running_lab(tmp_path_factory.mktemp("state")) as address:
+        yield address
+
+
+@pytest.fixture
+def visit(browser: Browser, url: str) -> Iterator[Callable[..., LabPage]]:
+    """Open the lab as a new student; every page is checked for complaints at the end."""
+    contexts, pages = [], []
+
+    def open_page(path: str = "", size: tuple[int, int] | None = None, **options: object) -> LabPage:
+        context = browser.new_context(**options)
+        contexts.append(context)
+        if size is None:
+            address, _, fragment = (url + path).partition("#")
+            address += ("&" if "?" in address else "?") + COARSE + (f"#{fragment}" if fragment else "")
+            pages.append(LabPage(context, address))
+        else:
+            pages.append(LabPage(context, url + path, size))
+        return pages[-1]
+
+    yield open_page
+    for context in contexts:
+        context.close()
+    assert [error for page in pages for error in page.errors] == []

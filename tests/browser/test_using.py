@@ -1,0 +1,211 @@
+"""What a student does in the first minutes."""
+
+import time
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.ui.figure.anatomy import anatomy_of
+
+pytestmark = pytest.mark.browser
+PUMA = catalogue()["puma560"]
+SIZE = anatomy_of(PUMA.arm).size
+
+
+def changed_pixels(before, after, inside):
+    """Return the (x, y) of pixels of a region that changed clearly."""
+    x0, y0, x1, y1 = inside
+    difference = np.abs(after[y0:y1, x0:x1] - before[y0:y1, x0:x1]).sum(axis=2) > 60
+    ys, xs = np.nonzero(difference)
+    return np.column_stack([xs + x0, ys + y0])
+
+
+def test_the_arm_is_seen_where_it_is_and_moves(visit):
+    """Between two poses pixels change around both tool points, and the sky above the arm does not change."""
+    lab = visit()
+    tool_before = lab.on_screen("/target")
+    before = lab.picture()
+    lab.press("zero")
+    lab.rest(1.0)
+    tool_after = lab.on_screen("/target")
+    after = lab.picture()
+    changed = changed_pixels(before, after, (0, 0, 560, 540))
+    assert len(changed) > 2000
+    for tool in (tool_before, tool_after):
+        assert np.min(np.linalg.norm(changed - tool, axis=1)) < 25
+    assert len(changed_pixels(before, after, (10, 10, 120, 60))) == 0
+
+
+def test_a_slider_moves_its_joint(visit):
+    lab = visit()
+    node = lab.node("/arm/1")
+    before = lab.page.evaluate("n => window.__viserMutable.nodeRefFromName[n].quaternion.toArray()", node)
+    lab.drag_slider(1, 0.85)
+    value = lab.slider_value(1)
+    assert 60 < value <= 160
+    after = lab.page.evaluate("n => window.__viserMutable.nodeRefFromName[n].quaternion.toArray()", node)
+    turned = 2.0 * np.degrees(np.arccos(min(1.0, abs(np.dot(before, after)))))
+    assert turned == pytest.approx(value + 18.0, abs=0.2)
+    # The handle has come along.
+    q = np.radians(lab.slider_values(6))
+    np.testing.assert_allclose(lab.target(), PUMA.arm.position(q), atol=3e-3)
+
+
+def test_the_handle_is_dragged_and_the_tool_reaches_it(visit):
+    lab = visit()
+    start = lab.target()
+    lab.drag_handle(2, SIZE, (0.0, -40.0))
+    target = lab.target()
+    assert target[2] - start[2] > 0.03
+    q = np.radians(lab.slider_values(6))
+    np.testing.assert_allclose(PUMA.arm.position(q), target, atol=3e-3)
+    assert "✓ reached" in lab.hint()
+
+
+def test_out_of_reach_the_handle_stays_and_a_dashed_line_joins_it(visit):
+    lab = visit()
+    lab.drag_handle(0, SIZE, (250.0, 40.0))
+    assert "closest possible" in lab.hint() or "limit on" in lab.hint()
+    assert "mm short" in lab.hint()
+    assert any(name.endswith("/gap") for name in lab.nodes())
+    q = np.radians(lab.slider_values(6))
+    assert np.linalg.norm(PUMA.arm.position(q) - lab.target()) > 0.05
+    lab.open_tab("Target")
+    lab.page.get_by_role("button", name="Target to tool").click()
+    lab.rest()
+    np.testing.assert_allclose(PUMA.arm.position(q), lab.target(), atol=3e-3)
+    assert not any(name.endswith("/gap") for name in lab.nodes())
+
+
+def test_undo_and_redo_by_key_and_by_button(visit):
+    lab = visit()
+    home = lab.slider_values(6)
+    lab.drag_handle(2, SIZE, (0.0, -40.0))
+    moved = lab.slider_values(6)
+    assert np.abs(moved - home).max() > 1
+    lab.page.keyboard.press("Control+z")
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(6), home, atol=0.11)
+    lab.press("redo")
+    np.testing.assert_allclose(lab.slider_values(6), moved, atol=0.11)
+    lab.press("undo")
+    np.testing.assert_allclose(lab.slider_values(6), home, atol=0.11)
+    assert lab.page.locator('button[data-cell="undo"]').is_disabled()
+
+
+def test_another_arm_is_chosen_and_the_address_follows(visit):
+    lab = visit()
+    lab.open_tab("Robot")
+    lab.page.locator("input[role=combobox][value='Six joints']").click()
+    lab.page.get_by_role("option", name="Planar").click()
+    lab.rest(0.5)
+    lab.press("planar_2r")
+    lab.until(lambda: "/robot/planar_2r" in lab.address())
+    lab.ready()
+    lab.open_tab("Joints")
+    assert lab.slider_value(2) == pytest.approx(55.0)
+    assert sum("/arm/" in name and name.endswith("/body") for name in lab.nodes()) == 3
+    lab.page.keyboard.press("Control+z")
+    lab.until(lambda: "/robot/puma560" in lab.address())
+
+
+def test_a_reload_brings_everything_back(visit):
+    lab = visit()
+    lab.drag_slider(2, 0.5)
+    lab.open_tab("View")
+    lab.page.get_by_label("Frames").click()
+    lab.rest(0.5)
+    lab.open_tab("Joints")
+    value = lab.slider_value(2)
+    lab.page.reload()
+    lab.ready()
+    lab.rest()
+    assert lab.slider_value(2) == value
+    lab.open_tab("View")
+    assert lab.page.get_by_label("Frames").is_checked()
+
+
+def test_two_browsers_have_arms_of_their_own(visit):
+    first, second = visit(), visit()
+    first.drag_slider(1, 0.9)
+    second.rest(0.5)
+    assert second.slider_value(1) == pytest.approx(-18.0)
+    assert first.slider_value(1) > 50
+
+
+def test_a_typed_target_is_reached_and_a_wrong_one_is_refused(visit):
+    lab = visit()
+    lab.open_tab("Target")
+    lab.type_into("x", "500")
+    lab.type_into("z", "900")
+    np.testing.assert_allclose(lab.target()[[0, 2]], [0.5, 0.9], atol=1e-6)
+    assert "✓ reached" in lab.hint()
+    lab.type_into("x", "<img src=x onerror=alert(1)>")
+    assert "expected a number in mm" in lab.page.locator(".mantine-Notification-root").last.inner_text()
+    assert lab.page.locator('input[data-cell="x"]').input_value() == "500.0"
+    assert lab.page.locator("img[src=x]").count() == 0
+
+
+def test_named_poses_random_and_held_joints(visit):
+    lab = visit()
+    lab.press("zero")
+    np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+    lab.press("2")  # hold joint 3
+    lab.press("random")
+    values = lab.slider_values(6)
+    assert values[2] == 0.0
+    assert np.abs(values).max() > 5
+    assert lab.page.locator('button[data-cell="2"]').get_attribute("aria-pressed") == "true"
+
+
+def test_pictures_switches_change_the_scene(visit):
+    lab = visit()
+    plain = lab.picture()
+    for key, least in (("f", 1000), ("k", 5000), ("l", 80000)):
+        lab.page.keyboard.press(key)
+        lab.rest(1.5)
+        picture = lab.picture()
+        assert len(changed_pixels(plain, picture, (0, 0, 560, 540))) > least, key
+        plain = picture
+
+
+def test_the_trace_follows_the_tool(visit):
+    lab = visit()
+    lab.page.keyboard.press("t")
+    lab.rest(0.5)
+    lab.drag_slider(1, 0.8)
+    assert any("/trace/" in name for name in lab.nodes())
+    lab.page.keyboard.press("t")
+    lab.rest(0.7)
+    assert not any("/trace/" in name for name in lab.nodes())
+
+
+def test_start_fresh_asks_and_forgets(visit):
+    lab = visit()
+    lab.drag_slider(1, 0.9)
+    lab.open_tab("View")
+    for answer, kept in (("No, go back", True), ("Yes, start fresh", False)):
+        lab.page.get_by_role("button", name="Start fresh ...").click()
+        lab.page.get_by_role("button", name=answer).click()
+        lab.rest()
+        lab.open_tab("Joints")
+        assert (lab.slider_value(1) > 50) == kept
+        lab.open_tab("View")
+    assert lab.page.locator('button[data-cell="undo"]').is_disabled()
+
+
+def test_moves_of_the_lab_are_shown_on_the_way(visit):
+    """Half way through a jump to another pose the arm is neither here nor there."""
+    lab = visit()
+    node = lab.node("/arm/1/2")
+    angle = "n => 2 * Math.acos(Math.abs(window.__viserMutable.nodeRefFromName[n].quaternion.w)) * 180 / Math.PI"
+    start = lab.page.evaluate(angle, node)
+    lab.page.locator('button[data-cell="zero"]').click()
+    seen = []
+    for _ in range(40):
+        seen.append(lab.page.evaluate(angle, node))
+        time.sleep(0.02)
+    end = seen[-1]
+    between = [a for a in seen if min(start, end) + 5 < a < max(start, end) - 5]
+    assert len(between) >= 2

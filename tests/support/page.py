@@ -1,0 +1,227 @@
+"""Drive the lab's page in a real browser, as a person would."""
+
+from __future__ import annotations
+
+import io
+import os
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+
+import numpy as np
+from PIL import Image
+from playwright.sync_api import Browser, BrowserContext, sync_playwright
+
+ARGUMENTS = (
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-sync",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-renderer-backgrounding",
+    "--disable-backgrounding-occluded-windows",
+)
+EXPECTED_ERRORS = ("unsafe-eval", "Evaluating a string as JavaScript")
+"""At every load viser tries, and under our policy fails, to prepare a splat sorter nobody uses."""
+
+SMALL = (900, 600)
+COARSE = "fixedDpr=0.5"
+"""A small window and a coarse picture, which a software renderer can keep up with: for tests of what the lab does.
+Tests of how it looks ask for the full sizes."""
+
+HANDLE = 0.14
+"""Length of the handle's arrows, in sizes of the arm."""
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """Start the browser that `tests/find_browser.py` found."""
+    with sync_playwright() as playwright:
+        path = os.environ.get("ARMLAB_BROWSER") or None
+        browser = playwright.chromium.launch(executable_path=path, headless=True, args=list(ARGUMENTS))
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+class LabPage:
+    """One open page.
+
+    Attributes
+    ----------
+    page : playwright Page
+    errors : list of str
+        What the page complained about, expected complaints left out.
+    requests : list of str
+        Every address it asked for.
+    """
+
+    def __init__(self, context: BrowserContext, url: str, size: tuple[int, int] = SMALL) -> None:
+        self.page = context.new_page()
+        self.page.set_viewport_size({"width": size[0], "height": size[1]})
+        self.errors: list[str] = []
+        self.requests: list[str] = []
+        self.page.on("pageerror", lambda error: self._note(str(error)))
+        self.page.on("console", lambda message: self._note(message.text) if message.type == "error" else None)
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        self.page.on("websocket", lambda socket: self.requests.append(socket.url))
+        self.page.goto(url)
+        self.ready()
+        self.dismiss_toasts()
+
+    def _note(self, text: str) -> None:
+        if not any(words in text for words in EXPECTED_ERRORS):
+            self.errors.append(text)
+
+    def ready(self) -> None:
+        """Wait until the arm and its handle are there and the picture has faded in."""
+        self.page.wait_for_function("() => window.__viserMutable?.nodeRefFromName?.['/target']", timeout=60_000)
+        self.page.wait_for_function(
+            "() => Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))", timeout=60_000
+        )
+        time.sleep(1.5)
+
+    def dismiss_toasts(self) -> None:
+        """Close viser's note about software rendering, which is true here."""
+        close = "document.querySelectorAll('.mantine-Notification-root button').forEach(button => button.click())"
+        self.page.evaluate(f"() => {{ {close} }}")
+        time.sleep(0.4)
+
+    def address(self) -> str:
+        """Return what the address bar shows."""
+        address: str = self.page.evaluate("() => location.href")
+        return address
+
+    # -- the scene -----------------------------------------------------------------------------------------------
+
+    def nodes(self) -> list[str]:
+        """Return the names of all nodes."""
+        names: list[str] = self.page.evaluate(
+            """() => {
+              const nodes = Object.entries(window.__viserMutable.nodeRefFromName);
+              return nodes.filter(([, node]) => node?.parent).map(([name]) => name);
+            }"""
+        )
+        return names
+
+    def node(self, suffix: str) -> str:
+        """Return the node whose name ends like this."""
+        return next(name for name in self.nodes() if name.endswith(suffix))
+
+    def on_screen(self, node: str, local: Sequence[float] = (0.0, 0.0, 0.0)) -> np.ndarray:
+        """Return the pixel of a point given in the axes of a node."""
+        point = self.page.evaluate(
+            """([name, p]) => {
+              const m = window.__viserMutable, o = m.nodeRefFromName[name];
+              o.updateWorldMatrix(true, false); m.camera.updateMatrixWorld();
+              const v = o.position.clone().set(...p).applyMatrix4(o.matrixWorld).project(m.camera);
+              const r = m.canvas.getBoundingClientRect();
+              return [r.left + (v.x + 1) / 2 * r.width, r.top + (1 - v.y) / 2 * r.height];
+            }""",
+            [node, list(local)],
+        )
+        return np.array(point)
+
+    def target(self) -> np.ndarray:
+        """Return where the page has the handle, in the world."""
+        return np.array(self.page.evaluate("() => window.__viserMutable.nodePoseData['/target'].position"))
+
+    def camera(self) -> list[float]:
+        """Return the pose of the page's camera."""
+        pose: list[float] = self.page.evaluate(
+            """() => {
+              const camera = window.__viserMutable.camera;
+              return [...camera.position.toArray(), ...camera.quaternion.toArray()];
+            }"""
+        )
+        return pose
+
+    def picture(self) -> np.ndarray:
+        """Return the page as pixels."""
+        return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")).astype(int)
+
+    def drag_handle(self, axis: int, size: float, pixels: Sequence[float], steps: int = 12) -> None:
+        """Grab an arrow of the handle and drag it by so many pixels; ``size`` is that of the arm."""
+        tip = [0.0, 0.0, 0.0]
+        tip[axis] = 0.75 * HANDLE * size
+        start = self.on_screen("/target", tip)
+        self.page.mouse.move(*start)
+        time.sleep(0.25)  # the page looks for what is under the pointer only when it moves
+        self.page.mouse.down()
+        for k in range(1, steps + 1):
+            self.page.mouse.move(*(start + np.asarray(pixels) * k / steps))
+            time.sleep(0.02)
+        time.sleep(0.15)
+        self.page.mouse.up()
+        self.rest()
+
+    # -- the panels ----------------------------------------------------------------------------------------------
+
+    def open_tab(self, title: str) -> None:
+        """Open a tab."""
+        self.page.locator(f'[role=tab][title="{title}"]').click()
+        time.sleep(0.3)
+
+    def slider_track(self, joint: int) -> str:
+        """Return a selector of the slider of a joint, 1-based."""
+        name = "q" + str(joint).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
+        identifier = self.page.locator("label", has_text=name).first.get_attribute("for")
+        return f'[id="{identifier}"]'
+
+    def slider_value(self, joint: int) -> float:
+        """Return what the slider of a joint shows."""
+        thumb = self.page.locator(f"{self.slider_track(joint)} [role=slider]").first
+        return float(thumb.get_attribute("aria-valuenow") or "nan")
+
+    def slider_values(self, count: int) -> np.ndarray:
+        """Return what all sliders show."""
+        return np.array([self.slider_value(i + 1) for i in range(count)])
+
+    def drag_slider(self, joint: int, fraction: float) -> None:
+        """Drag the thumb of a slider to a fraction of its track."""
+        track = self.page.locator(self.slider_track(joint)).first.bounding_box()
+        thumb = self.page.locator(f"{self.slider_track(joint)} [role=slider]").first.bounding_box()
+        assert track is not None
+        assert thumb is not None
+        x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
+        self.page.mouse.move(x, y)
+        self.page.mouse.down()
+        goal = track["x"] + fraction * track["width"]
+        for k in range(1, 11):
+            self.page.mouse.move(x + (goal - x) * k / 10, y)
+            time.sleep(0.02)
+        self.page.mouse.up()
+        self.rest()
+
+    def press(self, cell: str) -> None:
+        """Press a button of our own markup."""
+        self.page.locator(f'button[data-cell="{cell}"]').first.click()
+        self.rest()
+
+    def type_into(self, cell: str, text: str) -> None:
+        """Fill a field of our own markup and press Enter."""
+        field = self.page.locator(f'input[data-cell="{cell}"]')
+        field.fill(text)
+        field.press("Enter")
+        self.rest()
+
+    def hint(self) -> str:
+        """Return the line over the scene; empty when there is none."""
+        line = self.page.locator(".al-hint")
+        return line.inner_text() if line.count() else ""
+
+    def rest(self, seconds: float = 0.8) -> None:
+        """Wait for the lab's answer, short moves included."""
+        time.sleep(seconds)
+
+    def until(self, condition: Callable[[], bool], seconds: float = 10.0) -> None:
+        """Wait for something to come true."""
+        deadline = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < deadline, "the condition did not come true"
+            time.sleep(0.1)
