@@ -47,6 +47,10 @@ class History:
         self._stroke = None
         return state
 
+    def only(self, label: str) -> bool:
+        """Return whether every step there is bears this label."""
+        return all(each == label for _, each in self.past)
+
     @property
     def undo_label(self) -> str | None:
         """What an undo would take back."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 
 import numpy as np
 import viser
@@ -23,6 +24,10 @@ PRESETS: dict[str, tuple[float, float] | None] = {
 """Azimuth and elevation in degrees; the home view is the robot's own."""
 
 
+SETTLING = 4.0
+"""Seconds after the start in which the panels may still take their part of the window."""
+
+
 class Camera:
     """The camera of one browser."""
 
@@ -30,6 +35,14 @@ class Camera:
         self._client = client
         self._robot: Robot | None = None
         self._figure: Figure | None = None
+        self._aspect, self._began = 0.0, time.monotonic()
+        client.camera.on_update(self._moved)
+
+    async def _moved(self, _camera: object) -> None:
+        """Look again when docking the panels has changed the shape of the picture, of which viser tells afterwards."""
+        reshaped = abs(self._client.camera.aspect - self._aspect) > 0.01 * self._aspect
+        if reshaped and time.monotonic() - self._began < SETTLING:
+            self.look_from("Home")
 
     def follow(self, robot: Robot, figure: Figure) -> None:
         """Look at another arm, from its home view."""
@@ -46,7 +59,8 @@ class Camera:
         middle = bounds.mean(axis=0)
         radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
         camera = self._client.camera
-        narrow = math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, camera.aspect))
+        self._aspect = camera.aspect
+        narrow = math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, self._aspect))
         distance = 1.02 * home.distance * radius / math.sin(narrow)
         # In this order: assigning the position keeps the point looked at.
         camera.fov = FIELD_OF_VIEW

@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import viser
 
-from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import Target, verdict
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Command
@@ -40,7 +40,7 @@ class Overlay:
         if not untouched:
             line = verdict_line(session.state.derived(verdict))
         else:
-            line = FIRST_HINT if session.history.undo_label is None else ""
+            line = FIRST_HINT if session.history.only(ChooseRobot.label) else ""
         hint = f'<div class="al-over al-hint" role="status">{line}</div>' if line else ""
         self._fields.show(hint + self._steps(session) + self._notes(session))
 
