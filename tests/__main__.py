@@ -1,4 +1,4 @@
-"""``python3 tests``: install once, find a browser, then pass all tests. Arguments go to pytest."""
+"""``python3 tests``: install once, find a browser, then pass all tests, two at a time. Arguments go to pytest instead."""
 
 import os
 import subprocess
@@ -20,5 +20,8 @@ def find_browser(python):
     os.environ["ARMLAB_BROWSER"] = found.stdout.strip()
 
 
+TWO_AT_A_TIME = ["-n", "2"]
+
 os.chdir(str(ROOT))
-sys.exit(bootstrap.run(ROOT, "pytest", sys.argv[1:], extras=("test",), prepare=find_browser))
+arguments = sys.argv[1:] or TWO_AT_A_TIME
+sys.exit(bootstrap.run(ROOT, "pytest", arguments, extras=("test",), prepare=find_browser))

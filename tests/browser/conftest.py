@@ -6,16 +6,17 @@ import pytest
 from playwright.sync_api import Browser
 
 from support.lab import running_lab
-from support.page import COARSE, LabPage, chromium
+from support.page import COARSE, SMALL, LabPage, chromium
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
+    """Only these tests share it: while it is open, Playwright's event loop runs in this thread."""
     with chromium() as started:
         yield started
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     with running_lab(tmp_path_factory.mktemp("state")) as address:
         yield address
@@ -26,15 +27,12 @@ def visit(browser: Browser, url: str) -> Iterator[Callable[..., LabPage]]:
     """Open the lab as a new student; every page is checked for complaints at the end."""
     contexts, pages = [], []
 
-    def open_page(path: str = "", size: tuple[int, int] | None = None, **options: object) -> LabPage:
+    def open_page(path: str = "", size: tuple[int, int] = SMALL, **options: object) -> LabPage:
         context = browser.new_context(**options)
         contexts.append(context)
-        if size is None:
-            address, _, fragment = (url + path).partition("#")
-            address += ("&" if "?" in address else "?") + COARSE + (f"#{fragment}" if fragment else "")
-            pages.append(LabPage(context, address))
-        else:
-            pages.append(LabPage(context, url + path, size))
+        address, hash_sign, fragment = (url + path).partition("#")
+        address += ("&" if "?" in address else "?") + COARSE
+        pages.append(LabPage(context, address + hash_sign + fragment, size))
         return pages[-1]
 
     yield open_page

@@ -52,7 +52,7 @@ def test_nothing_is_clipped_and_nothing_lies_outside(visit, size, dark):
     lab = visit("robot/panda", size)
     if dark:
         lab.page.keyboard.press("l")
-        lab.rest(0.6)
+        lab.rest()
     lab.drag_handle(2, 1.27, (0.0, 200.0), steps=8)
     for tab in ("Robot", "Joints", "Target", "View", "Help"):
         lab.open_tab(tab)
@@ -128,7 +128,7 @@ def test_keys_go_where_the_focus_is(visit):
     for _ in range(5):
         lab.page.keyboard.press("ArrowRight")
         time.sleep(0.08)
-    lab.rest(0.6)
+    lab.rest()
     assert lab.slider_value(1) == pytest.approx(before + 0.5, abs=0.01)
     np.testing.assert_allclose(lab.camera(), camera, atol=1e-6)
     # On the scene they turn the camera and leave the joint alone.
@@ -137,12 +137,12 @@ def test_keys_go_where_the_focus_is(visit):
     lab.page.keyboard.down("ArrowRight")
     time.sleep(0.4)
     lab.page.keyboard.up("ArrowRight")
-    lab.rest(0.4)
+    lab.rest()
     assert lab.slider_value(1) == value
     assert np.abs(np.array(lab.camera()) - camera).max() > 1e-3
     # Space presses the button that has the focus, and nothing when there is none.
     lab.page.keyboard.press("Space")
-    lab.rest(0.5)
+    lab.rest()
     assert lab.slider_value(1) == value
     lab.page.locator('button[data-cell="zero"]').focus()
     lab.page.keyboard.press("Space")
@@ -160,9 +160,9 @@ def test_letters_are_commands_on_the_page_and_text_in_a_field(visit):
     assert lab.page.locator('[role=tab][title="Help"]').get_attribute("aria-selected") == "false"
     field.fill("600")
     field.press("Enter")
-    lab.rest(0.6)
+    lab.rest()
     lab.page.keyboard.press("h")
-    lab.rest(0.6)
+    lab.rest()
     assert lab.page.locator('[role=tab][title="Help"]').get_attribute("aria-selected") == "true"
 
 
@@ -174,21 +174,21 @@ def test_the_cursor_goes_on_to_the_next_field(visit):
     lab.page.keyboard.press("Control+a")
     lab.page.keyboard.type("550")
     lab.page.keyboard.press("Tab")
-    lab.rest(0.6)
+    lab.rest()
     assert lab.page.evaluate("() => document.activeElement.dataset.cell") == "y"
     lab.page.keyboard.press("Control+a")
     lab.page.keyboard.type("-250")
     lab.page.keyboard.press("Enter")
-    lab.rest(0.8)
+    lab.rest()
     np.testing.assert_allclose(lab.target()[:2], [0.55, -0.25], atol=1e-6)
 
 
 def test_the_command_palette_knows_the_commands(visit):
     lab = visit()
     lab.page.keyboard.press("Control+k")
-    lab.rest(0.6)
+    lab.rest()
     lab.page.keyboard.type("zero pose")
-    lab.rest(0.4)
+    lab.rest()
     lab.page.keyboard.press("Enter")
     lab.rest()
     np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)

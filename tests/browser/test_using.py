@@ -27,7 +27,7 @@ def test_the_arm_is_seen_where_it_is_and_moves(visit):
     tool_before = lab.on_screen("/target")
     before = lab.picture()
     lab.press("zero")
-    lab.rest(1.0)
+    lab.rest()
     tool_after = lab.on_screen("/target")
     after = lab.picture()
     changed = changed_pixels(before, after, (0, 0, 560, 540))
@@ -99,7 +99,7 @@ def test_another_arm_is_chosen_and_the_address_follows(visit):
     lab.open_tab("Robot")
     lab.page.locator("input[role=combobox][value='Six joints']").click()
     lab.page.get_by_role("option", name="Planar").click()
-    lab.rest(0.5)
+    lab.rest()
     lab.press("planar_2r")
     lab.until(lambda: "/robot/planar_2r" in lab.address())
     lab.ready()
@@ -115,7 +115,7 @@ def test_a_reload_brings_everything_back(visit):
     lab.drag_slider(2, 0.5)
     lab.open_tab("View")
     lab.page.get_by_label("Frames").click()
-    lab.rest(0.5)
+    lab.rest()
     lab.open_tab("Joints")
     value = lab.slider_value(2)
     lab.page.reload()
@@ -129,7 +129,7 @@ def test_a_reload_brings_everything_back(visit):
 def test_two_browsers_have_arms_of_their_own(visit):
     first, second = visit(), visit()
     first.drag_slider(1, 0.9)
-    second.rest(0.5)
+    second.rest()
     assert second.slider_value(1) == pytest.approx(-18.0)
     assert first.slider_value(1) > 50
 
@@ -164,7 +164,7 @@ def test_pictures_switches_change_the_scene(visit):
     plain = lab.picture()
     for key, least in (("f", 1000), ("k", 5000), ("l", 80000)):
         lab.page.keyboard.press(key)
-        lab.rest(1.5)
+        lab.rest()
         picture = lab.picture()
         assert len(changed_pixels(plain, picture, (0, 0, 560, 540))) > least, key
         plain = picture
@@ -173,11 +173,11 @@ def test_pictures_switches_change_the_scene(visit):
 def test_the_trace_follows_the_tool(visit):
     lab = visit()
     lab.page.keyboard.press("t")
-    lab.rest(0.5)
+    lab.rest()
     lab.drag_slider(1, 0.8)
     assert any("/trace/" in name for name in lab.nodes())
     lab.page.keyboard.press("t")
-    lab.rest(0.7)
+    lab.rest()
     assert not any("/trace/" in name for name in lab.nodes())
 
 
@@ -201,11 +201,15 @@ def test_moves_of_the_lab_are_shown_on_the_way(visit):
     node = lab.node("/arm/1/2")
     angle = "n => 2 * Math.acos(Math.abs(window.__viserMutable.nodeRefFromName[n].quaternion.w)) * 180 / Math.PI"
     start = lab.page.evaluate(angle, node)
-    lab.page.locator('button[data-cell="zero"]').click()
-    seen = []
-    for _ in range(40):
-        seen.append(lab.page.evaluate(angle, node))
-        time.sleep(0.02)
+    record = """([node, count]) => new Promise(done => {
+      const angle = ANGLE, seen = [];
+      document.querySelector('button[data-cell="zero"]').click();
+      const watch = setInterval(() => {
+        seen.push(angle(node));
+        if (seen.length === count) { clearInterval(watch); done(seen); }
+      }, 10);
+    })""".replace("ANGLE", angle)
+    seen = lab.page.evaluate(record, [node, 150])
     end = seen[-1]
     between = [a for a in seen if min(start, end) + 5 < a < max(start, end) - 5]
     assert len(between) >= 2

@@ -29,9 +29,18 @@ EXPECTED_ERRORS = ("unsafe-eval", "Evaluating a string as JavaScript")
 """At every load viser tries, and under our policy fails, to prepare a splat sorter nobody uses."""
 
 SMALL = (900, 600)
+"""A small window, for tests of what the lab does; tests of its layout ask for the real sizes."""
+
 COARSE = "fixedDpr=0.5"
-"""A small window and a coarse picture, which a software renderer can keep up with: for tests of what the lab does.
-Tests of how it looks ask for the full sizes."""
+"""Draws the scene with half the pixels each way, which a software renderer can keep up with."""
+
+SEEN = """() => JSON.stringify([
+  Object.values(window.__viserMutable.nodePoseData).map(pose => pose && [pose.position, pose.wxyz]),
+  Object.keys(window.__viserMutable.nodeRefFromName).length,
+  [...document.querySelectorAll('[role=slider]')].map(thumb => thumb.getAttribute('aria-valuenow')),
+  document.body.innerText,
+])"""
+"""What tells whether the page still changes."""
 
 HANDLE = 0.14
 """Length of the handle's arrows, in sizes of the arm."""
@@ -84,13 +93,13 @@ class LabPage:
         self.page.wait_for_function(
             "() => Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))", timeout=60_000
         )
-        time.sleep(1.5)
+        self.rest(0.8)
 
     def dismiss_toasts(self) -> None:
         """Close viser's note about software rendering, which is true here."""
         close = "document.querySelectorAll('.mantine-Notification-root button').forEach(button => button.click())"
         self.page.evaluate(f"() => {{ {close} }}")
-        time.sleep(0.4)
+        self.page.wait_for_function("() => !document.querySelector('.mantine-Notification-root')")
 
     def address(self) -> str:
         """Return what the address bar shows."""
@@ -151,12 +160,12 @@ class LabPage:
         tip[axis] = 0.75 * HANDLE * size
         start = self.on_screen("/target", tip)
         self.page.mouse.move(*start)
-        time.sleep(0.25)  # the page looks for what is under the pointer only when it moves
+        self.frames(3)  # the page looks for what is under the pointer in the frame after it moved
         self.page.mouse.down()
         for k in range(1, steps + 1):
             self.page.mouse.move(*(start + np.asarray(pixels) * k / steps))
-            time.sleep(0.02)
-        time.sleep(0.15)
+            self.frames(1)
+        self.frames(3)
         self.page.mouse.up()
         self.rest()
 
@@ -165,7 +174,7 @@ class LabPage:
     def open_tab(self, title: str) -> None:
         """Open a tab."""
         self.page.locator(f'[role=tab][title="{title}"]').click()
-        time.sleep(0.3)
+        self.frames(3)
 
     def slider_track(self, joint: int) -> str:
         """Return a selector of the slider of a joint, 1-based."""
@@ -194,7 +203,7 @@ class LabPage:
         goal = track["x"] + fraction * track["width"]
         for k in range(1, 11):
             self.page.mouse.move(x + (goal - x) * k / 10, y)
-            time.sleep(0.02)
+            self.frames(1)
         self.page.mouse.up()
         self.rest()
 
@@ -215,9 +224,24 @@ class LabPage:
         line = self.page.locator(".al-hint")
         return line.inner_text() if line.count() else ""
 
-    def rest(self, seconds: float = 0.8) -> None:
-        """Wait for the lab's answer, short moves included."""
-        time.sleep(seconds)
+    def frames(self, count: int) -> None:
+        """Wait until the page has drawn so many frames, however slow the machine."""
+        self.page.evaluate(
+            """async count => {
+              for (let k = 0; k < count; k++) await new Promise(drawn => requestAnimationFrame(drawn));
+            }""",
+            count,
+        )
+
+    def rest(self, least: float = 0.4, most: float = 15.0) -> None:
+        """Wait for the lab's answer: until nothing in scene and panel has changed for a while."""
+        time.sleep(least)
+        deadline = time.monotonic() + most
+        before, since = self.page.evaluate(SEEN), time.monotonic()
+        while time.monotonic() < min(since + 0.4, deadline):
+            time.sleep(0.1)
+            if (now := self.page.evaluate(SEEN)) != before:
+                before, since = now, time.monotonic()
 
     def until(self, condition: Callable[[], bool], seconds: float = 10.0) -> None:
         """Wait for something to come true."""
