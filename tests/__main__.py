@@ -1,4 +1,4 @@
-"""``python3 tests``: install once, find a browser, then pass all tests, two at a time. Arguments go to pytest instead."""
+"""``python3 tests``: install once, find a browser, then pass all tests, two at a time; or what pytest is told."""
 
 import os
 import subprocess

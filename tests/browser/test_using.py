@@ -1,7 +1,5 @@
 """What a student does in the first minutes."""
 
-import time
-
 import numpy as np
 import pytest
 

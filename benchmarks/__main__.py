@@ -1,0 +1,13 @@
+"""``python3 benchmarks [NAME ...]``: measure against the peers, as Markdown; without a name, everything."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "app"))
+
+import bootstrap  # noqa: E402
+
+python = bootstrap.ensure(ROOT, ("bench", "test"))
+sys.exit(subprocess.call([str(python), str(ROOT / "benchmarks" / "report.py"), *sys.argv[1:]]))

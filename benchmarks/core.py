@@ -1,0 +1,81 @@
+"""Forward kinematics, Jacobian and manipulability of a 7R arm (Franka Panda)."""
+
+import tracemalloc
+from collections.abc import Iterator
+
+import numpy as np
+import peers
+from rounds import header, medians, row
+
+import armlab
+
+TITLE = "Core: Franka Panda, one core"
+MANY, FEW = 1_000_000, 2_000
+
+
+def measure() -> Iterator[str]:
+    arm = armlab.load("panda")
+    rng = np.random.default_rng(1)
+    qs = rng.uniform(arm.limits[:, 0], arm.limits[:, 1], (MANY, arm.n))
+    q = qs[0].copy()
+    pinocchio, toolbox, ikpy = peers.Pinocchio(arm), peers.Toolbox(arm), peers.IKPy(arm)
+    positions, manipulability = peers.numba_kernels(arm)
+    agree(arm, qs[:20], pinocchio, toolbox, ikpy, positions, manipulability)
+    yield from header()
+    one = {
+        "Armlab": lambda: arm.fk(q),
+        "pinocchio": lambda: pinocchio.pose(q),
+        "roboticstoolbox (C)": lambda: toolbox.pose(q),
+        "ikpy": lambda: ikpy.pose(q),
+    }
+    yield row("tool pose, one q", medians(one), "µs", 1e6)
+    one = {
+        "Armlab": lambda: arm.jacobian(q),
+        "pinocchio": lambda: pinocchio.jacobian(q),
+        "roboticstoolbox (C)": lambda: toolbox.jacobian(q),
+    }
+    yield row("geometric Jacobian, one q", medians(one), "µs", 1e6)
+    out, few = np.empty((MANY, 3)), qs[:FEW]
+    found = medians({"Armlab": lambda: arm.position(qs, out=out), "numba": lambda: positions(qs, out)}, MANY, 7)
+    loops = {
+        "stacked NumPy": lambda: peers.stacked_positions(arm, few),
+        "pinocchio": lambda: [pinocchio.pose(v).translation for v in few],
+        "roboticstoolbox (C)": lambda: toolbox.pose(few),
+        "naive NumPy": lambda: peers.naive_positions(arm, few),
+    }
+    yield row("tool positions, 10⁶ q, float64", found | medians(loops, FEW, 5), "ns each", 1e9, 0)
+    singles, out32 = qs.astype(np.float32), np.empty((MANY, 3), np.float32)
+    yield row(
+        "the same, float32", medians({"Armlab": lambda: arm.position(singles, out=out32)}, MANY, 7), "ns each", 1e9, 0
+    )
+    w = np.empty(MANY)
+    found = medians({"Armlab": lambda: arm.manipulability(qs, out=w), "numba": lambda: manipulability(qs, w)}, MANY, 5)
+    loops = {"pinocchio": lambda: [_w(pinocchio.jacobian(v)) for v in few]}
+    yield row("manipulability, 10⁶ q, float64", found | medians(loops, FEW, 5), "ns each", 1e9, 0)
+    tracemalloc.start()
+    arm.position(qs, out=out)
+    peak = tracemalloc.get_traced_memory()[1] / 2**20
+    tracemalloc.stop()
+    yield f"| memory over the output, 10⁶ positions | {peak:.0f} MiB | – |"
+
+
+def _w(J: np.ndarray) -> float:
+    return float(np.sqrt(np.linalg.det(J @ J.T)))
+
+
+def agree(arm, qs, pinocchio, toolbox, ikpy, positions, manipulability) -> None:
+    """Check that all compute the same, so that the times are of the same work."""
+    p, w = np.empty((len(qs), 3)), np.empty(len(qs))
+    positions(qs, p)
+    manipulability(qs, w)
+    np.testing.assert_allclose(p, arm.position(qs), atol=1e-9)
+    np.testing.assert_allclose(w, arm.manipulability(qs), atol=1e-9)
+    np.testing.assert_allclose(peers.naive_positions(arm, qs), p, atol=1e-9)
+    np.testing.assert_allclose(peers.stacked_positions(arm, qs), p, atol=1e-9)
+    for q in qs:
+        T = arm.fk(q)
+        np.testing.assert_allclose(pinocchio.pose(q).homogeneous, T, atol=1e-9)
+        np.testing.assert_allclose(np.squeeze(toolbox.pose(q)), T, atol=1e-9)
+        np.testing.assert_allclose(ikpy.pose(q), T, atol=1e-9)
+        np.testing.assert_allclose(pinocchio.jacobian(q), arm.jacobian(q), atol=1e-9)
+        np.testing.assert_allclose(toolbox.jacobian(q), arm.jacobian(q), atol=1e-9)

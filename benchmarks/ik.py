@@ -1,0 +1,61 @@
+"""One inverse-kinematics solution from a random start, inside the limits."""
+
+import time
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import peers
+
+import armlab
+from armlab.kin import ik
+
+TITLE = "Inverse kinematics: one solution, 1000 random poses, error below 1e-6 m and rad, inside the limits"
+ARMS = ("puma560", "ur10", "panda")
+POSES, POSES_OF_A_LOOP = 1000, 100
+
+
+def measure() -> Iterator[str]:
+    yield "| arm | solver | solved | median | p99 | median × Armlab |"
+    yield "| --- | --- | --- | --- | --- | --- |"
+    for key in ARMS:
+        arm = armlab.load(key)
+        pinocchio, toolbox = peers.Pinocchio(arm), peers.Toolbox(arm)
+        solvers: dict[str, tuple[int, Callable]] = {
+            "Armlab": (1, lambda T, k, arm=arm: ik.solve(arm, T, seed=k).q),
+            "roboticstoolbox (C)": (1, lambda T, k, toolbox=toolbox: toolbox.solve(T, k)),
+            "pinocchio, loop in Python": (
+                POSES // POSES_OF_A_LOOP,
+                lambda T, k, pinocchio=pinocchio: pinocchio.solve(T, np.random.default_rng(k)),
+            ),
+        }
+        ours = 0.0
+        for name, (seconds, solved, count) in compare(arm, solvers).items():
+            ours = ours or float(np.median(seconds))
+            median, slow = np.median(seconds), np.quantile(seconds, 0.99)
+            share = f"{100 * solved / count:.1f} %"
+            times = f"{median * 1e3:.2f} ms | {slow * 1e3:.1f} ms | {median / ours:.1f}"
+            yield f"| {arm.name} | {name} | {share} | {times} |"
+
+
+def compare(arm, solvers):
+    """Give every pose to all solvers in turn; those with a stride get only some of the poses."""
+    rng = np.random.default_rng(1)
+    found = {name: ([], 0, 0) for name in solvers}
+    for k in range(POSES):
+        T = arm.fk(rng.uniform(arm.limits[:, 0], arm.limits[:, 1]))
+        for name, (stride, solve) in solvers.items():
+            if k % stride:
+                continue
+            seconds, solved, count = found[name]
+            start = time.perf_counter()
+            q = solve(T, k)
+            seconds.append(time.perf_counter() - start)
+            found[name] = (seconds, solved + reaches(arm, q, T), count + 1)
+    return found
+
+
+def reaches(arm, q, T) -> bool:
+    """Judge all solvers alike."""
+    E = arm.fk(q)
+    angle = np.linalg.norm(E[:3, :3] - T[:3, :3]) / np.sqrt(2.0)
+    return bool(np.linalg.norm(E[:3, 3] - T[:3, 3]) < 1e-6 and angle < 1e-6 and arm.within_limits(q))

@@ -1,0 +1,87 @@
+"""Servers in processes of their own, and what they cost."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from support.fake_browser import FakeBrowser, cookie_of
+
+HERE = Path(__file__).resolve().parent
+LAB = """
+import sys
+sys.path[:0] = {paths!r}
+from support.lab import open_lab
+lab = open_lab(None, "puma560", {labs})
+print(lab.port, flush=True)
+sys.stdin.read()
+lab.stop()
+"""
+
+
+@dataclass(frozen=True)
+class Server:
+    """A server and its processes."""
+
+    url: str
+    pids: tuple[int, ...]
+    has_front: bool = True
+
+    def browser(self) -> FakeBrowser:
+        """Return a browser of a new student."""
+        return FakeBrowser(self.url, cookie_of(self.url) if self.has_front else None)
+
+    def cpu(self) -> float:
+        """Return the seconds of processor time used so far."""
+        fields = [Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split() for pid in self.pids]
+        return sum(int(f[11]) + int(f[12]) for f in fields) / os.sysconf("SC_CLK_TCK")
+
+    def memory(self) -> int:
+        """Return the bytes of memory in use."""
+        pages = [int(Path(f"/proc/{pid}/statm").read_text().split()[1]) for pid in self.pids]
+        return sum(pages) * os.sysconf("SC_PAGE_SIZE")
+
+
+@contextmanager
+def lab(labs: int = 0) -> Iterator[Server]:
+    """Run Armlab: one process, or a front with so many labs behind it."""
+    paths = [str(HERE.parent / "app"), str(HERE.parent / "tests")]
+    with _started(["-c", LAB.format(paths=paths, labs=labs)]) as server:
+        yield server
+
+
+@contextmanager
+def bare() -> Iterator[Server]:
+    """Run the bare viser server."""
+    with _started([str(HERE / "bare_server.py")], has_front=False) as server:
+        yield server
+
+
+@contextmanager
+def _started(arguments: Sequence[str], has_front: bool = True) -> Iterator[Server]:
+    process = subprocess.Popen(
+        [sys.executable, *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    )
+    try:
+        port = int(process.stdout.readline())
+        yield Server(f"http://127.0.0.1:{port}/", (process.pid, *_children(process.pid)), has_front)
+    finally:
+        process.stdin.close()
+        try:
+            process.wait(3.0)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+def _children(pid: int) -> tuple[int, ...]:
+    path = Path(f"/proc/{pid}/task/{pid}/children")
+    found = tuple(int(child) for child in path.read_text().split())
+    return found + tuple(grandchild for child in found for grandchild in _children(child))
