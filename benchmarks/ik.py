@@ -22,7 +22,7 @@ def measure() -> Iterator[str]:
         pinocchio, toolbox = peers.Pinocchio(arm), peers.Toolbox(arm)
         solvers: dict[str, tuple[int, Callable]] = {
             "Armlab": (1, lambda T, k, arm=arm: ik.solve(arm, T, seed=k).q),
-            "roboticstoolbox (C)": (1, lambda T, k, toolbox=toolbox: toolbox.solve(T, k)),
+            "roboticstoolbox (C)": (1, lambda T, k, toolbox=toolbox: toolbox.solve(T, np.random.default_rng(k))),
             "pinocchio, loop in Python": (
                 POSES // POSES_OF_A_LOOP,
                 lambda T, k, pinocchio=pinocchio: pinocchio.solve(T, np.random.default_rng(k)),

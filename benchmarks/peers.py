@@ -4,6 +4,7 @@ import numpy as np
 
 from armlab import Arm
 from armlab.kin.dh import link_transform
+from armlab.kin.rotations import euler_zyx
 
 
 def fixed_part(arm: Arm, i: int) -> np.ndarray:
@@ -73,10 +74,12 @@ class Toolbox:
 
         tool = spatialmath.SE3(arm.tool, check=False)
         self.ets = rtb.ETS([*parts, ET.SE3(tool)])
+        self.limits = arm.limits
         self.pose, self.jacobian = self.ets.eval, self.ets.jacob0
 
-    def solve(self, goal: np.ndarray, seed: int) -> np.ndarray:
-        return self.ets.ik_LM(goal, ilimit=30, slimit=100, tol=1e-13, joint_limits=True, seed=seed)[0]
+    def solve(self, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+        start = rng.uniform(*self.limits.T)
+        return self.ets.ik_LM(goal, start, ilimit=30, slimit=100, tol=1e-13, joint_limits=True)[0]
 
 
 class IKPy:
@@ -90,10 +93,20 @@ class IKPy:
         for i, row in enumerate(arm.rows):
             place, turned = fixed_part(arm, i)[:3, 3], [row.alpha, 0.0, 0.0]
             links.append(URDFLink(f"q{i + 1}", origin_translation=place, origin_orientation=turned, rotation=[0, 0, 1]))
-        self.chain = Chain(links, active_links_mask=[False] + [True] * arm.n)
+        turned = euler_zyx(arm.tool[:3, :3])[0][::-1]
+        links.append(URDFLink("tool", arm.tool[:3, 3], turned, joint_type="fixed"))
+        self.chain = Chain(links, active_links_mask=[False, *[True] * arm.n, False])
 
     def pose(self, q: np.ndarray) -> np.ndarray:
-        return self.chain.forward_kinematics([0.0, *q])
+        return self.chain.forward_kinematics([0.0, *q, 0.0])
+
+
+def modified_matrix(a: float, alpha: float, d: float, theta: float) -> np.ndarray:
+    """Return the matrix of a modified row, typed as the books print it."""
+    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return np.array(
+        [[c, -s, 0, a], [s * ca, c * ca, -sa, -d * sa], [s * sa, c * sa, ca, d * ca], [0, 0, 0, 1]], dtype=float
+    )
 
 
 def naive_positions(arm: Arm, qs: np.ndarray) -> np.ndarray:
@@ -102,7 +115,7 @@ def naive_positions(arm: Arm, qs: np.ndarray) -> np.ndarray:
     for k, q in enumerate(qs):
         T = arm.base
         for row, value in zip(arm.rows, q, strict=True):
-            T = T @ link_transform(row.a, row.alpha, row.d, row.theta + value, arm.convention)
+            T = T @ modified_matrix(row.a, row.alpha, row.d, row.theta + value)
         found[k] = (T @ arm.tool)[:3, 3]
     return found
 
