@@ -1,5 +1,6 @@
 """``python3 benchmarks [NAME ...]``: measure against the peers, as Markdown; without a name, everything."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -10,4 +11,8 @@ sys.path.insert(0, str(ROOT / "app"))
 import bootstrap  # noqa: E402
 
 python = bootstrap.ensure(ROOT, ("bench", "test"))
+browser = subprocess.run([str(python), str(ROOT / "tests" / "find_browser.py")], stdout=subprocess.PIPE, text=True)
+if browser.returncode:
+    sys.exit(browser.returncode)
+os.environ["ARMLAB_BROWSER"] = browser.stdout.strip()
 sys.exit(subprocess.call([str(python), str(ROOT / "benchmarks" / "report.py"), *sys.argv[1:]]))

@@ -4,7 +4,9 @@ Six nested frames with a cylinder each, a handle, and a sphere that is sent to w
 sessions, no front. Prints its port.
 """
 
+import contextlib
 import socket
+import sys
 import threading
 import time
 from typing import Any
@@ -51,7 +53,8 @@ def solved(point: np.ndarray) -> np.ndarray:
 def main() -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
-    server = viser.ViserServer("127.0.0.1", port, verbose=False)
+    with contextlib.redirect_stdout(sys.stderr):  # its banner
+        server = viser.ViserServer("127.0.0.1", port, verbose=False)
     wake, waiting = threading.Event(), {}
     students: list[Student] = []
     server.on_client_connect(lambda client: students.append(Student(client, wake, waiting)))
