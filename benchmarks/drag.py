@@ -18,6 +18,8 @@ TITLE = "Dragging: handle event to new pose at the client"
 CLASSES, ROUNDS = (1, 10, 30), 3
 RATE, SECONDS = 20.0, 6.0
 EVENTS = int(RATE * SECONDS)
+SETTLING = 3.0
+"""Seconds until every server has done what it does once, after its start and for new pages."""
 
 
 def measure() -> Iterator[str]:
@@ -94,7 +96,7 @@ async def drive(server: servers.Server, count: int, points: np.ndarray, reader: 
     browsers = [server.browser() for _ in range(count)]
     await asyncio.gather(*(browser.connect() for browser in browsers))
     await asyncio.gather(*(browser.until(lambda b=browser: is_open(b), 30.0) for browser in browsers))
-    await asyncio.sleep(1.0)
+    await asyncio.sleep(SETTLING)
     before, start = server.cpu(), time.perf_counter()
     phases = np.arange(count) / count / RATE
     runs = (one_student(b, points, reader(b), phase) for b, phase in zip(browsers, phases, strict=True))

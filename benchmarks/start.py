@@ -9,47 +9,64 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
-from support.page import SMALL, chromium
+from playwright.sync_api import Browser, ViewportSize
+
+from support.page import chromium
 
 TITLE = "Start"
 ROOT = Path(__file__).resolve().parents[1]
 ROUNDS = 5
+WINDOW: ViewportSize = {"width": 640, "height": 420}
 
 
 def measure() -> Iterator[str]:
     yield "| what | seconds |"
     yield "| --- | --- |"
-    served, usable = [], []
+    lab = ["-P", "-m", "armlab", "--no-browser", "--port", "0", "--state"]
+    ours, bare = Times([], [], []), Times([], [], [])
     with chromium() as browser:
         for _ in range(ROUNDS):
-            with tempfile.TemporaryDirectory() as folder, browser.new_context() as context:
-                command = [sys.executable, "-P", "-m", "armlab", "--no-browser", "--port", "0", "--state", folder]
-                start = time.perf_counter()
-                with printed_address(command) as url:
-                    served.append(time.perf_counter() - start)
-                    page = context.new_page()
-                    page.set_viewport_size({"width": SMALL[0], "height": SMALL[1]})
-                    page.goto(url, wait_until="commit")
-                    wait_for_arm(page)
-                    usable.append(time.perf_counter() - start)
-    yield f"| `armlab` → address printed, page served | {statistics.median(served):.2f} |"
-    yield f"| `armlab` → arm and handle drawn in Chromium (software GL) | {statistics.median(usable):.2f} |"
+            with tempfile.TemporaryDirectory() as folder:
+                opened(browser, [sys.executable, *lab, folder], ours)
+            opened(browser, [sys.executable, str(ROOT / "benchmarks" / "bare_server.py")], bare)
+    yield f"| `armlab` → page served | {statistics.median(ours.served):.2f} |"
+    yield f"| `armlab` → arm, handle and panels on the page | {statistics.median(ours.usable):.2f} |"
+    yield f"| `armlab` → first picture complete, software GL | {statistics.median(ours.drawn):.2f} |"
+    yield f"| a bare viser server: its nodes on the page | {statistics.median(bare.usable):.2f} |"
+    yield f"| a bare viser server: first picture complete, software GL | {statistics.median(bare.drawn):.2f} |"
     yield from from_a_clone()
 
 
-def wait_for_arm(page) -> None:
-    """Wait until the arm and its handle are in the scene and one frame was drawn."""
-    page.wait_for_function(
-        """() => {
-          const nodes = window.__viserMutable?.nodeRefFromName ?? {};
-          return nodes['/target'] && Object.keys(nodes).some(name => name.endsWith('/body'));
-        }""",
-        polling=20,
-        timeout=60_000,
-    )
-    page.evaluate("() => new Promise(drawn => requestAnimationFrame(drawn))")
+@dataclass(frozen=True)
+class Times:
+    """Seconds from the command to three moments, one entry a round."""
+
+    served: list[float]
+    usable: list[float]
+    drawn: list[float]
+
+
+def opened(browser: Browser, command: list[str], times: Times) -> None:
+    """Start a server, open its page as a new visitor, and note the times."""
+    start = time.perf_counter()
+    with printed_address(command) as url, browser.new_context() as context:
+        times.served.append(time.perf_counter() - start)
+        page = context.new_page()
+        page.set_viewport_size(WINDOW)
+        page.goto(url, wait_until="commit")
+        page.wait_for_function(ARM_IS_THERE, polling=20, timeout=60_000)
+        times.usable.append(time.perf_counter() - start)
+        page.screenshot()
+        times.drawn.append(time.perf_counter() - start)
+
+
+ARM_IS_THERE = """() => {
+  const nodes = window.__viserMutable?.nodeRefFromName ?? {};
+  return nodes['/target'] && Object.keys(nodes).some(name => name.endsWith('/body'));
+}"""
 
 
 def from_a_clone() -> Iterator[str]:
@@ -70,7 +87,8 @@ def printed_address(command: list[str], **options) -> Iterator[str]:
     """Start a lab and return what it prints as its address."""
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, **options)
     try:
-        yield re.search(r"http://\S+", process.stdout.readline())[0]
+        line = process.stdout.readline()
+        yield re.search(r"http://\S+", line)[0] if "http" in line else f"http://127.0.0.1:{int(line)}/"
     finally:
         process.terminate()
         process.wait(10.0)

@@ -9,8 +9,7 @@ from pathlib import Path
 
 import viser
 
-from armlab.content.robots import Robot, catalogue
-from armlab.errors import ArmlabError
+from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.session import Session
@@ -62,13 +61,14 @@ class Lab:
         self._waiting: dict[str, list[asyncio.Future[None]]] = {}
         self._stopped = threading.Event()
         self.server.scene.configure_default_lights(False)
-        self.server.scene.configure_environment_map("studio", environment_intensity=0.38)
+        self.server.scene.configure_environment_map(None)
         self.server.scene.world_axes.visible = False
         self.server.on_client_connect(self._connect)
         self.server.on_client_disconnect(self._disconnect)
         self.worker.start()
         threading.Thread(target=self._keep_saving, daemon=True, name="armlab-saver").start()
-        threading.Thread(target=self._prepare, args=(opening,), daemon=True, name="armlab-figures").start()
+        # The others are made when somebody first asks for them: 0.2 s once, and no work beside that of a class.
+        threading.Thread(target=self.gallery.make, args=(opening.arm,), daemon=True, name="armlab-figure").start()
 
     @property
     def port(self) -> int:
@@ -143,16 +143,6 @@ class Lab:
                 self.store.save()
             except OSError as error:
                 log.warning("sessions cannot be saved: %s", error)
-
-    def _prepare(self, opening: Robot) -> None:
-        """Make the figures of all arms ahead of time, the opening one first."""
-        for robot in [opening, *catalogue().robots.values()]:
-            if self._stopped.is_set():
-                return
-            try:
-                self.gallery.make(robot.arm)
-            except (ArmlabError, ValueError, ArithmeticError):
-                log.exception("no figure for %s", robot.key)
 
 
 __all__ = ["Lab"]

@@ -19,9 +19,9 @@ Part = tuple[str, trimesh.Trimesh]
 
 MATERIALS: dict[str, tuple[Rgb, float, float]] = {
     # Whites above some 225 are blown out by the tone curve of the page.
-    "shell": ((214, 219, 226), 0.42, 0.0),
-    "dark": ((62, 69, 80), 0.50, 0.1),
-    "steel": ((178, 186, 196), 0.28, 0.75),
+    "shell": ((222, 226, 232), 0.42, 0.0),
+    "dark": ((74, 82, 95), 0.46, 0.0),
+    "steel": ((186, 193, 203), 0.32, 0.25),
     "rubber": ((40, 43, 48), 0.80, 0.0),
 }
 

@@ -9,7 +9,7 @@ from armlab.session.state import State
 from armlab.ui.canvas import Canvas
 from armlab.ui.plugin import Layer, Show
 
-LIGHT = {"cell": (203, 210, 219), "section": (176, 186, 198), "key": 1.55, "shadow": 0.16}
+LIGHT = {"cell": (203, 210, 219), "section": (176, 186, 198), "key": 1.75, "shadow": 0.16}
 DARK = {"cell": (58, 67, 80), "section": (78, 90, 106), "key": 1.7, "shadow": 0.55}
 
 
@@ -31,7 +31,10 @@ def build(canvas: Canvas, state: State) -> Show:
     at = {"key": (-1.35, -1.86, 3.0), "fill": (2.0, 1.5, 1.0), "rim": (-1.0, 2.5, 1.2)}
     position = {name: (x * S, y * S, z * S) for name, (x, y, z) in at.items()}
     scene.add_light_directional(
-        canvas.path("stage/fill"), intensity=0.45, color=(214, 228, 255), cast_shadow=False, position=position["fill"]
+        canvas.path("stage/fill"), intensity=0.7, color=(214, 228, 255), cast_shadow=False, position=position["fill"]
+    )
+    scene.add_light_hemisphere(
+        canvas.path("stage/sky"), sky_color=(244, 248, 255), ground_color=(168, 172, 180), intensity=2.7
     )
     scene.add_light_directional(canvas.path("stage/rim"), intensity=0.5, cast_shadow=False, position=position["rim"])
     foot = float(canvas.drawn.figure.anatomy.root[2, 3]) + canvas.drawn.figure.foot
