@@ -46,7 +46,7 @@ def as_pose(T: ArrayLike, where: str) -> NDArray[np.float64]:
         raise InputError(f"{where}: expected a 4 x 4 matrix of numbers, got {T!r}") from None
     if pose.shape != (4, 4):
         raise InputError(f"{where}: expected shape (4, 4), got {pose.shape}")
-    if not np.all(np.isfinite(pose)):
+    if not np.isfinite(pose).all():
         raise InputError(f"{where}: every entry must be finite")
     if pose[3].tolist() != [0.0, 0.0, 0.0, 1.0]:
         raise InputError(f"{where}: the last row must be 0 0 0 1, got {pose[3].tolist()}")

@@ -48,6 +48,7 @@ class Canvas:
         self.client, self.drawn, self.post, self._number = client, drawn, post, number
         self.scene = client.scene
         self.size = drawn.figure.anatomy.size
+        self._scale = np.where(drawn.figure.anatomy.arm.revolute, 1.0, self.size).tolist()
         self._listeners: list[PoseListener] = []
         self._nodes: list[viser.FrameHandle] = []
         self._make_nodes(q)
@@ -94,8 +95,8 @@ class Canvas:
             self._glide = None
 
     def _distance(self) -> float:
-        scale = np.where(self.drawn.figure.anatomy.arm.revolute, 1.0, self.size)
-        return float(np.max(np.abs(self._goal - self._shown) / scale))
+        moved = zip(self._goal.tolist(), self._shown.tolist(), self._scale, strict=True)
+        return max(abs(goal - shown) / scale for goal, shown, scale in moved)
 
     def _begin_glide(self) -> None:
         start, goal = self._shown, self._goal

@@ -27,6 +27,8 @@ def feasible(arm: Arm, T: NDArray[np.floating], tool: NDArray[np.floating]) -> N
     -------
     ndarray, shape (4, 4)
     """
+    if arm.task.rotation == "full" and arm.task.position == "xyz":
+        return np.array(T, dtype=np.float64)
     to_frame_0 = inverse(arm.base)
     wanted, present = to_frame_0 @ T, to_frame_0 @ tool
     p = present[:3, 3].copy()
