@@ -28,7 +28,9 @@ class Student:
                 self.joints.append(client.scene.add_frame(path, show_axes=False, position=(0, 0, 0.25)))
                 client.scene.add_cylinder(path + "/body", radius=0.05, height=0.25, color=(230, 120, 40))
             self.echo = client.scene.add_icosphere("/echo", radius=0.03)
-            self.handle = client.scene.add_transform_controls("/target", scale=0.4, depth_test=False)
+            self.handle = client.scene.add_transform_controls(
+                "/target", scale=0.4, depth_test=False, position=(0.6, 0.0, 0.9)
+            )
 
         @self.handle.on_update
         async def _(_event: Any) -> None:

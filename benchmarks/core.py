@@ -4,10 +4,10 @@ import tracemalloc
 from collections.abc import Iterator
 
 import numpy as np
-import peers
-from rounds import header, medians, row
 
 import armlab
+import peers
+from rounds import header, medians, row
 
 TITLE = "Core: Franka Panda, one core"
 MANY, FEW = 1_000_000, 2_000

@@ -5,13 +5,13 @@ import time
 from collections.abc import Callable, Iterator
 
 import numpy as np
-import servers
-from rounds import quantile
 
+import servers
 from armlab.content.robots import catalogue
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import DragTarget, target_pose
 from armlab.session.session import Session
+from rounds import quantile
 from support.fake_browser import FakeBrowser, Message
 
 TITLE = "Dragging: handle event to new pose at the client"

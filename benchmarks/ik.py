@@ -4,9 +4,9 @@ import time
 from collections.abc import Callable, Iterator
 
 import numpy as np
-import peers
 
 import armlab
+import peers
 from armlab.kin import ik
 
 TITLE = "Inverse kinematics: one solution, 1000 random poses, error below 1e-6 m and rad, inside the limits"

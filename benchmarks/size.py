@@ -9,7 +9,6 @@ from pathlib import Path
 
 import servers
 from drag import is_open
-
 from support.fake_browser import FakeBrowser
 
 TITLE = "Cost of a student, size of the wheel"

@@ -19,6 +19,8 @@ class Display(Part):
     frames, names, skeleton, trace : bool
         All Denavit-Hartenberg frames; the names q1 ... at the joints; textbook symbols instead of bodies; the path of
         the tool point.
+    shadows : bool
+        Half the work of drawing, on a computer without a graphics processor.
     dark : bool
         The dark theme.
     """
@@ -29,6 +31,7 @@ class Display(Part):
     names: bool = True
     skeleton: bool = False
     trace: bool = False
+    shadows: bool = True
     dark: bool = False
 
     @classmethod

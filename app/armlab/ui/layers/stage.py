@@ -45,7 +45,7 @@ def build(canvas: Canvas, state: State) -> Show:
             canvas.path("stage/key"),
             intensity=look["key"],
             color=(255, 250, 244),
-            cast_shadow=True,
+            cast_shadow=state[Display].shadows,
             position=position["key"],
         )
         scene.add_grid(
@@ -60,7 +60,7 @@ def build(canvas: Canvas, state: State) -> Show:
             fade_distance=7.0 * S,
             fade_strength=1.6,
             fade_from="origin",
-            shadow_opacity=look["shadow"],
+            shadow_opacity=look["shadow"] if state[Display].shadows else 0.0,
             # A little below the plate, or the two would fight for the same pixels.
             position=(0.0, 0.0, foot - 0.002 * S),
         )

@@ -15,6 +15,10 @@ SWITCHES = {
     "frames": ("Frames", "All Denavit–Hartenberg frames {0} to {n} and the tool's frame {E}. Key F."),
     "skeleton": ("Skeleton", "Textbook symbols instead of bodies: cylinders turn, boxes slide. Key K."),
     "trace": ("Trace", "The path of the tool point. Switch off to clear it. Key T."),
+    "shadows": (
+        "Shadows",
+        "Without them the picture moves twice as fast on a computer with a weak graphics processor.",
+    ),
     "dark": ("Dark theme", "Key L."),
 }
 
