@@ -37,6 +37,12 @@ def make_server(port: int) -> viser.ViserServer:
     return server
 
 
+def stop_server(server: viser.ViserServer) -> None:
+    """Close all connections and end the server's thread, without viser's farewell on standard output."""
+    with contextlib.redirect_stdout(io.StringIO()):
+        server.stop()
+
+
 def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> dict[str, str] | None:
     """Return the headers the front sent when it opened this client's connection; None when it is already gone."""
     connection = server._websock_server._live_connections.get(client.client_id)

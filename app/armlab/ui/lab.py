@@ -68,7 +68,8 @@ class Lab:
         self.worker.start()
         threading.Thread(target=self._keep_saving, daemon=True, name="armlab-saver").start()
         # The others are made when somebody first asks for them: 0.2 s once, and no work beside that of a class.
-        threading.Thread(target=self.gallery.make, args=(opening.arm,), daemon=True, name="armlab-figure").start()
+        self._figure = threading.Thread(target=self.gallery.make, args=(opening.arm,), name="armlab-figure")
+        self._figure.start()
 
     @property
     def port(self) -> int:
@@ -79,7 +80,9 @@ class Lab:
         """Save everything and end."""
         self._stopped.set()
         self.worker.stop()
-        self.server.stop()
+        adapter.stop_server(self.server)
+        # A thread cut off in the middle of NumPy at the interpreter's end would abort the process.
+        self._figure.join()
         self.store.save()
 
     async def _connect(self, client: viser.ClientHandle) -> None:

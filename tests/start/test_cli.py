@@ -1,0 +1,128 @@
+"""The command line, as a real process."""
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import urllib.error
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+APP = Path(__file__).resolve().parents[2] / "app"
+
+
+def armlab(*arguments, **variables):
+    """Start the command with a state folder of its own."""
+    code = f"import sys; sys.path.insert(0, {str(APP)!r}); from armlab.cli import main; sys.exit(main(sys.argv[1:]))"
+    return subprocess.Popen(
+        [sys.executable, "-P", "-c", code, *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, **variables},
+    )
+
+
+def finished(*arguments, **variables):
+    """Return exit status, output and complaint of a command that ends by itself."""
+    process = armlab(*arguments, **variables)
+    out, err = process.communicate(timeout=60.0)
+    return process.returncode, out, err
+
+
+def end(process, number=signal.SIGINT):
+    process.send_signal(number)
+    out, err = process.communicate(timeout=20.0)
+    return process.returncode, out, err
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_it_opens_and_ctrl_c_ends_it_without_a_word(tmp_path, number):
+    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
+    first = process.stdout.readline()
+    address = re.fullmatch(r"Armlab is open at (http://127\.0\.0\.1:\d+/)\n", first)
+    assert address, first
+    assert process.stdout.readline() == "Stop it with Ctrl-C.\n"
+    with urllib.request.urlopen(address[1]) as page:
+        assert page.status == 200
+    status, out, err = end(process, number)
+    assert (status, out, err) == (0, "", "")
+
+
+def test_others_in_the_room_get_an_address_that_works(tmp_path):
+    process = armlab("--no-browser", "--host", "0.0.0.0", "--port", "0", "--state", str(tmp_path))
+    lines = [process.stdout.readline()]
+    while "Ctrl-C" not in lines[-1]:
+        lines.append(process.stdout.readline())
+    others = [re.fullmatch(r"Others in the room type (http://\S+/)\n", line) for line in lines[1:-1]]
+    assert all(others), lines
+    assert "http://127.0.0.1" in lines[0]
+    for other in others:
+        assert "0.0.0.0" not in other[1]
+        assert "127.0.0.1" not in other[1]
+        with urllib.request.urlopen(other[1]) as page:
+            assert page.status == 200
+    assert end(process)[0] == 0
+
+
+def test_a_browser_that_cannot_be_opened_is_said_in_one_line(tmp_path):
+    process = armlab("--port", "0", "--state", str(tmp_path), BROWSER=str(tmp_path / "missing"), DISPLAY="", PATH="")
+    lines = [process.stdout.readline() for _ in range(3)]
+    assert re.fullmatch(r"No browser could be opened: open http://127\.0\.0\.1:\d+/ yourself\.\n", lines[2]), lines
+    assert end(process)[0] == 0
+
+
+def test_a_port_in_use_is_one_line(tmp_path):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        status, out, err = finished("--no-browser", "--port", str(port), "--state", str(tmp_path))
+    assert (status, out) == (1, "")
+    assert err == f"armlab: port {port} is in use; choose another with --port\n"
+
+
+def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path):
+    status, out, err = finished("--no-browser", "--robot", "puma650", "--state", str(tmp_path))
+    assert (status, out) == (1, "")
+    assert err.count("\n") == 1
+    assert "puma650" in err
+    assert "puma560" in err
+
+
+@pytest.mark.parametrize("arguments", [("--port", "70000"), ("--port", "x"), ("--labs", "-1"), ("--nonsense",)])
+def test_wrong_options_are_refused(arguments):
+    status, out, err = finished(*arguments)
+    assert (status, out) == (2, "")
+    assert arguments[0] in err
+
+
+def test_help_names_every_option():
+    status, out, _ = finished("--help")
+    assert status == 0
+    for option in ("--host", "--port", "--no-browser", "--robot", "--labs", "--state", "--version"):
+        assert option in out
+
+
+def test_a_class_has_labs_behind_one_front(tmp_path):
+    process = armlab("--no-browser", "--port", "0", "--labs", "2", "--state", str(tmp_path))
+    address = process.stdout.readline().split()[-1]
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    count = len(children.read_text().split()) if children.exists() else 2
+    with urllib.request.urlopen(address) as page:
+        assert page.status == 200
+    assert end(process)[0] == 0
+    assert count >= 2
+    with pytest.raises(urllib.error.URLError):
+        urllib.request.urlopen(address)
+
+
+def test_state_that_cannot_be_kept_is_one_line(tmp_path):
+    file = tmp_path / "file"
+    file.write_text("not a folder")
+    status, out, err = finished("--no-browser", "--state", str(file))
+    assert (status, out) == (1, "")
+    assert err.count("\n") == 1
+    assert "--state" in err
