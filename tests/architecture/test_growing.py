@@ -1,6 +1,7 @@
 """One new file each: a panel, a robot, a method of inverse kinematics, a layer, a part of the state."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -202,3 +203,28 @@ print("lived on")
     result = look(house, code)
     assert "lived on" in result.stdout, result.stderr
     assert "ZeroDivisionError" in result.stderr
+
+
+def test_the_examples_of_the_guide_work_as_printed(house):
+    guide = (TOP / "docs/extending.md").read_text(encoding="utf-8")
+    (robot,) = re.findall(r"```toml\n(.*?)```", guide, re.DOTALL)
+    (panel,) = re.findall(r"```python\n(.*?)```", guide, re.DOTALL)
+    (house / "robots/from_the_guide.toml").write_text(robot, encoding="utf-8")
+    (house / "app/armlab/ui/panels/distance.py").write_text(panel, encoding="utf-8")
+    code = """
+import asyncio
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import running_lab
+
+async def main(url):
+    browser = FakeBrowser(url, cookie_of(url), "/")
+    await browser.connect()
+    await browser.until(lambda: "1.000 m" in browser.html())
+    await browser.close()
+
+with running_lab(opening="from_the_guide") as url:
+    asyncio.run(main(url))
+print("as printed")
+"""
+    result = look(house, code)
+    assert "as printed" in result.stdout, result.stderr

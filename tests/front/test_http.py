@@ -149,10 +149,11 @@ def test_a_browser_has_a_handful_of_sockets(url):
 
 
 @pytest.mark.parametrize(
-    ("data", "code"),
-    [("text", 1003), (b"\x00" * (3 << 20), 1009), (b"\xc1 not msgpack", 1011)],
+    ("data", "codes"),
+    # 1006: TCP may drop the reason when the rest of what is too long is still on its way.
+    [("text", {1003}), (b"\x00" * (3 << 20), {1009, 1006}), (b"\xc1 not msgpack", {1011})],
 )
-def test_what_is_no_message_closes_only_that_socket(url, data, code):
+def test_what_is_no_message_closes_only_that_socket(url, data, codes):
     async def main():
         cookie = cookie_of(url)
         good, bad = FakeBrowser(url, cookie), FakeBrowser(url, cookie)
@@ -161,7 +162,7 @@ def test_what_is_no_message_closes_only_that_socket(url, data, code):
         await bad.until(lambda: "/target" in bad.nodes)
         await bad.send_raw(data)
         await asyncio.wait_for(bad._socket.wait_closed(), 10.0)
-        assert bad.close_code == code
+        assert bad.close_code in codes
         await good.until(lambda: "/target" in good.nodes)
         await good.close()
         await bad.close()
