@@ -35,9 +35,14 @@ def frame_glb() -> bytes:
 def symbols_of(anatomy: Anatomy) -> list[bytes]:
     """Return the symbol of each joint, about z of its axis."""
     return [
-        _symbol(body.revolute, 1.25 * float(anatomy.radius[i]), joint_colour(i))
+        _symbol(body.revolute, symbol_height(anatomy, i) / 3.0, joint_colour(i))
         for i, body in enumerate(anatomy.bodies)
     ]
+
+
+def symbol_height(anatomy: Anatomy, i: int) -> float:
+    """Return the height of the symbol of joint i (0-based) in metres, along its axis."""
+    return 3.75 * float(anatomy.radius[i])
 
 
 def _symbol(revolute: bool, r: float, colour: Rgb) -> bytes:

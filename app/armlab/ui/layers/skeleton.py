@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
+import viser
 
 from armlab.kin.rotations import quaternion_from_rotation
 from armlab.session.parts.display import Display
 from armlab.session.state import State
 from armlab.ui.canvas import Canvas
 from armlab.ui.colours import line_colour
+from armlab.ui.figure.anatomy import Pose
+from armlab.ui.figure.figure import Figure
+from armlab.ui.figure.marks import symbol_height
 from armlab.ui.plugin import Layer, Show
 
 INK = {False: (52, 60, 72), True: (205, 212, 222)}
+PLATE = (110, 119, 132)
 
 
 def build(canvas: Canvas, state: State) -> Show:
-    """Hang lines and symbols on the bodies; they are shown instead of the solids."""
+    """Hang lines and symbols on the bodies, and a plate on the ground; they are shown instead of the solids."""
     anatomy, scene = canvas.drawn.figure.anatomy, canvas.scene
-    handles, lines = [], []
-    for i, body in enumerate(anatomy.bodies):
-        # The symbol of a prismatic joint stays with the body before, that of a revolute one turns.
-        on, pose = (i + 1, np.eye(4)) if body.revolute else (i, body.mount)
+    handles: list[Any] = [_plate(canvas)]
+    lines = [(0, np.array([[[0.0, 0.0, canvas.drawn.figure.foot], [0.0, 0.0, 0.0]]], dtype=np.float32))]
+    for i in range(len(anatomy.bodies)):
+        on, pose = _place_of_symbol(canvas.drawn.figure, i)
         handles.append(
             scene.add_glb(
                 f"{canvas.node(on)}/symbol{i + 1}",
@@ -52,6 +58,34 @@ def build(canvas: Canvas, state: State) -> Show:
                 handle.visible = display.skeleton
 
     return show
+
+
+def _plate(canvas: Canvas) -> viser.MeshHandle:
+    """Return the ground the arm stands on."""
+    radius = 2.2 * float(canvas.drawn.figure.anatomy.radius[0])
+    return canvas.scene.add_cylinder(
+        f"{canvas.node(0)}/plate",
+        radius=radius,
+        height=0.08 * radius,
+        color=PLATE,
+        position=(0.0, 0.0, canvas.drawn.figure.foot + 0.04 * radius),
+        visible=False,
+    )
+
+
+def _place_of_symbol(figure: Figure, i: int) -> tuple[int, Pose]:
+    """Return the body that carries the symbol of joint i, and the symbol's pose in that body's node.
+
+    The symbol of a prismatic joint stays with the body before, that of a revolute one turns. It stands where a textbook
+    puts it: in the middle of a long offset, and on the ground rather than through it.
+    """
+    body, height = figure.anatomy.bodies[i], symbol_height(figure.anatomy, i)
+    pose = np.array(np.eye(4) if body.revolute else body.mount)
+    if body.revolute and abs(body.d) > height:
+        pose[:3, 3] += 0.5 * body.d * pose[:3, 2]
+    elif i == 0:
+        pose[:3, 3] += max(0.0, 0.5 * height + figure.foot) * pose[:3, 2]
+    return (i + 1 if body.revolute else i), pose
 
 
 def _segments(canvas: Canvas, i: int) -> np.ndarray:
