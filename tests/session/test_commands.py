@@ -9,17 +9,16 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin.rotations import rotation_about
 from armlab.session.parts.display import Display, Show
-from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, MoveTo, RandomPose, TakePose
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import (
     DragTarget,
     EndDrag,
-    GoTo,
+    GoAnotherWay,
     HandleBy,
     PlaceTarget,
     Target,
     TargetToTool,
-    another_way,
     target_pose,
     verdict,
 )
@@ -61,10 +60,9 @@ def test_a_value_beyond_a_limit_stops_at_the_limit(state):
     [
         (MoveJoint(0, float("nan")), "q: expected 6 finite numbers"),
         (MoveJoint(6, 0.0), "joint: expected 1 to 6, got 7"),
-        (MoveTo((0.0, 1.0)), "q: expected 6 finite numbers"),
         (TakePose("nowhere"), "pose: unknown name 'nowhere'"),
         (ChooseRobot("puma"), "robot: unknown name 'puma'; did you mean 'puma560'"),
-        (Show("shadows", True), "display: unknown name 'shadows'"),
+        (Show("fog", True), "display: unknown name 'fog'"),
         (HandleBy(method="magic"), "method: unknown name 'magic'"),
         (HandleBy(axes="body"), "axes: unknown name 'body'. Available: tool, world"),
         (PlaceTarget(np.full((4, 4), np.inf)), "target: every entry must be finite"),
@@ -78,7 +76,7 @@ def test_what_cannot_be_done_is_refused_with_a_sentence(state, command, text):
 
 
 def test_an_absurdly_far_target_is_refused(state):
-    with pytest.raises(InputError, match="farther than 1000 times the size"):
+    with pytest.raises(InputError, match="farther than 1000 times the reach"):
         apply(state, PlaceTarget(moved(target_pose(state), 1e6, 0, 0)))
 
 
@@ -119,21 +117,22 @@ def test_a_typed_target_is_solved_on_another_branch_when_need_be():
     assert after.derived(verdict).reached
 
 
-def test_another_way_is_offered_where_one_exists(state):
+def test_another_way_is_taken_where_one_is_found(state):
     """Dragged against a limit, a target that a different configuration reaches."""
-    offered = 0
-    for joint, value in ((0, 2.7), (4, 1.6), (2, 0.7)):
-        at_limit = apply(state, MoveJoint(joint, value))
-        T = np.array(target_pose(at_limit))
-        T[:3, :3] = T[:3, :3] @ rotation_about("y", 0.5)
-        stuck = apply(at_limit, EndDrag(T, 1))
-        q = stuck.derived(another_way)
-        if q is not None:
-            offered += 1
-            there = apply(stuck, GoTo(tuple(q)))
-            assert there.derived(verdict).reached
-            np.testing.assert_array_equal(there[Target].pose, stuck[Target].pose)
-    assert offered >= 1
+    at_limit = apply(state, MoveJoint(4, 1.6))
+    T = np.array(target_pose(at_limit))
+    T[:3, :3] = T[:3, :3] @ rotation_about("y", -0.5)
+    stuck = apply(at_limit, EndDrag(T, 1))
+    assert stuck.derived(verdict).status == "limit"
+    there = apply(stuck, GoAnotherWay())
+    assert there.derived(verdict).reached
+    np.testing.assert_array_equal(there[Target].pose, stuck[Target].pose)
+
+
+def test_no_other_way_is_said_and_nothing_moves(state):
+    away = apply(state, EndDrag(moved(target_pose(state), 5.0, 0, 0), 1))
+    with pytest.raises(InputError, match="no way to the target was found from 12 random starts"):
+        apply(away, GoAnotherWay())
 
 
 def test_the_target_goes_back_to_the_tool(state):

@@ -23,6 +23,7 @@ class Bare:
 
     async def _build(self, client):
         self.client = client
+        adapter.refuse_uploads(client)
         self.slider = client.gui.add_slider("Joint", -1.0, 1.0, 0.01, 0.0)
         self.markup = client.gui.add_html("before")
         self.frame = client.scene.add_frame("/frame")
@@ -129,6 +130,31 @@ def test_poses_are_sent_however_small_the_move(bare):
         await do(lambda: adapter.set_wxyz(bare.frame, (1.0, 1e-9, 0.0, 0.0)))
         await browser.until(lambda: browser.nodes.get("/frame", {}).get("position") == [1e-9, 0.0, 0.0])
         await browser.until(lambda: browser.nodes["/frame"].get("wxyz") == [1.0, 1e-9, 0.0, 0.0])
+
+    bare.run(work)
+
+
+def test_no_page_can_fill_the_memory_with_files(bare):
+    async def work(browser, do):
+        start = {"mime_type": "text/plain", "part_count": 3, "size_bytes": 3 << 20, "filename": "x"}
+        uuid, transfer = browser.control("Joint")["uuid"], "a" * 32
+        await browser.send(
+            {
+                "type": "FileTransferStartUpload",
+                "source_component_uuid": uuid,
+                "transfer_uuid": transfer,
+                **start,
+            }
+        )
+        part = {"type": "FileTransferPart", "source_component_uuid": uuid, "transfer_uuid": transfer}
+        await browser.send({**part, "part_index": 0, "content": b"x" * 1000})
+        await browser.set_value(browser.control("Joint"), 0.3)
+        for _ in range(200):
+            if bare.heard == [0.3]:
+                break
+            await asyncio.sleep(0.01)
+        assert bare.heard == [0.3]
+        assert not bare.client.gui._current_file_upload_states
 
     bare.run(work)
 

@@ -1,13 +1,18 @@
 """Handles and typed targets offer and take just what the arm's task controls."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.parts.joints import Joints
-from armlab.session.parts.target import target_pose
-from armlab.session.state import State
+from armlab.kin.arm import Arm
+from armlab.kin.rotations import euler_zyx, rotation_about
+from armlab.kin.task import task_named
+from armlab.kin.transforms import transform
+from armlab.session.parts.target import PlaceTarget, target_pose, verdict
+from armlab.session.state import State, apply
 from armlab.ui.layers.gizmo import handles_of
 from armlab.ui.panels.target import typed_pose
 
@@ -39,10 +44,6 @@ def test_a_scara_turns_about_z_only():
 
 
 def test_a_direction_is_turned_about_two_axes():
-    from dataclasses import replace
-
-    from armlab.kin.task import task_named
-
     arm = replace(catalogue()["puma560"].arm, task=task_named("xyz approach"))
     assert [ring["active_axes"] for ring in handles_of(arm, "turn")] == [(False, True, True), (True, False, True)]
 
@@ -66,8 +67,6 @@ def test_typed_numbers_are_taken(state, cell, text, entry, value):
 
 
 def test_a_typed_angle_changes_only_that_angle(state):
-    from armlab.kin.rotations import euler_zyx
-
     before = euler_zyx(target_pose(state)[:3, :3])[0]
     after = euler_zyx(typed_pose(state, "pitch", "35")[:3, :3])[0]
     np.testing.assert_allclose(after, [before[0], np.radians(35.0), before[2]], atol=1e-9)
@@ -85,5 +84,13 @@ def test_absurd_numbers_are_refused(state, cell, text):
         typed_pose(state, cell, text)
 
 
-def test_the_fixture_is_a_puma(state):
-    assert state[Joints].arm.n == 6
+def test_an_arm_on_the_wall_is_told_its_target_in_its_own_frame(state):
+    """A planar arm in the world's xz plane: what is typed as y is what its second coordinate can do."""
+    planar = catalogue()["planar_2r"]
+    base = transform(rotation_about("x", np.pi / 2))
+    arm = Arm.from_dh(planar.arm.rows, base=base, limits=planar.arm.limits, task="xy")
+    wall = State.initial(replace(planar, arm=arm))
+    wanted = typed_pose(wall, "y", "300")
+    before, after = target_pose(wall)[:3, 3], wanted[:3, 3]
+    np.testing.assert_allclose(after, [before[0], before[1], 0.3], atol=1e-12)
+    assert apply(wall, PlaceTarget(wanted)).derived(verdict).reached

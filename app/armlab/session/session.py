@@ -63,6 +63,10 @@ class Session:
     opening : Robot
         The arm a fresh session begins with.
     state : State
+    notice : Notice or None
+        What the student has to be told.
+    notice_seen : int
+        Number of the last notice that some page has shown; a page that opens later shows only newer ones.
     """
 
     token: str
@@ -71,6 +75,7 @@ class Session:
     history: History = field(default_factory=History)
     mailbox: Mailbox = field(default_factory=Mailbox)
     notice: Notice | None = None
+    notice_seen: int = 0
 
     @classmethod
     def fresh(cls, token: str, opening: Robot) -> Session:

@@ -49,6 +49,13 @@ def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> di
     return None if connection is None else dict(connection.request.headers.raw_items())
 
 
+def refuse_uploads(client: viser.ClientHandle) -> None:
+    """Take no files from a page: viser would keep parts of any size, for any control, in memory."""
+    interface = client.gui._websock_interface
+    for message in (_messages.FileTransferStartUpload, _messages.FileTransferPart):
+        interface.unregister_handler(message)
+
+
 def gui_id(handle: Any) -> str:
     """Return the identifier of a control, which is the ``id`` of its element and the ``for`` of its label."""
     identifier: str = handle._impl.uuid

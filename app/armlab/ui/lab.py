@@ -94,8 +94,11 @@ class Lab:
         if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
             log.warning("refused a connection that did not come through the front")
             return
+        adapter.refuse_uploads(client)
         session = self.store.get(token)
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
+        if adapter.request_headers(self.server, client) is None:
+            return  # gone while the link's arm was fetched
         view = View(client, session, self.gallery, lambda command: self.worker.post(session, command))
         self._views[client.client_id] = view
         self._of_session.setdefault(token, set()).add(view)
@@ -146,6 +149,8 @@ class Lab:
                 self.store.save()
             except OSError as error:
                 log.warning("sessions cannot be saved: %s", error)
+            except Exception:
+                log.exception("sessions cannot be saved")  # and are tried again: this thread must live
 
 
 __all__ = ["Lab"]

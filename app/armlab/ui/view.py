@@ -54,7 +54,7 @@ class View:
         self._layers: list[tuple[Layer, Show]] = []
         self._panels: list[_Tab] = []
         self._shown: State | None = None
-        self._told = 0
+        self._told = session.notice_seen
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._closed = False
@@ -158,7 +158,7 @@ class View:
     def _tell(self) -> None:
         notice = self.session.notice
         if notice is not None and notice.number > self._told:
-            self._told = notice.number
+            self._told = self.session.notice_seen = notice.number
             self.client.add_notification("Not done", notice.text, color="orange", auto_close_seconds=8.0)
 
     def _theme(self, state: State) -> None:

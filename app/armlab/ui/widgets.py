@@ -47,7 +47,7 @@ class Control:
             self._later = None
         wait = self._touched + REST - time.monotonic()
         if wait > 0.0 and self.handle.value != value:
-            self._later = asyncio.get_running_loop().call_later(wait, self.show, value)
+            self._later = asyncio.get_running_loop().call_later(wait, adapter.set_value, self.handle, value)
         else:
             adapter.set_value(self.handle, value)
 

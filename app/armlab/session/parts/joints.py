@@ -113,18 +113,6 @@ class MoveJoint(Command):
 
 
 @dataclass(frozen=True)
-class MoveTo(Command):
-    """Go to a configuration, such as one of several solutions."""
-
-    q: tuple[float, ...]
-    label: ClassVar[str] = "move"
-
-    def apply(self, state: State) -> State:
-        """Return the state in this configuration, inside the limits."""
-        return _with(state, state[Joints].moved_to(self.q))
-
-
-@dataclass(frozen=True)
 class TakePose(Command):
     """Go to a named pose of the robot file, or to ``zero``: every joint at 0 or at the limit nearest to it."""
 

@@ -30,6 +30,9 @@ never jumps, also beside a singularity; what is left follows with the next event
 SEARCHES_TYPED = 30
 """Starts of a solve for a typed target: some 10 ms when none of them succeeds."""
 
+OTHER_STARTS = 12
+"""Random starts of the search for another branch."""
+
 FARTHEST = 1e3
 """Targets farther than so many times the reach are refused as slips of the pen."""
 
@@ -104,15 +107,6 @@ def verdict(state: State) -> ik.Verdict:
     return ik.judge(joints.arm, target_pose(state), joints.q, joints.locked)
 
 
-def another_way(state: State) -> NDArray[np.float64] | None:
-    """Return a configuration on another branch that reaches a target this one cannot, if a short search finds one."""
-    if state.derived(verdict).status not in ("limit", "closest"):
-        return None
-    joints, target = state[Joints], state[Target]
-    result = ik.solve(joints.arm, target_pose(state), joints.q, target.method, 0, joints.locked, searches=12)
-    return result.q if result.success else None
-
-
 @dataclass(frozen=True, eq=False)
 class DragTarget(Command):
     """Follow the handle: one event of a drag, or one more step of catching up when the hand rests.
@@ -174,15 +168,25 @@ class PlaceTarget(Command):
 
 
 @dataclass(frozen=True)
-class GoTo(Command):
-    """Take a configuration that was found for the target; the target stays where it is."""
+class GoAnotherWay(Command):
+    """Jump to another branch of the arm that reaches the target, if a search from random starts finds one."""
 
-    q: tuple[float, ...]
     label: ClassVar[str] = "jump to a solution"
 
     def apply(self, state: State) -> State:
-        """Return the state in this configuration, inside the limits."""
-        return state.replace(state[Joints].moved_to(self.q), replace(state[Target], catching_up=False))
+        """Return the state in the configuration found; the target stays where it is.
+
+        Raises
+        ------
+        InputError
+            None was found, which does not prove that there is none.
+        """
+        joints, target = state[Joints], state[Target]
+        pose = target_pose(state)
+        found = ik.solve(joints.arm, pose, joints.q, target.method, 0, joints.locked, searches=OTHER_STARTS)
+        if not found.success:
+            raise InputError(f"no way to the target was found from {OTHER_STARTS} random starts")
+        return state.replace(joints.moved_to(found.q), replace(target, catching_up=False))
 
 
 @dataclass(frozen=True)
@@ -253,6 +257,6 @@ def _wanted(joints: Joints, pose: NDArray[np.floating]) -> NDArray[np.float64]:
     """Return the pose with the components the arm does not control taken from its tool."""
     checked = as_pose(pose, "target")
     arm = joints.arm
-    if np.linalg.norm(checked[:3, 3] - arm.base[:3, 3]) > FARTHEST * arm.length_scale:
-        raise InputError(f"target: farther than {FARTHEST:g} times the size of the arm")
+    if np.linalg.norm(checked[:3, 3] - arm.base[:3, 3]) > FARTHEST * 2.0 * arm.length_scale:
+        raise InputError(f"target: farther than {FARTHEST:g} times the reach of the arm")
     return feasible(arm, checked, joints.tool_pose)

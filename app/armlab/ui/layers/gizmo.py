@@ -89,9 +89,13 @@ class Gizmo:
             self._later = None
         assert self._state is not None
         if phase == "start":
-            self._held, self._drag = control, object()
+            self._held, self._drag, self._pulled = control, object(), False
             self._start = rotation_from_quaternion(control.wxyz), target_pose(self._state)[:3, :3]
             return
+        if phase == "end" and not self._pulled:
+            self._held = None  # a mere click
+            return
+        self._pulled = True
         turned, began = self._start
         R = rotation_from_quaternion(control.wxyz) @ turned.T @ began
         pose = transform(R, control.position)

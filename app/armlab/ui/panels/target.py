@@ -10,15 +10,16 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.kin import ik
+from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
+from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import (
-    GoTo,
+    GoAnotherWay,
     HandleBy,
     PlaceTarget,
     Target,
     TargetToTool,
-    another_way,
     target_pose,
     verdict,
 )
@@ -81,14 +82,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     back = gui.button("Target to tool", lambda: post(TargetToTool()), "Put the target back on the tool.")
     other = gui.button(
         "Go there another way",
-        lambda: go_another_way(),
-        "Another branch reaches this target: jump to it.",
+        lambda: post(GoAnotherWay()),
+        "Look for another branch that reaches this target, and jump to it.",
     )
-
-    def go_another_way() -> None:
-        q = present.derived(another_way)
-        if q is not None:
-            post(GoTo(tuple(q.tolist())))
 
     def show(state: State) -> None:
         nonlocal present
@@ -99,8 +95,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         axes.show(state[Target].axes)
         method.show(state[Target].method)
         card.show(verdict_card(state.derived(verdict)))
-        away = state[Target].pose is not None and not state.derived(verdict).reached
-        for button, on in ((back, away), (other, away and state.derived(another_way) is not None)):
+        status = state.derived(verdict).status
+        away = state[Target].pose is not None and status != "reached"
+        for button, on in ((back, away), (other, away and status in ("limit", "closest"))):
             if button.visible != on:
                 button.visible = on
 
@@ -122,20 +119,31 @@ def typed_pose(state: State, cell: str, text: str) -> NDArray[np.floating]:
     value = float(plain)
     if not math.isfinite(value) or abs(value) > most:
         raise InputError(f"{cell}: expected at most {most:,.0f} {unit}, got {text.strip()[:40]}")
-    pose = np.array(target_pose(state))
+    reference = _reference(state[Joints].arm)
+    pose = inverse(reference) @ target_pose(state)
     if cell in "xyz":
         pose["xyz".index(cell), 3] = value / 1000.0
-        return pose
-    angles = list(euler_zyx(pose[:3, :3])[0])
-    angles[0 if cell == "phi" else ANGLES.index(cell)] = math.radians(value)
-    pose[:3, :3] = rotation_from_sequence("zyx", angles)
-    return pose
+    else:
+        angles = list(euler_zyx(pose[:3, :3])[0])
+        angles[0 if cell == "phi" else ANGLES.index(cell)] = math.radians(value)
+        pose[:3, :3] = rotation_from_sequence("zyx", angles)
+    return np.asarray(reference @ pose)
+
+
+def _reference(arm: Arm) -> NDArray[np.float64]:
+    """Return the frame targets are typed in: the world, or frame 0 of an arm whose base is turned.
+
+    The task is about the axes of frame 0; a wall-mounted planar arm cannot be asked for the world's x and y.
+    """
+    return np.eye(4) if np.array_equal(arm.base[:3, :3], np.eye(3)) else arm.base
 
 
 def _fields(fields: Fields, state: State) -> str:
-    task, pose = state[Joints].arm.task, target_pose(state)
+    arm = state[Joints].arm
+    task, reference = arm.task, _reference(arm)
+    pose = inverse(reference) @ target_pose(state)
     position = _row(
-        "position, mm",
+        "position, mm" if reference is not arm.base else "in frame 0, mm",
         [
             fields.field(axis, number(1000.0 * float(pose[k, 3]), 1), f"{axis} in mm", axis not in task.position)
             for k, axis in enumerate("xyz")

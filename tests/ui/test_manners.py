@@ -1,0 +1,110 @@
+"""Small things that make a page feel broken when they are wrong."""
+
+import asyncio
+import time
+
+import pytest
+
+from armlab.session.session import Session
+from armlab.ui import lab as lab_module
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import running_lab
+
+
+@pytest.fixture(scope="module")
+def url():
+    with running_lab() as address:
+        yield address
+
+
+def run(main):
+    return asyncio.run(asyncio.wait_for(main, 60.0))
+
+
+async def student(url, cookie=None, path="/"):
+    browser = FakeBrowser(url, cookie or cookie_of(url), path)
+    await browser.connect()
+    await browser.until(lambda: "wxyz" in browser.nodes.get("/target", {}) and 'data-cell="undo"' in browser.html())
+    return browser
+
+
+def steps(browser):
+    """Return what undo and redo would do, from their titles."""
+    parts = browser.html().split('class="al-over al-steps"')[1].split("</div>")[0].split('title="')[1:]
+    return [part.split('"')[0] for part in parts]
+
+
+def test_a_choice_undone_at_once_is_shown_undone(url):
+    async def main():
+        browser = await student(url)
+        method = browser.control("Method")
+        first = method["value"]
+        other = next(title for title in method["props"]["options"] if title != first)
+        await browser.set_value(method, other)
+        await asyncio.sleep(0.15)
+        await browser.press("undo")
+        await browser.until(lambda: browser.control("Method")["value"] == first, 3.0)
+        await browser.close()
+
+    run(main())
+
+
+def test_a_click_on_the_handle_is_no_step(url):
+    async def main():
+        browser = await student(url)
+        await browser.press("zero")
+        await browser.until(lambda: steps(browser)[0].startswith("Undo: move"))
+        await browser.press("undo")
+        await browser.until(lambda: steps(browser)[1].startswith("Redo: move"))
+        await browser.drag("start")
+        await browser.drag("end")
+        await asyncio.sleep(0.5)
+        assert steps(browser)[1].startswith("Redo: move")
+        assert steps(browser)[0] == "Nothing to undo"
+        await browser.close()
+
+    run(main())
+
+
+def test_a_notice_is_told_once(url):
+    async def main():
+        cookie = cookie_of(url)
+        browser = await student(url, cookie)
+        await browser.press("x", "abc")
+        await browser.until(lambda: any("expected a number" in text for text in browser.notices))
+        await browser.close()
+        again = await student(url, cookie)
+        await asyncio.sleep(0.5)
+        assert again.notices == []
+        await again.close()
+
+    run(main())
+
+
+def test_a_page_closed_while_it_opens_leaves_nothing_behind(tmp_path, monkeypatch):
+    """The worker is slow, the link asks for another arm, and the browser goes before the page is built."""
+    built = []
+    apply = Session.apply
+
+    def slowly(self, command, at):
+        time.sleep(0.6)
+        apply(self, command, at)
+
+    class Recorded(lab_module.View):
+        def __init__(self, *arguments):
+            built.append(self)
+            super().__init__(*arguments)
+
+    monkeypatch.setattr(Session, "apply", slowly)
+    monkeypatch.setattr(lab_module, "View", Recorded)
+
+    async def main(url):
+        browser = FakeBrowser(url, cookie_of(url + "robot/scara"))
+        await browser.connect()
+        await asyncio.sleep(0.1)
+        await browser.close()
+        await asyncio.sleep(1.0)
+
+    with running_lab(tmp_path) as url:
+        run(main(url))
+    assert built == []
