@@ -6,6 +6,7 @@ Up goes one binary message, a msgpack map; down come zstd-compressed windows of 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import struct
 import time
 import urllib.request
@@ -88,7 +89,9 @@ class FakeBrowser:
         await self._socket.send(_ENCODER.encode(message))
 
     async def send_raw(self, data: bytes | str) -> None:
-        await self._socket.send(data)
+        """Send anything; the lab may hang up in the middle of it."""
+        with contextlib.suppress(websockets.ConnectionClosed):
+            await self._socket.send(data)
 
     @property
     def close_code(self) -> int | None:
