@@ -45,8 +45,11 @@ def merged(parts: Iterable[Part]) -> dict[str, trimesh.Trimesh]:
     """Return one smooth mesh for each material."""
     by_material: dict[str, list[trimesh.Trimesh]] = defaultdict(list)
     for material, mesh in parts:
-        by_material[material].append(trimesh.graph.smooth_shade(mesh, angle=CREASE))
-    return {material: trimesh.util.concatenate(meshes) for material, meshes in by_material.items()}
+        by_material[material].append(mesh)
+    return {
+        material: trimesh.graph.smooth_shade(trimesh.util.concatenate(meshes), angle=CREASE)
+        for material, meshes in by_material.items()
+    }
 
 
 def coloured(mesh: trimesh.Trimesh, colour: Rgb, roughness: float, metallic: float = 0.0) -> trimesh.Trimesh:
