@@ -85,6 +85,23 @@ def test_wrong_shapes_are_named():
         arm.position(np.zeros((5, 2)), out=np.empty((5, 6))[:, ::2])
 
 
+@pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+@pytest.mark.parametrize("method", ["fk", "frames", "position", "jacobian", "manipulability"])
+def test_a_configuration_that_is_not_finite_is_refused(method, value):
+    arm = Arm.from_dh([*TWO_R, ("P", 0, 0, 0, 0)])
+    for i in range(3):
+        q = [0.0, 0.0, 0.0]
+        q[i] = value
+        with pytest.raises(InputError, match="q: expected 3 finite numbers"):
+            getattr(arm, method)(q)
+
+
+@pytest.mark.parametrize("q", ["ab", [None, 0.0], [[0.0], [0.0, 1.0]], [10**400, 0.0]])
+def test_joint_values_that_are_no_numbers_are_refused(q):
+    with pytest.raises(InputError, match=r"q: expected numbers of shape \(\.\.\., 2\)|q: expected 2 finite numbers"):
+        Arm.from_dh(TWO_R).fk(q)
+
+
 @pytest.mark.parametrize(
     ("change", "text"),
     [
@@ -99,6 +116,15 @@ def test_wrong_shapes_are_named():
         ({"acceleration_limits": [np.nan, 1.0]}, "acceleration_limits: expected positive numbers"),
         ({"tool": np.zeros((4, 4))}, "tool: the last row"),
         ({"task": "position"}, "task: unknown name 'position'"),
+        ({"task": ["xy"]}, r"task: unknown name \['xy'\]"),
+        ({"rows": None}, "rows: expected a list of rows, got None"),
+        ({"rows": "RR"}, "rows: expected a list of rows, got 'RR'"),
+        ({"rows": [5]}, "row 1: expected a row with the entries .*, got 5"),
+        ({"rows": [("R", 10**400, 0, 0, 0)]}, "row 1, a: expected a finite number, got 1000"),
+        ({"limits": "abc"}, r"limits: expected numbers of shape \(2, 2\), got 'abc'"),
+        ({"limits": [[0, 1], [0]]}, r"limits: expected numbers of shape \(2, 2\), got \[\[0, 1\], \[0\]\]"),
+        ({"speed_limits": "abc"}, "speed_limits: expected 2 numbers, got 'abc'"),
+        ({"base": [[10**400]]}, "base: expected a 4 x 4 matrix of numbers"),
     ],
 )
 def test_a_wrong_table_is_told_what_is_wrong(change, text):
@@ -140,5 +166,5 @@ def test_printing_shows_the_table_in_degrees():
 
 
 def test_an_unknown_name_lists_the_others():
-    with pytest.raises(UnknownName, match=r"did you mean 'pose'\? Available: phi, pose, x, xy,"):
+    with pytest.raises(UnknownName, match=r"did you mean 'pose'\? Available: phi, pose, x, x phi, xy,"):
         Arm.from_dh(TWO_R, task="pos")

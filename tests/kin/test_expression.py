@@ -129,6 +129,27 @@ def test_both_back_ends_agree_with_the_definition(seed):
     np.testing.assert_allclose(single, expected, rtol=0, atol=2e-3)
 
 
+@pytest.mark.parametrize("dtype", [float, np.float32])
+def test_the_sign_of_what_a_root_is_taken_of_counts(graph, dtype):
+    """A graph that meets y first stores x - y as minus (y - x); written anew by half angles it must stay x - y."""
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [y, square_root(x - y), sin(-square_root(x - y)), absolute(y - x)], 2)
+    expected = [1.0, 1.0, -math.sin(1.0), 1.0]
+    out = np.empty((1, 4), dtype)
+    kernel.batch(np.array([[2.0, 1.0]], dtype), out)
+    np.testing.assert_allclose(kernel.scalar(2.0, 1.0), expected, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(out[0], expected, rtol=0, atol=1e-6)
+
+
+def test_the_sign_of_a_negated_root_counts(graph):
+    """Under a root a minus is a node of its own; what it negates may have turned its sign on the way."""
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [y, square_root(-(x - y))], 2)
+    out = np.empty((1, 2))
+    kernel.batch(np.array([[1.0, 2.0]]), out)
+    assert out[0].tolist() == list(kernel.scalar(1.0, 2.0)) == [2.0, 1.0]
+
+
 def test_batches_longer_than_a_chunk_and_not_its_multiple(graph, rng):
     x = graph.variable(0)
     kernel = Kernel(graph, [sin(x) * cos(x) + 1.0, x], 1)

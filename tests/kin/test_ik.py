@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.kin.arm import Arm
@@ -15,6 +16,7 @@ from armlab.kin.transforms import transform
 from support.arms import random_arm, random_pose, random_q
 
 H = np.pi / 2
+TURN = 2 * np.pi
 TWO_R = Arm.from_dh([("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0)])
 METHODS = list(ik.methods())
 
@@ -98,10 +100,70 @@ def test_angles_are_shifted_by_a_turn_into_the_limits():
     np.testing.assert_allclose(result.q, [3.6, 0.5], rtol=0, atol=1e-6)
 
 
-def test_wrapping_prefers_the_plain_turn():
+@pytest.mark.parametrize(
+    ("near", "expected"),
+    [
+        ([0.0, 0.0, 0.0], [7.0 - TURN, 2.5 - TURN, 5.0]),
+        ([6.0, 2.5, 0.0], [7.0, 2.5 - TURN, 5.0]),
+        ([-9.0, -3.0, 0.0], [7.0 - 2 * TURN, 2.5 - TURN, 5.0]),
+        ([99.0, 0.0, 0.0], [7.0, 2.5 - TURN, 5.0]),
+    ],
+)
+def test_wrapping_takes_the_turn_nearest_to_a_value_inside_the_limits(near, expected):
     limits = np.array([[-10.0, 10.0], [-4.0, -3.0], [-1.0, 1.0]])
-    q = wrapped([7.0, 2.5, 5.0], np.array([True, True, False]), limits)
-    np.testing.assert_allclose(q, [7.0 - 2 * np.pi, 2.5 - 2 * np.pi, 5.0])
+    q = wrapped([7.0, 2.5, 5.0], np.array(near), np.array([True, True, False]), limits)
+    np.testing.assert_allclose(q, expected)
+
+
+def test_wrapping_keeps_half_a_turn_positive_and_a_rounding_at_a_limit_in_its_turn():
+    limits = np.array([[-np.pi, np.pi]] * 3)
+    q = wrapped([-np.pi, np.pi, np.pi + 1e-12], np.array([0.0, 0.0, np.pi]), np.array([True] * 3), limits)
+    np.testing.assert_allclose(q, [np.pi] * 3, rtol=0, atol=1e-11)
+
+
+def test_a_start_that_is_a_solution_is_the_solution(rng):
+    """Also where a joint is more than half a turn from its zero: the flange must not spin round."""
+    arm = catalogue()["ur10"].arm
+    q = np.radians([200.0, -100.0, 80.0, -250.0, 60.0, 200.0])
+    np.testing.assert_allclose(ik.solve(arm, arm.fk(q), q0=q).q, q, rtol=0, atol=1e-12)
+    near = ik.solve(arm, arm.fk(q), q0=q + 0.02 * rng.normal(size=6))
+    np.testing.assert_allclose(near.q, q, rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("limits", "low", "width"),
+    [
+        ([-10.0, 10.0], -np.pi, TURN),
+        ([3.5, 5.5], 3.5, 2.0),
+        ([-1.0, 20.0], -1.0, TURN),
+        ([-20.0, 1.0], 1.0 - TURN, TURN),
+        ([-0.5, 4.0], -0.5, 4.5),
+        ([0.3, 0.3], 0.3, 0.0),
+    ],
+)
+def test_random_starts_are_drawn_from_one_turn_inside_the_limits(limits, low, width):
+    arm = Arm.from_dh([("R", 1, 0, 0, 0), ("P", 0, 0, 0, 0)], limits=[limits, [-9.0, 9.0]])
+    starts = task_error_of(arm).starts
+    np.testing.assert_allclose(starts, [[low, -9.0], [width, 18.0]], atol=1e-12)
+
+
+def test_success_keeps_its_promise_whatever_the_size_of_the_arm(rng):
+    arm = Arm.from_dh([("R", 4200.0, 0, 0, 0), ("R", 3200.0, 0, 0, 0)])
+    for k in range(30):
+        T = arm.fk(random_q(arm, rng))
+        result = ik.solve(arm, T, seed=k)
+        assert result.success
+        assert result.position_error < 1e-6
+        assert controlled_difference(arm, T, result.q)[0] < 1e-6
+
+
+def test_out_of_reach_counts_the_controlled_coordinates_only():
+    assert ik.judge(TWO_R, transform(position=[0.3, 0.0, 50.0]), [0.0, np.pi]).status == "moving"
+    arm = Arm.from_dh(TWO_R.rows, limits=[[-0.1, 0.1], [0.0, 0.1]])
+    result = ik.solve(arm, transform(position=[0.0, 1.5, 50.0]), q0=[0.0, 0.05], searches=3)
+    assert result.verdict.status == "limit"
+    far = transform(position=[3.0, 0.0, 0.0])
+    assert ik.judge(TWO_R, far, [0.0, 0.0]).status == "beyond"
 
 
 def test_held_joints_keep_their_value(rng):
@@ -152,7 +214,7 @@ def test_an_arm_without_lengths_is_told_apart_from_an_error():
     assert result.position_error == pytest.approx(0.5)
 
 
-@pytest.mark.parametrize("distance", [1e3, 1e6])
+@pytest.mark.parametrize("distance", [1e3, 1e6, 1e200, 1e308])
 def test_a_target_far_away_is_an_answer_not_an_error(robot, distance):
     T = np.array(robot.arm.fk(robot.home))
     T[0, 3] += distance
@@ -185,12 +247,34 @@ def test_half_a_turn_is_not_mistaken_for_reached(method):
         (np.eye(4), {"q0": [0.0]}, "q0: expected 2 finite numbers"),
         (np.eye(4), {"q0": [0.0, np.inf]}, "q0: expected 2 finite numbers"),
         (np.eye(4), {"locked": [True, False]}, "locked: give q0"),
+        (np.eye(4), {"q0": "a"}, "q0: expected 2 finite numbers, got 'a'"),
+        (np.eye(4), {"q0": [[0.0], [0.0, 1.0]]}, "q0: expected 2 finite numbers"),
+        (np.eye(4), {"q0": [0.0, 10**400]}, "q0: expected 2 finite numbers"),
+        (np.eye(4), {"q0": [0.0, 0.0], "locked": [True]}, r"locked: expected 2 times True or False, got \[True\]"),
+        (np.eye(4), {"q0": [0.0, 0.0], "locked": True}, "locked: expected 2 times True or False, got True"),
+        (np.eye(4), {"seed": -1}, "seed: expected a whole number, at least 0, got -1"),
+        (np.eye(4), {"seed": "a"}, "seed: expected a whole number, at least 0, got 'a'"),
+        (np.eye(4), {"searches": 0}, "searches: expected a whole number, at least 1, got 0"),
         (np.eye(4), {"method": "magic"}, "method: unknown name 'magic'.*Available: dls, gauss_newton, gradient"),
     ],
 )
 def test_wrong_input_is_named(T, arguments, text):
     with pytest.raises(InputError, match=text):
         ik.solve(TWO_R, T, **arguments)
+
+
+@pytest.mark.parametrize(
+    ("T", "q", "locked", "text"),
+    [
+        (np.eye(3), [0.0, 0.0], None, r"T: expected shape \(4, 4\), got \(3, 3\)"),
+        (np.eye(4), [0.0], None, r"q: expected 2 finite numbers, got \[0.0\]"),
+        (np.eye(4), [0.0, np.nan], None, r"q: expected 2 finite numbers, got \[0.0, nan\]"),
+        (np.eye(4), [0.0, 0.0], [True] * 3, "locked: expected 2 times True or False"),
+    ],
+)
+def test_a_verdict_names_wrong_input(T, q, locked, text):
+    with pytest.raises(InputError, match=text):
+        ik.judge(TWO_R, T, q, locked)
 
 
 def test_the_scaled_jacobian_is_the_slope_of_the_scaled_error(robot, rng):
@@ -272,6 +356,8 @@ def test_targets_are_brought_to_what_the_arm_controls(rng):
     T = feasible(scara, wanted, tool)
     np.testing.assert_allclose(T[:3, 3], wanted[:3, 3])
     np.testing.assert_allclose(T[:3, 2], [0, 0, -1], atol=1e-12)
+    approach = Arm.from_dh([("R", 0.1, H, 0.1, 0)] * 5, task="xyz approach")
+    np.testing.assert_allclose(feasible(approach, wanted, approach.fk([0.1] * 5)), wanted)
     planar = feasible(TWO_R, wanted, TWO_R.fk([0.1, 0.2]))
     np.testing.assert_allclose(planar[:3, 3], [*wanted[:2, 3], 0.0])
     np.testing.assert_allclose(planar[:3, :3], TWO_R.fk([0.1, 0.2])[:3, :3])

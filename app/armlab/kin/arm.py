@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin import formulas
+from armlab.kin.checks import as_floats, wrong
 from armlab.kin.dh import CONVENTIONS, Convention, Row, RowLike, row_of
 from armlab.kin.graph.kernel import Kernel
 from armlab.kin.print_arm import table
@@ -100,6 +101,8 @@ class Arm:
         >>> arm.position([0.0, math.pi / 2]).round(3).tolist()
         [1.0, 0.5, 0.0]
         """
+        if not isinstance(rows, Sequence) or isinstance(rows, str):
+            raise wrong("rows", "a list of rows", rows)
         if not 1 <= len(rows) <= MAX_JOINTS:
             raise InputError(f"rows: an arm has 1 to {MAX_JOINTS} joints, got {len(rows)}")
         if convention not in CONVENTIONS:
@@ -176,7 +179,8 @@ class Arm:
         Parameters
         ----------
         q : array_like, shape (..., n)
-            Joint values in rad or m. Single precision in, single precision out.
+            Joint values in rad or m; a single configuration must be finite, in a batch a row that is not gives nan.
+            Single precision in, single precision out.
         out : ndarray, shape (..., 4, 4), optional
             Written and returned; saves the time of allocating fresh memory.
 
@@ -219,14 +223,17 @@ class Arm:
         return self._evaluate(self._manipulability, q, (), out)
 
     def _evaluate(self, kernel: Kernel, q: ArrayLike, shape: tuple[int, ...], out: Array | None) -> Array:
-        values = np.asarray(q)
-        if values.dtype != np.float32:
-            values = values.astype(float, copy=False)
+        # Floats are taken as they are: a batch may be large.
+        ready = isinstance(q, np.ndarray) and q.dtype.char in "fd"
+        values = np.asarray(q) if ready else as_floats(q, "q", f"numbers of shape (..., {self.n})")
         if values.shape[-1:] != (self.n,):
             raise InputError(f"q: expected shape (..., {self.n}), got {values.shape}")
         if values.ndim == 1 and out is None:
             # Everything a student's slider does comes through here: no batch machinery.
-            return np.array(kernel.scalar(*values.tolist()), dtype=values.dtype).reshape(shape)
+            numbers = values.tolist()
+            if not all(map(math.isfinite, numbers)):
+                raise wrong("q", f"{self.n} finite numbers", numbers)
+            return np.array(kernel.scalar(*numbers), dtype=values.dtype).reshape(shape)
         batch = values.shape[:-1]
         if out is None:
             out = np.empty(batch + shape, values.dtype)
@@ -240,7 +247,9 @@ class Arm:
 
     def clip(self, q: ArrayLike) -> Array:
         """Return joint values moved inside the limits, shape (..., n)."""
-        inside: Array = np.clip(np.asarray(q, dtype=float), self.limits[:, 0], self.limits[:, 1])
+        inside: Array = np.clip(
+            as_floats(q, "q", f"numbers of shape (..., {self.n})"), self.limits[:, 0], self.limits[:, 1]
+        )
         return inside
 
     def within_limits(self, q: ArrayLike, tolerance: float = 1e-9) -> bool:
@@ -257,7 +266,7 @@ def _limits(limits: ArrayLike | None, rows: Sequence[Row]) -> NDArray[np.float64
     if limits is None:
         values = np.array([(-math.pi, math.pi) if row.revolute else DEFAULT_STROKE for row in rows])
     else:
-        values = np.array(limits, dtype=float)
+        values = as_floats(limits, "limits", f"numbers of shape ({len(rows)}, 2)")
         if values.shape != (len(rows), 2):
             raise InputError(f"limits: expected shape ({len(rows)}, 2), got {values.shape}")
         for i, (low, high) in enumerate(values):
@@ -270,7 +279,7 @@ def _limits(limits: ArrayLike | None, rows: Sequence[Row]) -> NDArray[np.float64
 
 
 def _bounds(bounds: ArrayLike | None, n: int, where: str) -> NDArray[np.float64]:
-    values = np.full(n, np.inf) if bounds is None else np.array(bounds, dtype=float)
+    values = np.full(n, np.inf) if bounds is None else as_floats(bounds, where, f"{n} numbers")
     if values.shape != (n,):
         raise InputError(f"{where}: expected {n} numbers, got shape {values.shape}")
     if not np.all(values > 0):

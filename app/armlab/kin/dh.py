@@ -11,7 +11,6 @@ recap is right); in the modified convention z_i is. Row i of a modified table ho
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -20,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
+from armlab.kin.checks import finite_floats, wrong
 
 Convention = Literal["standard", "modified"]
 Kind = Literal["R", "P"]
@@ -81,6 +81,8 @@ def row_of(entry: RowLike, where: str = "row") -> Row:
                 raise UnknownName(where, name, FIELDS)
         values = dict(entry)
     else:
+        if not isinstance(entry, Sequence):
+            raise wrong(where, f"a row with the entries {FIELDS}", entry)
         if len(entry) != len(FIELDS):
             raise InputError(f"{where}: expected {len(FIELDS)} entries {FIELDS}, got {len(entry)}: {entry!r}")
         values = dict(zip(FIELDS, entry, strict=True))
@@ -93,10 +95,8 @@ def row_of(entry: RowLike, where: str = "row") -> Row:
 
 def _finite(where: str, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float, np.floating, np.integer)):
-        raise InputError(f"{where}: expected a number, got {value!r}")
-    if not math.isfinite(value):
-        raise InputError(f"{where}: expected a finite number, got {value!r}")
-    return float(value)
+        raise wrong(where, "a number", value)
+    return float(finite_floats(value, where, (), "a finite number"))
 
 
 def link_transform(

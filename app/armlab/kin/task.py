@@ -96,8 +96,13 @@ NAMED: dict[str, Task] = {
         Task("xy", "none"),
         Task("xz", "none"),
         Task("yz", "none"),
-        Task("xy", "phi"),
         Task("", "phi"),
+        Task("x", "phi"),
+        Task("y", "phi"),
+        Task("z", "phi"),
+        Task("xy", "phi"),
+        Task("xz", "phi"),
+        Task("yz", "phi"),
         Task("xyz", "none"),
         Task("xyz", "phi"),
         Task("xyz", "approach"),
@@ -108,6 +113,6 @@ NAMED: dict[str, Task] = {
 
 def task_named(key: str) -> Task:
     """Return the task of this name, such as ``"xy phi"``, ``"xyz approach"`` or ``"pose"``."""
-    if key not in NAMED:
+    if not isinstance(key, str) or key not in NAMED:
         raise UnknownName("task", key, NAMED)
     return NAMED[key]

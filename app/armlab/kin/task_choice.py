@@ -20,7 +20,7 @@ def default_task(rows: Sequence[Row], convention: Convention, tool: NDArray[np.f
 
     Axes all parallel to z0: the coordinates that can change, and the angle about z when a joint is left for it
     (2R: x, y; 3R: x, y, phi; SCARA: x, y, z, phi). Otherwise the pose from six joints on, position and approach
-    direction with five, and the position below.
+    direction with five, and below the coordinates that can change.
     """
     arm = formulas.Description(tuple(rows), convention, np.eye(4), tool, task_named("pose"))
     J = _sampled_jacobians(arm)
@@ -30,11 +30,10 @@ def default_task(rows: Sequence[Row], convention: Convention, tool: NDArray[np.f
         spare = len(rows) > _rank(J[:, :3])
         phi = bool(np.any(np.abs(J[:, 5]) > 1e-9)) and (spare or not moves or len(rows) == 1)
         position = "" if phi and len(rows) == 1 else moves
-        key = f"{position} phi".strip() if phi else position
-        return NAMED.get(key, task_named("xyz"))
+        return task_named(f"{position} phi".strip() if phi else position)
     if len(rows) >= 6 and _rank(J) == 6:
         return task_named("pose")
-    return task_named("xyz approach" if len(rows) >= 5 else "xyz")
+    return task_named("xyz approach") if len(rows) >= 5 else NAMED.get(moves, task_named("xyz"))
 
 
 def _sampled_jacobians(arm: formulas.Description) -> NDArray[np.float64]:

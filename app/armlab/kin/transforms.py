@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
+from armlab.kin.checks import as_floats
 from armlab.kin.rotations import Array, is_rotation
 
 
@@ -40,10 +41,7 @@ def as_pose(T: ArrayLike, where: str) -> NDArray[np.float64]:
     InputError
         Wrong shape, not finite, or the rotation is not orthonormal within 1e-6.
     """
-    try:
-        pose = np.array(T, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{where}: expected a 4 x 4 matrix of numbers, got {T!r}") from None
+    pose = as_floats(T, where, "a 4 x 4 matrix of numbers")
     if pose.shape != (4, 4):
         raise InputError(f"{where}: expected shape (4, 4), got {pose.shape}")
     if not np.isfinite(pose).all():

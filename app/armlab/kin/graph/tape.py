@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.graph.expression import Expression, Graph, Node, Number, live_nodes, operands
+from armlab.kin.graph.expression import Expression, Graph, Node, Number, absolute, live_nodes, operands, square_root
 
 CHUNK = 4096
 """Configurations at a time: with some thirty registers of doubles this fills about 1 MiB, the second-level cache."""
@@ -67,9 +67,9 @@ def half_angle(graph: Graph, outputs: Sequence[Number]) -> tuple[Graph, list[Num
         "add_constant": lambda a, c: a + c,
         "mul_constant": lambda a, c: a * c,
         "constant_over": lambda a, c: c / a,
-        "neg": lambda a: Expression(new, 1, new.node("neg", a.node)),
-        "sqrt": lambda a: Expression(new, 1, new.node("sqrt", a.node)),
-        "abs": lambda a: Expression(new, 1, new.node("abs", a.node)),
+        "neg": lambda a: -a,
+        "sqrt": square_root,
+        "abs": absolute,
         "sin": lambda a: _tangent(a) * _reciprocal(a),
         "cos": lambda a: _reciprocal(a) - 1.0,
     }

@@ -18,12 +18,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cached_property, lru_cache
 
+import numpy as np
+from numpy.typing import NDArray
+
 from armlab.kin.arm import Arm
 from armlab.kin.graph import vector as vec
 from armlab.kin.graph.expression import Number
 from armlab.kin.graph.kernel import Kernel
 from armlab.kin.graph.vector import Vector
-from armlab.kin.ik.problem import FLOOR, Linearised, Posed, TaskError
+from armlab.kin.ik.problem import FLOOR, Errors, Linearised, Posed, TaskError
 
 NONE: Vector = (0.0, 0.0, 0.0)
 
@@ -41,19 +44,40 @@ class Closest(TaskError):
         numbers = self._compiled(*q, *target, *([1.0] * self.arm.n if free is None else free), gain)
         return Linearised(numbers[:-3], self._errors(numbers[-3:]))
 
+    def curve(
+        self, q: Sequence[float], target: Sequence[float], free: Sequence[float]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], Errors]:
+        """Return the downhill slope (n) and the curvature (n, n) of half the squared scaled distance, and the errors.
+
+        Both in scaled joint variables; zero for joints that are not free.
+        """
+        n = self.arm.n
+        numbers = self._curved(*q, *target, *free)
+        return np.array(numbers[:n]), np.array(numbers[n:-3]).reshape(n, n), self._errors(numbers[-3:])
+
+    @cached_property
+    def _curved(self) -> Callable[..., tuple[float, ...]]:
+        posed = Posed(self.arm, holds=True)
+        H = [entry for row in _scaled_curvature(self.arm, posed) for entry in row]
+        return Kernel(posed.graph, [*posed.slope, *H, *posed.squares], self._inputs()).scalar
+
     @cached_property
     def _compiled(self) -> Callable[..., tuple[float, ...]]:
         posed = Posed(self.arm, holds=True)
-        n = self.arm.n
-        curvature = _curvature(self.arm, posed)
-        weights = [posed.free[i] * posed.scales[i] for i in range(n)]
         mu = posed.cost * posed.graph.variable(self._inputs()) + FLOOR
-        H = [[weights[i] * weights[j] * curvature[i][j] for j in range(n)] for i in range(n)]
-        for i in range(n):
+        H = _scaled_curvature(self.arm, posed)
+        for i in range(self.arm.n):
             H[i][i] = H[i][i] + mu
         step = vec.solve_symmetric(H, posed.slope)
         unscaled = [dq * scale for dq, scale in zip(step, posed.scales, strict=True)]
         return Kernel(posed.graph, [*unscaled, *posed.squares], self._inputs() + 1).scalar
+
+
+def _scaled_curvature(arm: Arm, posed: Posed) -> list[list[Number]]:
+    """Return the same as `_curvature` in scaled joint variables, zero for joints that are not free."""
+    curvature = _curvature(arm, posed)
+    weights = [free * scale for free, scale in zip(posed.free, posed.scales, strict=True)]
+    return [[weights[i] * weights[j] * curvature[i][j] for j in range(arm.n)] for i in range(arm.n)]
 
 
 def _curvature(arm: Arm, posed: Posed) -> list[list[Number]]:

@@ -11,10 +11,18 @@ from numpy.typing import NDArray
 
 from armlab.kin.ik.closest import Closest
 from armlab.kin.ik.problem import Errors, Linearised, Problem
+from armlab.kin.ik.rest import AT, way_down
 
 TOLERANCE = 1e-8
 """Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. Asking for less inside the
 loop costs solutions near singularities, where the last digits converge slowly."""
+
+STILL = 1e-9
+"""Gain, relative to the squared error, below which a step is not worth taking: the arm then rests exactly where it is,
+however often the same target comes again."""
+
+SLIP = 0.1
+"""Largest change of a joint in the first step off a balance, in scaled units: enough for the slope to take over."""
 
 MAX_STEP = 1.5
 """Largest change of a joint in one step, in scaled units (radians); keeps the linearisation meaningful."""
@@ -39,8 +47,13 @@ class Descent:
 
     @property
     def converged(self) -> bool:
-        """Whether the scaled error is within `TOLERANCE`."""
-        return self.errors.cost <= TOLERANCE**2
+        """Whether nothing is left to improve: see `arrived`."""
+        return arrived(self.errors)
+
+
+def arrived(errors: Errors) -> bool:
+    """Return whether the scaled error is within `TOLERANCE` and, which is more for a very long arm, reached."""
+    return errors.cost <= TOLERANCE**2 and errors.reached
 
 
 def descend(
@@ -54,7 +67,7 @@ def descend(
     largest = _largest_steps(problem)
     at = problem.linearise(q, target, gain, free)
     for iteration in range(limit):
-        if at.errors.cost <= TOLERANCE**2:
+        if arrived(at.errors):
             return Descent(q, at.errors, iteration)
         q = [
             value + (dq if -most < dq < most else _clip(dq, most))
@@ -84,7 +97,7 @@ def descend_inside(
     largest = _largest_steps(problem)
     at = problem.linearise(q, target, gain, free)
     for iteration in range(limit):
-        if at.errors.cost <= TOLERANCE**2:
+        if arrived(at.errors):
             return Descent(q, at.errors, iteration)
         step = _inward_step(problem, q, at, target, gain, free, low, high)
         tried = [
@@ -93,11 +106,10 @@ def descend_inside(
         ]
         there = problem.linearise(tried, target, gain, free)
         if there.errors.cost < at.errors.cost:
-            still = at.errors.cost - there.errors.cost < 1e-9 * at.errors.cost
+            if _is_still(at.errors, there.errors):
+                return Descent(q, at.errors, iteration + 1)
             q, at = tried, there
             gain, shorten = max(problem.gain, gain / 4.0), min(1.0, shorten * 2.0)
-            if still:
-                return Descent(q, at.errors, iteration + 1)
         elif problem.damped and gain < 1e6:
             gain *= 8.0
             at = problem.linearise(q, target, gain, free)
@@ -106,6 +118,35 @@ def descend_inside(
             if shorten < 1e-6:
                 return Descent(q, at.errors, iteration + 1)
     return Descent(q, at.errors, limit)
+
+
+def _is_still(before: Errors, after: Errors) -> bool:
+    # What is not a number is no gain either.
+    return not before.cost - after.cost >= STILL * before.cost
+
+
+def slip(
+    closest: Closest,
+    rest: Descent,
+    target: Sequence[float],
+    free: Sequence[float] | None,
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+) -> Descent | None:
+    """Return a configuration beside one where a descent stopped, and closer; None where the arm truly rests.
+
+    A descent stops on a balance, and seldom where its steps all lead out of the limits though the slope does not.
+    """
+    q = np.array(rest.q)
+    way = None if rest.converged else way_down(closest, q, target, free, low, high)
+    size = SLIP
+    while way is not None and size > SLIP / 1000.0:
+        tried = np.clip(q + size * way, low, high).tolist()
+        errors = closest.linearise(tried, target, closest.gain, free).errors
+        if not _is_still(rest.errors, errors):
+            return Descent(tried, errors, rest.iterations + 1)
+        size /= 4.0
+    return None
 
 
 def _inward_step(
@@ -144,14 +185,24 @@ def _clip(value: float, most: float) -> float:
     return min(max(value, -most), most) if math.isfinite(value) else 0.0
 
 
-def wrapped(q: Sequence[float], revolute: NDArray[np.bool_], limits: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the same configuration with each angle in (-pi, pi], or a turn away if only that is inside the limits."""
-    values = np.array(q, dtype=float)
-    turned = -np.remainder(-values + math.pi, 2.0 * math.pi) + math.pi
-    values = np.where(revolute, turned, values)
-    low, high = limits[:, 0], limits[:, 1]
-    for turn in (2.0 * math.pi, -2.0 * math.pi):
-        outside = revolute & ((values < low) | (values > high))
-        moved = values + turn
-        values = np.where(outside & (moved >= low) & (moved <= high), moved, values)
-    return np.asarray(values)
+def wrapped(
+    q: Sequence[float],
+    near: NDArray[np.float64],
+    revolute: NDArray[np.bool_],
+    limits: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return the same configuration with each angle, whole turns added, inside its limits and as near as can be.
+
+    Parameters
+    ----------
+    q : sequence of n floats
+    near : ndarray, shape (n,)
+        Values to stay near to; all zero for angles in (-pi, pi].
+    revolute, limits : ndarray, shapes (n,) and (n, 2)
+        Of the arm. An angle that is outside its limits at every turn stays outside.
+    """
+    values, turn = np.array(q, dtype=float), 2.0 * math.pi
+    turns = np.floor((near - values) / turn + 0.5)
+    # The slack of `Arm.within_limits`: rounding at a limit must not cost a turn.
+    least, most = np.ceil((limits[:, 0] - AT - values) / turn), np.floor((limits[:, 1] + AT - values) / turn)
+    return np.asarray(np.where(revolute, values + turn * np.clip(turns, least, most), values))

@@ -31,6 +31,11 @@ FLOOR = 1e-13
 near singularities: with 1e-9 three of a thousand random PUMA poses are lost."""
 
 
+REACHED_M = 1e-6
+REACHED_RAD = 1e-6
+"""Within these a target counts as reached: far below anything a picture or a classroom robot resolves."""
+
+
 class Errors(NamedTuple):
     """How far a configuration is from a target, in the components the task controls.
 
@@ -62,6 +67,11 @@ class Errors(NamedTuple):
     def cost(self) -> float:
         """Squared scaled error; a pure number, only for comparing steps."""
         return self.position2 * self.per_square + self.rotation2
+
+    @property
+    def reached(self) -> bool:
+        """Whether both are within what counts as reached, whatever the size of the arm."""
+        return self.position2 < REACHED_M**2 and self.rotation2 < REACHED_RAD**2
 
 
 class Linearised(NamedTuple):
@@ -165,11 +175,13 @@ class TaskError:
 
     @cached_property
     def starts(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Lower ends and widths of the ranges random starts are drawn from: the limits, angles within one turn."""
+        """Lower ends and widths of the ranges random starts are drawn from.
+
+        The limits; of an angle that may turn farther than once only one turn, as near to (-pi, pi] as they allow.
+        """
         low, high = self.arm.limits.T
-        low = np.where(self.arm.revolute, np.maximum(low, -math.pi), low)
-        high = np.where(self.arm.revolute, np.minimum(high, math.pi), high)
-        return low, np.maximum(high - low, 0.0)
+        width = np.where(self.arm.revolute, np.minimum(high - low, 2.0 * math.pi), high - low)
+        return np.where(self.arm.revolute, np.clip(-math.pi, low, high - width), low), width
 
     def target(self, T: NDArray[np.floating]) -> list[float]:
         """Return the 12 numbers of a target pose (4, 4) in the world, as the formulas want them."""

@@ -12,11 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.checks import whole_number
 from armlab.kin.ik.closest import closest_of
-from armlab.kin.ik.loop import Descent, descend, descend_inside, wrapped
+from armlab.kin.ik.loop import Descent, descend, descend_inside, slip, wrapped
 from armlab.kin.ik.method import Method, method_named
 from armlab.kin.ik.problem import Errors, Problem
-from armlab.kin.ik.verdict import Verdict, free_joints, judge
+from armlab.kin.ik.verdict import Verdict, checked_locks, free_joints, joint_values, judge
 from armlab.kin.transforms import as_pose
 
 ITERATIONS = 22
@@ -30,6 +31,9 @@ STEPS_INSIDE = 20
 
 STEPS_CLOSEST = 100
 """Steps of Newton's method towards the closest configuration after that; it needs five to ten."""
+
+BALANCES = 4
+"""Descents of that kind at most, each after slipping off a balance; what is left then waits for the next call."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +92,8 @@ def solve(
     T : array_like, shape (4, 4)
         Wanted pose of the tool in the world. Components outside the task are ignored.
     q0 : array_like, shape (n,), optional
-        First start; random when left out.
+        First start; random when left out. Angles of the solution are those nearest to it, whole turns apart, inside the
+        limits; in (-pi, pi], where the limits allow, when left out.
     method : str
         Key of a method: see `methods`.
     seed : int
@@ -101,7 +106,7 @@ def solve(
     Raises
     ------
     InputError
-        ``T`` is no pose, shapes are wrong, or joints are locked without a ``q0``.
+        ``T`` is no pose, shapes or numbers are wrong, or joints are locked without a ``q0``.
 
     Examples
     --------
@@ -111,10 +116,11 @@ def solve(
     (True, [0.4, 0.9])
     """
     pose = as_pose(T, "T")
-    start = None if q0 is None else _start(arm, q0)
-    if locked is not None and any(locked) and start is None:
+    start = None if q0 is None else joint_values(arm, q0, "q0")
+    free = free_joints(checked_locks(arm, locked))
+    if free is not None and start is None:
         raise InputError("locked: give q0, the values the locked joints keep")
-    free = free_joints(locked)
+    seed, searches = whole_number(seed, "seed", 0), whole_number(searches, "searches", 1)
     problem = problem_of(arm, method_named(method))
     target = problem.target(pose)
     found = _search(problem, target, start, free, seed, searches)
@@ -148,6 +154,7 @@ def _search(
     rng = np.random.default_rng(seed)
     low, width = problem.starts
     held = None if free is None else np.array(free) == 0.0
+    near = np.zeros(arm.n) if start is None else start
     q = low
     for search in range(searches):
         q = start if search == 0 and start is not None else low + width * rng.random(arm.n)
@@ -156,7 +163,7 @@ def _search(
         descent = descend(problem, target, q.tolist(), free, ITERATIONS)
         iterations += descent.iterations
         if descent.converged:
-            solution = wrapped(descent.q, arm.revolute, arm.limits)
+            solution = wrapped(descent.q, near, arm.revolute, arm.limits)
             solution = solution if held is None else np.where(held, q, solution)
             if arm.within_limits(solution):
                 return Descent(solution.tolist(), descent.errors, iterations)
@@ -176,16 +183,16 @@ def come_closer(
     box = np.where(arm.revolute, travel, travel * arm.length_scale)
     low = np.maximum(arm.limits[:, 0], start - box)
     high = np.minimum(arm.limits[:, 1], start + box)
-    box_limits = low.tolist(), high.tolist()
-    first = descend_inside(problem, target, start.tolist(), free, *box_limits, STEPS_INSIDE)
-    if first.converged:
-        return first
-    rest = descend_inside(closest_of(arm), target, first.q, free, *box_limits, STEPS_CLOSEST)
-    return Descent(rest.q, rest.errors, first.iterations + rest.iterations)
-
-
-def _start(arm: Arm, q0: ArrayLike) -> NDArray[np.float64]:
-    start = np.array(q0, dtype=float)
-    if start.shape != (arm.n,) or not np.all(np.isfinite(start)):
-        raise InputError(f"q0: expected {arm.n} finite numbers, got {q0!r}")
-    return start
+    inside = low.tolist(), high.tolist()
+    found = descend_inside(problem, target, start.tolist(), free, *inside, STEPS_INSIDE)
+    if found.converged:
+        return found
+    closest = closest_of(arm)
+    for _ in range(BALANCES):
+        rest = descend_inside(closest, target, found.q, free, *inside, STEPS_CLOSEST)
+        found = Descent(rest.q, rest.errors, found.iterations + rest.iterations)
+        beside = slip(closest, found, target, free, low, high)
+        if beside is None:
+            break
+        found = beside
+    return found

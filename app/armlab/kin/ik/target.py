@@ -13,7 +13,12 @@ from armlab.kin.transforms import inverse, transform
 
 
 def feasible(arm: Arm, T: NDArray[np.floating], tool: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Return a target with the components outside the arm's task taken from a pose the tool really has.
+    """Return the part of a wanted pose that an arm's task can ask for, completed to a pose.
+
+    Coordinates outside the task are the tool's. So is the orientation of a task without rotation; with ``"phi"`` the
+    tool's is turned about z of frame 0, as far as the wanted one asks. With ``"approach"`` and ``"full"`` the whole
+    orientation is the wanted one: of an approach direction the turn about it is kept though it is not controlled,
+    which costs nothing and lets a hand turn its handle freely.
 
     Parameters
     ----------
@@ -21,7 +26,7 @@ def feasible(arm: Arm, T: NDArray[np.floating], tool: NDArray[np.floating]) -> N
     T : ndarray, shape (4, 4)
         Wanted pose in the world.
     tool : ndarray, shape (4, 4)
-        A pose of the tool in the world, for the coordinates and angles the arm does not control.
+        The pose the tool has, in the world.
 
     Returns
     -------

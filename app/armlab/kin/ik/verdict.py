@@ -9,21 +9,14 @@ from functools import lru_cache
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.checks import finite_floats, wrong
+from armlab.kin.ik.closest import closest_of
 from armlab.kin.ik.problem import TaskError
-
-REACHED_M = 1e-6
-REACHED_RAD = 1e-6
-"""Within these a target counts as reached: far below anything a picture or a classroom robot resolves."""
-
-PUSH = 1e-6
-"""Scaled slope of the error above which a joint at its limit is said to push against it."""
-
-REST = 1e-3
-"""Slope, relative to the scaled error, below which a configuration counts as the closest: near a boundary the error is
-flat, and a descent stops when a step gains less than a billionth."""
+from armlab.kin.ik.rest import is_flat, pushing, way_down
+from armlab.kin.transforms import as_pose
 
 Status = Literal["reached", "limit", "beyond", "closest", "moving"]
 
@@ -78,23 +71,45 @@ def judge(arm: Arm, T: ArrayLike, q: ArrayLike, locked: Sequence[bool] | None = 
     q : array_like, shape (n,)
     locked : sequence of bool, optional
         Joints that may not move.
+
+    Raises
+    ------
+    InputError
+        ``T`` is no pose, or shapes or numbers are wrong.
     """
-    pose, values = np.asarray(T, dtype=float), np.asarray(q, dtype=float)
-    free = free_joints(locked) or [1.0] * arm.n
+    pose, values = as_pose(T, "T"), joint_values(arm, q, "q")
+    free = free_joints(checked_locks(arm, locked)) or [1.0] * arm.n
     task = task_error_of(arm)
-    slope, errors = task.slope(values.tolist(), task.target(pose), free)
-    if errors.position < REACHED_M and errors.rotation < REACHED_RAD and arm.within_limits(values):
+    target = task.target(pose)
+    slope, errors = task.slope(values.tolist(), target, free)
+    if errors.reached and arm.within_limits(values):
         return Verdict("reached", errors.position, errors.rotation, ())
-    low, high = arm.limits[:, 0] + 1e-9, arm.limits[:, 1] - 1e-9
-    pushing = ((values <= low) & (slope < -PUSH)) | ((values >= high) & (slope > PUSH))
-    limits = tuple(int(i) for i in np.flatnonzero(pushing))
-    at_rest = bool(np.all(np.abs(slope[~pushing]) < REST * max(1.0, math.sqrt(errors.cost))))
+    low, high = arm.limits.T
+    pushed = pushing(values, slope, low, high)
+    limits = tuple(int(i) for i in np.flatnonzero(pushed))
     status: Status = "moving"
-    if at_rest:
-        distance = float(np.linalg.norm(pose[:3, 3] - arm.base[:3, 3]))
-        far = bool(arm.task.position) and distance > arm.reach
-        status = "beyond" if far else "limit" if limits else "closest"
+    if is_flat(slope, pushed, errors) and way_down(closest_of(arm), values, target, free, low, high) is None:
+        status = "beyond" if _beyond(arm, target) else "limit" if limits else "closest"
     return Verdict(status, errors.position, errors.rotation, limits)
+
+
+def _beyond(arm: Arm, target: Sequence[float]) -> bool:
+    """Return whether the controlled coordinates alone are farther away than all links in a line."""
+    return math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates)) > arm.reach
+
+
+def joint_values(arm: Arm, q: ArrayLike, where: str) -> NDArray[np.float64]:
+    """Return checked joint values (n,); `InputError` when they are not n finite numbers."""
+    return finite_floats(q, where, (arm.n,), f"{arm.n} finite numbers")
+
+
+def checked_locks(arm: Arm, locked: Sequence[bool] | None) -> list[bool] | None:
+    """Return which joints are locked, one entry for each; `InputError` when there are not as many."""
+    if locked is None:
+        return None
+    if not isinstance(locked, (Sequence, np.ndarray)) or len(locked) != arm.n:
+        raise wrong("locked", f"{arm.n} times True or False", locked)
+    return [bool(held) for held in locked]
 
 
 def free_joints(locked: Sequence[bool] | None) -> list[float] | None:
