@@ -65,6 +65,24 @@ def test_a_good_file_is_read():
         ([("limits_m", "limits_deg")], r"joints\[2\]\.limits_m: missing; the file has type, d, theta_deg, limits_deg"),
         ([("[-180, 180]", "[180, -180]")], r"joints\[1\]\.limits_deg: the smaller comes first, got \[180, -180\]"),
         ([("a = 1.0", "a = nan")], r"joints\[1\]\.a: expected a finite number, got nan"),
+        ([("a = 1.0", f"a = {'9' * 400}")], r"joints\[1\]\.a: expected a number below 1\.8e308, got 9+\.\.\.$"),
+        ([("a = 1.0", f"a = 0x{'f' * 5000}")], r"joints\[1\]\.a: expected .*, got int too long to be shown$"),
+        ([("a = 1.0", f"a = {'9' * 5000}")], r"two\.toml: a number has too many digits"),
+        ([("a = 1.0", f"a = {'[' * 5000}")], r"two\.toml: brackets are nested too deep"),
+        ([("a = 1.0", "a = inf")], r"expected a finite number, got inf"),
+        ([('name = "home"', 'name = "random"')], r"poses\[1\]\.name: 'random' is taken"),
+        (
+            [("[[expected]]", '[[poses]]\nname = "home"\nq_deg_m = [0, 0]\n\n[[expected]]')],
+            r"poses\[2\]\.name: 'home' is taken; choose a name that is not home, random$",
+        ),
+        (
+            [("position = [1.0, 0.0, 0.1]", "position = [1.0, 0.0, 0.1]\ntolerance = 1e9")],
+            r"expected\[1\]\.tolerance: expected a positive number up to 0\.001, got 1e\+09",
+        ),
+        (
+            [("position = [1.0, 0.0, 0.1]", "position = [1.0, 0.0, 0.1]\ntolerance = 0")],
+            r"expected\[1\]\.tolerance: expected a positive number up to 0\.001, got 0",
+        ),
         ([("a = 1.0", 'a = "1.0"')], r"joints\[1\]\.a: expected a number, got '1.0'"),
         ([("a = 1.0", "a = true")], r"joints\[1\]\.a: expected a number, got True"),
         ([("[0.0, 0.5]", "[0.0]")], r"joints\[2\]\.limits_m: expected 2 numbers in brackets, got \[0\.0\]"),
@@ -95,6 +113,17 @@ def test_what_is_wrong_is_named(pairs, text):
         parse_robot("two", changed(*pairs))
 
 
+@pytest.mark.parametrize("key", ["WallArm", "wall arm", "wall.arm", "_wall", "wände", "w" * 65, ""])
+def test_a_file_name_that_cannot_stand_in_a_link_is_refused(key):
+    with pytest.raises(ContentError, match=r"expected a file name of lower-case letters, digits and underscores, got "):
+        parse_robot(key, GOOD)
+
+
+def test_a_file_may_have_a_zero_of_its_own():
+    robot = parse_robot("two", changed(('name = "home"', 'name = "zero"')))
+    assert robot.poses["zero"].tolist() == pytest.approx([0.17453293, 0.2])
+
+
 def test_forty_joints_are_refused():
     joint = '[[joints]]\ntype = "R"\nlimits_deg = [-1, 1]\n\n'
     with pytest.raises(ContentError, match=r"joints: expected 1 to 12 tables \[\[joints\]\], got 42"):
@@ -117,3 +146,29 @@ def test_a_broken_file_disturbs_no_other(tmp_path):
         found["bad"]
     with pytest.raises(UnknownName, match="did you mean 'good'"):
         found["god"]
+
+
+class Unreadable:
+    """A file that raises when it is read."""
+
+    def __init__(self, error):
+        self.name, self._error = "bad.toml", error
+
+    def read_text(self, encoding):
+        raise self._error
+
+
+@pytest.mark.parametrize(
+    ("error", "text"),
+    [
+        (PermissionError(13, "Permission denied"), r"^bad\.toml: cannot be read: Permission denied$"),
+        (RuntimeError("a mistake of ours"), r"^bad\.toml: cannot be used: RuntimeError\('a mistake of ours'\)$"),
+    ],
+)
+def test_a_file_that_cannot_be_read_disturbs_no_other(tmp_path, error, text):
+    good = tmp_path / "good.toml"
+    good.write_text(GOOD, encoding="utf-8")
+    found = read_catalogue([Unreadable(error), good])
+    assert list(found.robots) == ["good"]
+    with pytest.raises(ContentError, match=text):
+        found["bad"]

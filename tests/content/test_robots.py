@@ -8,6 +8,7 @@ import pytest
 import armlab
 from armlab.content.robots import FAMILIES, catalogue
 from armlab.errors import UnknownName
+from armlab.front.front import NAME
 from support.arms import random_q
 
 COUNT = 12
@@ -34,6 +35,10 @@ def test_names_and_words(robot):
     assert robot.summary.endswith(".")
     assert len(robot.source) > 30
     assert "home" in next(iter(robot.poses))
+
+
+def test_its_link_is_served(robot):
+    assert NAME.match(robot.key)
 
 
 def test_the_home_pose_is_a_good_pose(robot):

@@ -9,7 +9,9 @@ import pytest
 import viser
 import websockets
 
-from armlab.front.start import StartError
+from armlab.front.addresses import addresses
+from armlab.front.lock import FolderInUse
+from armlab.front.start import Settings, StartError, start
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
 
@@ -95,9 +97,22 @@ def test_other_names_that_point_here_are_refused(url, host):
     assert get(url, {"Host": host})[0] == 421
 
 
-def test_no_page_is_without_the_safety_headers(url):
-    for path in ("nothing", "robot/UPPER"):
-        assert get(url + path)[1]["X-Content-Type-Options"] in ("nosniff", None)
+@pytest.mark.parametrize(
+    ("path", "request_headers", "status"),
+    [
+        ("", {}, 200),
+        ("?websocket=x", {}, 302),
+        ("", {"Upgrade": "websocket"}, 403),
+        ("nothing", {}, 404),
+        ("robot/UPPER", {}, 404),
+        ("", {"Host": "evil.example"}, 421),
+    ],
+)
+def test_no_answer_is_without_the_safety_headers(url, path, request_headers, status):
+    found, headers, _ = get(url + path, request_headers, follow=False)
+    assert found == status
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    assert headers["Cache-Control"] == "no-store"
 
 
 async def opened(url, headers, protocol=None):
@@ -197,7 +212,20 @@ def test_a_flood_of_one_leaves_others_in_peace(url):
     asyncio.run(main())
 
 
-def test_the_lab_itself_is_only_on_loopback_and_refuses_strangers(tmp_path):
+@pytest.fixture
+def bound(monkeypatch):
+    """The address of every socket that begins to listen."""
+    found, listen = [], socket.socket.listen
+
+    def noted(self, *backlog):
+        listen(self, *backlog)
+        found.append(self.getsockname())
+
+    monkeypatch.setattr(socket.socket, "listen", noted)
+    return found
+
+
+def test_the_lab_itself_is_only_on_loopback_and_refuses_strangers(bound):
     """Another user of this machine who finds viser's own port gets no session."""
     from armlab.content.robots import catalogue
     from armlab.ui.lab import Lab
@@ -213,11 +241,8 @@ def test_the_lab_itself_is_only_on_loopback_and_refuses_strangers(tmp_path):
         await stranger.close()
 
     asyncio.run(main())
-    with socket.socket() as probe:
-        # Bound to loopback alone: the port is still free on every other address of this machine.
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        assert probe.connect_ex(("127.0.0.1", lab.port)) == 0
     lab.stop()
+    assert bound == [("127.0.0.1", lab.port)]
 
 
 def test_a_port_in_use_is_one_clear_line():
@@ -225,3 +250,37 @@ def test_a_port_in_use_is_one_clear_line():
         port = int(address.split(":")[2].strip("/"))
         with pytest.raises(StartError, match=f"^port {port} is in use; choose another with --port$"):
             open_lab(port=port)
+
+
+def test_a_second_lab_on_the_same_folder_is_one_clear_line(tmp_path):
+    with running_lab(tmp_path), pytest.raises(FolderInUse, match="is in use by another lab"):
+        open_lab(tmp_path)
+    with running_lab(tmp_path) as address:  # the folder is free again
+        assert get(address)[0] == 200
+
+
+def test_a_start_that_fails_lets_go_of_the_folder(tmp_path):
+    with running_lab() as address:
+        port = int(address.split(":")[2].strip("/"))
+        with pytest.raises(StartError, match="in use"):
+            open_lab(tmp_path, port=port)
+    open_lab(tmp_path).stop()
+
+
+def has_ipv6():
+    try:
+        socket.create_server(("::1", 0), family=socket.AF_INET6).close()
+    except OSError:
+        return False
+    return socket.has_dualstack_ipv6()
+
+
+@pytest.mark.skipif(not has_ipv6(), reason="this machine has no IPv6")
+def test_on_all_addresses_of_ipv6_every_printed_address_works():
+    lab = start(Settings("::", [0], "puma560", None))
+    try:
+        own, others = addresses("::", lab.port)
+        for address in (own, *others, f"http://[::1]:{lab.port}/"):
+            assert get(address)[0] == 200, address
+    finally:
+        lab.stop()

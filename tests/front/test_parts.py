@@ -1,15 +1,19 @@
 """The parts of the front, each alone."""
 
 import base64
+import errno
 import hashlib
 import re
+import socket
 
 import pytest
 
-from armlab.front import page
+from armlab.front import lock, page
 from armlab.front.addresses import addresses, own_addresses, served_names
 from armlab.front.limits import Bucket, Limits, Meter
+from armlab.front.lock import FolderInUse, FolderLock
 from armlab.front.tokens import Tokens, kept_secret
+from armlab.front.wishes import Wishes
 
 
 class Clock:
@@ -89,6 +93,64 @@ def test_the_secret_is_kept_and_private(tmp_path):
     assert kept_secret(None) != kept_secret(None)
 
 
+@pytest.mark.parametrize("left", [b"", b"short"])
+def test_a_secret_that_was_cut_off_is_replaced(tmp_path, left):
+    """With an empty one anybody could sign a cookie."""
+    (tmp_path / "secret").write_bytes(left)
+    renewed = kept_secret(tmp_path)
+    assert len(renewed) == 32
+    assert kept_secret(tmp_path) == renewed
+    assert (tmp_path / "secret").stat().st_mode & 0o077 == 0
+
+
+def test_a_crash_while_the_secret_is_written_leaves_none(tmp_path, monkeypatch):
+    def crash(_handle):
+        raise OSError(errno.ENOSPC, "the disk is full")
+
+    monkeypatch.setattr("os.fsync", crash)
+    with pytest.raises(OSError, match="full"):
+        kept_secret(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_has_one_lab_at_a_time(tmp_path):
+    held = FolderLock(tmp_path / "state")
+    sentence = f"{tmp_path / 'state'} is in use by another lab; stop that one or choose another with --state DIR"
+    with pytest.raises(FolderInUse, match=f"^{re.escape(sentence)}$"):
+        FolderLock(tmp_path / "state")
+    held.release()
+    FolderLock(tmp_path / "state").release()
+
+
+def test_a_folder_that_knows_no_locks_is_used_with_a_warning(tmp_path, monkeypatch, caplog):
+    def refuse(_handle):
+        raise OSError(errno.ENOLCK, "no locks available")
+
+    monkeypatch.setattr(lock, "_lock", refuse)
+    FolderLock(tmp_path).release()
+    assert "cannot be locked" in caplog.text
+
+
+def test_a_wish_is_granted_once_and_the_newest_counts(clock):
+    wishes = Wishes(clock=clock)
+    wishes.put("a", "robot/scara")
+    wishes.put("a", "robot/ur10")
+    assert wishes.take("a") == "robot/ur10"
+    assert wishes.take("a") is None
+
+
+def test_wishes_nobody_comes_for_are_forgotten(clock):
+    wishes = Wishes(most=3, seconds=60.0, clock=clock)
+    for k in range(100):
+        wishes.put(f"robot that reads links {k}", "robot/scara")
+    assert len(wishes) == 3
+    wishes.put("a person", "robot/ur10")
+    assert wishes.take("a person") == "robot/ur10"
+    clock.now += 61.0
+    assert wishes.take("robot that reads links 99") is None
+    assert len(wishes) == 0
+
+
 def test_the_page_is_viser_with_ours_before_it():
     made = page.make_page()
     html = made.html.decode()
@@ -146,7 +208,7 @@ def test_addresses_people_can_type():
     assert addresses("127.0.0.1", 8080) == ("http://127.0.0.1:8080/", [])
     own, others = addresses("0.0.0.0", 8080)
     assert own == "http://127.0.0.1:8080/"
-    assert others == [f"http://{name}:8080/" for name in own_addresses()]
+    assert others == [f"http://{name}:8080/" for name in own_addresses(socket.AF_INET)]
     assert addresses("192.168.1.5", 1)[1] == ["http://192.168.1.5:1/"]
     assert addresses("::1", 1)[0] == "http://[::1]:1/"
 
@@ -154,4 +216,12 @@ def test_addresses_people_can_type():
 def test_names_the_lab_answers_to():
     assert served_names("127.0.0.1") == {"localhost", "127.0.0.1", "::1"}
     assert "lab.school" in served_names("Lab.School")
-    assert set(own_addresses()) <= served_names("0.0.0.0")
+    assert set(own_addresses(socket.AF_INET)) <= served_names("0.0.0.0")
+
+
+def test_of_addresses_those_people_can_reach_are_kept(monkeypatch):
+    names = ["127.0.0.1", "0.0.0.0", "192.168.1.5", "::1", "fe80::1%eth0", "2001:db8::7", "192.168.1.5"]
+    monkeypatch.setattr("armlab.front.addresses._addresses_of", lambda _family: names)
+    assert own_addresses(socket.AF_INET) == ["192.168.1.5", "2001:db8::7"]
+    assert addresses("::", 1)[1] == ["http://192.168.1.5:1/", "http://[2001:db8::7]:1/"]
+    assert {"192.168.1.5", "2001:db8::7"} <= served_names("::")

@@ -1,5 +1,6 @@
 """One student: undo, mailbox, worker, store."""
 
+import json
 import threading
 import time
 
@@ -14,7 +15,7 @@ from armlab.session.parts.joints import Joints, MoveJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
 from armlab.session.session import Redo, Refuse, Session, StartFresh, Undo
-from armlab.session.state import Command
+from armlab.session.state import Command, State
 from armlab.session.store import Store
 from armlab.session.worker import Worker
 
@@ -207,15 +208,26 @@ def test_the_worker_outlives_a_broken_command_and_a_broken_page(session, caplog)
     assert "the page is gone" in caplog.text
 
 
-def test_students_are_served_in_turn(worker):
-    thread, _ = worker
-    sessions = [Session.fresh(f"student {k}", PUMA) for k in range(20)]
-    for k in range(50):
-        for session in sessions:
-            thread.post(session, MoveJoint(0, 0.01 * k))
-    wait_for(lambda: all(s.state[Joints].q[0] == pytest.approx(0.49) for s in sessions))
-    assert thread.counts.posted == 1000
-    assert thread.counts.applied <= 1000
+def test_students_are_served_in_turn():
+    """Who has waited longest is next: one who goes on posting comes again only after all others."""
+    served = []
+    sessions = [Session.fresh(f"student {k}", PUMA) for k in range(5)]
+
+    def publish(session):
+        served.append(session.token)
+        if len(served) <= 5:
+            worker.post(session, MoveJoint(0, 0.5))
+
+    worker = Worker(publish)
+    for session in sessions:
+        worker.post(session, MoveJoint(0, 0.1))
+        worker.post(session, MoveJoint(0, 0.2))
+    worker.start()
+    wait_for(lambda: len(served) == 10)
+    worker.stop()
+    worker.join(2.0)
+    assert served == [session.token for session in sessions] * 2
+    assert (worker.counts.posted, worker.counts.applied) == (15, 10)
 
 
 def test_one_drag_is_one_chain_of_commands(session):
@@ -264,9 +276,22 @@ def test_tokens_do_not_become_file_names(tmp_path):
     assert [path.parent for path in tmp_path.rglob("*.json")] == [tmp_path / "sessions"]
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", '{"format": 99, "parts": {}}', '{"format": 1, "parts": {}}'])
-def test_a_broken_file_gives_a_fresh_session_and_a_notice(tmp_path, text):
-    broken_store(tmp_path, text)
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"",
+        b"{",
+        b"[]",
+        b'{"format": 99, "parts": {}}',
+        b'{"format": 1, "parts": {}}',
+        b"\xff\xfe",
+        b"[" * 100_000,
+        b"9" * 5000,
+    ],
+    ids=lambda data: repr(data[:30]),
+)
+def test_a_broken_file_gives_a_fresh_session_and_a_notice(tmp_path, data):
+    broken_store(tmp_path, data)
     session = Store(tmp_path, PUMA).get("a student")
     assert session.robot is PUMA
     assert "fresh start" in session.notice.text
@@ -278,23 +303,58 @@ def test_a_broken_file_gives_a_fresh_session_and_a_notice(tmp_path, text):
         {"robot": "gone"},
         {"joints": {"q": [0.0], "locked": [], "draws": 0}},
         {"joints": {"q": [float("nan")] * 6, "locked": [False] * 6, "draws": 0}},
+        {"joints": {"q": [0.0] * 6, "locked": [False] * 6, "draws": float("inf")}},
+        {"joints": {"q": [0.0] * 6, "locked": [False] * 6, "draws": -1}},
         {"target": {"pose": [[1]], "axes": "world", "handle": "move", "method": "dls"}},
         {"target": {"pose": None, "axes": "nowhere", "handle": "move", "method": "dls"}},
         {"target": {"pose": None, "axes": "world", "handle": "move", "method": "gone"}},
     ],
 )
 def test_a_file_of_another_version_gives_a_fresh_session_and_a_notice(tmp_path, change):
-    import json
-
     parts = Session.fresh("x", PUMA).state.to_json() | change
-    broken_store(tmp_path, json.dumps({"format": 1, "parts": parts}))
+    broken_store(tmp_path, json.dumps({"format": 1, "parts": parts}).encode())
     session = Store(tmp_path, PUMA).get("a student")
     assert session.robot is PUMA
     assert "does not fit" in session.notice.text
 
 
-def broken_store(folder, text):
+def broken_store(folder, data):
     store = Store(folder, PUMA)
     store.get("a student").apply(TakePose("zero"), 0.0)
     store.save()
-    next(folder.glob("*.json")).write_text(text, encoding="utf-8")
+    next(folder.glob("*.json")).write_bytes(data)
+
+
+class Unwritable(State):
+    """A state that cannot be written down."""
+
+    def to_json(self):
+        raise RuntimeError("the part is broken")
+
+
+class HalfWritten(State):
+    """A state whose writing fails in the middle of the file."""
+
+    def to_json(self):
+        return {"joints": object()}
+
+
+def test_a_session_that_cannot_be_saved_holds_up_no_other_and_is_logged_once(tmp_path, caplog):
+    store = Store(tmp_path, PUMA)
+    bad, good = store.get("bad"), store.get("good")
+    bad.state = Unwritable({})
+    good.apply(TakePose("zero"), 0.0)
+    assert store.save() == 1
+    assert Store(tmp_path, PUMA).get("good").state[Joints].q.tolist() == [0.0] * 6
+    assert store.save() == 0
+    assert caplog.text.count("RuntimeError: the part is broken") == 1
+    assert "Traceback" in caplog.text
+    bad.state = good.state
+    assert store.save() == 1
+
+
+def test_a_writing_that_fails_leaves_no_file(tmp_path):
+    store = Store(tmp_path, PUMA)
+    store.get("a student").state = HalfWritten({})
+    assert store.save() == 0
+    assert list(tmp_path.iterdir()) == []

@@ -84,6 +84,26 @@ def test_a_port_in_use_is_one_line(tmp_path):
     assert err == f"armlab: port {port} is in use; choose another with --port\n"
 
 
+@pytest.mark.parametrize("labs", ["0", "2"])
+def test_a_folder_in_use_is_one_line_even_on_another_port(tmp_path, labs):
+    process = armlab("--no-browser", "--port", "0", "--labs", labs, "--state", str(tmp_path))
+    assert process.stdout.readline().startswith("Armlab is open at ")
+    status, out, err = finished("--no-browser", "--port", "0", "--state", str(tmp_path))
+    assert (status, out) == (1, "")
+    assert err == f"armlab: {tmp_path} is in use by another lab; stop that one or choose another with --state DIR\n"
+    assert end(process)[0] == 0
+
+
+def test_a_lab_that_was_killed_does_not_keep_its_folder(tmp_path):
+    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
+    assert process.stdout.readline().startswith("Armlab is open at ")
+    process.kill()
+    process.communicate(timeout=20.0)
+    again = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
+    assert again.stdout.readline().startswith("Armlab is open at ")
+    assert end(again)[0] == 0
+
+
 def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path):
     status, out, err = finished("--no-browser", "--robot", "puma650", "--state", str(tmp_path))
     assert (status, out) == (1, "")

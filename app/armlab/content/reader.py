@@ -16,6 +16,9 @@ _UNITS = ("_deg_s2", "_m_s2", "_deg_s", "_m_s", "_deg_m", "_deg", "_m")
 """Longest first, so that removing one leaves the bare name."""
 
 
+_MOST_SHOWN = 60
+
+
 class Table:
     """One table of a file. Take every value by its key, then call `done`: what was not taken is an error.
 
@@ -40,6 +43,10 @@ class Table:
             return cls(file, tomllib.loads(text))
         except tomllib.TOMLDecodeError as error:
             raise ContentError(file, "", f"not valid TOML: {error}") from None
+        except ValueError:  # Python does not convert more than 4300 digits
+            raise ContentError(file, "", "a number has too many digits; write it with an exponent") from None
+        except RecursionError:
+            raise ContentError(file, "", "brackets are nested too deep; expected a list of lists at most") from None
 
     def fail(self, key: str, problem: str) -> ContentError:
         """Return the error for a key of this table."""
@@ -54,7 +61,7 @@ class Table:
         """Take a string that is not empty."""
         value = self._take(key, default)
         if not isinstance(value, str) or not (value.strip() or value == default):
-            raise self.fail(key, f"expected a text, got {value!r}")
+            raise self.fail(key, f"expected a text, got {shown(value)}")
         return value
 
     def choice(self, key: str, options: Iterable[str], default: str | None = None) -> str:
@@ -72,28 +79,28 @@ class Table:
         """Take a list of finite numbers."""
         value = self._take(key, default)
         if not isinstance(value, list) or len(value) != count:
-            raise self.fail(key, f"expected {count} numbers in brackets, got {value!r}")
+            raise self.fail(key, f"expected {count} numbers in brackets, got {shown(value)}")
         return np.array([self._number(f"{key}[{i + 1}]", entry) for i, entry in enumerate(value)])
 
     def matrix(self, key: str) -> NDArray[np.float64]:
         """Take a 3 x 3 matrix, a list of rows."""
         value = self._take(key, None)
         if not isinstance(value, list) or [len(row) if isinstance(row, list) else 0 for row in value] != [3, 3, 3]:
-            raise self.fail(key, f"expected three rows of three numbers, got {value!r}")
+            raise self.fail(key, f"expected three rows of three numbers, got {shown(value)}")
         return np.array([[self._number(key, entry) for entry in row] for row in value])
 
     def table(self, key: str) -> Table | None:
         """Take a table, or None when there is none."""
         value = self._take(key, {})
         if not isinstance(value, dict):
-            raise self.fail(key, f"expected a table [{key}], got {value!r}")
+            raise self.fail(key, f"expected a table [{key}], got {shown(value)}")
         return Table(self.file, value, self._path(key)) if key in self._data else None
 
     def tables(self, key: str) -> list[Table]:
         """Take an array of tables; none is an empty list."""
         value = self._take(key, [])
         if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
-            raise self.fail(key, f"expected tables [[{key}]], got {value!r}")
+            raise self.fail(key, f"expected tables [[{key}]], got {shown(value)}")
         return [Table(self.file, entry, f"{self._path(key)}[{i + 1}]") for i, entry in enumerate(value)]
 
     def done(self) -> None:
@@ -119,13 +126,30 @@ class Table:
 
     def _number(self, key: str, value: Any) -> float:
         if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise self.fail(key, f"expected a number, got {value!r}")
-        if not math.isfinite(value):
-            raise self.fail(key, f"expected a finite number, got {value!r}")
-        return float(value)
+            raise self.fail(key, f"expected a number, got {shown(value)}")
+        try:
+            number = float(value)
+        except OverflowError:
+            raise self.fail(key, f"expected a number below 1.8e308, got {shown(value)}") from None
+        if not math.isfinite(number):
+            raise self.fail(key, f"expected a finite number, got {shown(value)}")
+        return number
 
     def _path(self, key: str) -> str:
         return f"{self.where}.{key}" if self.where else key
+
+
+def shown(value: object) -> str:
+    """Return a value as it is written, cut to what fits into a message.
+
+    >>> shown([1.0, "a"])
+    "[1.0, 'a']"
+    """
+    try:
+        text = repr(value)
+    except (ValueError, RecursionError):
+        return f"{type(value).__name__} too long to be shown"
+    return text if len(text) <= _MOST_SHOWN else text[: _MOST_SHOWN - 3] + "..."
 
 
 def joint_values(table: Table, kinds: str) -> NDArray[np.float64]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
@@ -18,6 +20,17 @@ from armlab.kin.dh import CONVENTIONS, Row
 from armlab.kin.rotations import rotation_from_sequence
 from armlab.kin.task import NAMED
 from armlab.kin.transforms import transform
+
+log = logging.getLogger(__name__)
+
+KEY = re.compile(r"[a-z0-9][a-z0-9_]{0,63}\Z")
+"""What stands in links, in lower case for people to say and type."""
+
+TAKEN = ("random",)
+"""Names of poses whose buttons do something else. The button "zero" looks for a pose of the file first."""
+
+LOOSEST = 1e-3
+"""Largest tolerance of an expected pose: a millimetre. With more of it a wrong table could pass for proven."""
 
 FAMILIES = ("planar", "spatial 3R to 5R", "with sliding joints", "six joints", "seven joints and more")
 
@@ -95,6 +108,12 @@ def parse_robot(key: str, text: str, file: str | None = None) -> Robot:
         Anything wrong, with file, key, what was expected and what is available.
     """
     file = file or f"{key}.toml"
+    if not KEY.match(key):
+        raise ContentError(
+            file,
+            "",
+            f"expected a file name of lower-case letters, digits and underscores, got {key!r}; rename the file",
+        )
     top = Table.parse(file, text)
     name, summary = top.text("name"), top.text("summary")
     family, source = top.choice("family", FAMILIES), top.text("source")
@@ -169,8 +188,12 @@ def _named_poses(top: Table, arm: Arm, kinds: str) -> Iterable[tuple[str, NDArra
     tables = top.tables("poses")
     if not tables:
         raise top.fail("poses", "give at least one named pose [[poses]]; the arm opens in the first")
+    names = set(TAKEN)
     for table in tables:
         name, q = table.text("name"), joint_values(table, kinds)
+        if name in names:
+            raise table.fail("name", f"{name!r} is taken; choose a name that is not {', '.join(sorted(names))}")
+        names.add(name)
         if not arm.within_limits(q):
             raise table.fail("q", f"the pose {name!r} is outside the joint limits")
         q.setflags(write=False)
@@ -182,11 +205,14 @@ def _expected(table: Table, kinds: str) -> Expected:
     T = np.eye(4)
     T[:3, 3] = table.numbers("position", 3)
     T[:3, :3] = table.matrix("rotation") if table.has("rotation") else np.nan
+    tolerance = table.number("tolerance", 1e-9)
+    if not 0.0 < tolerance <= LOOSEST:
+        raise table.fail("tolerance", f"expected a positive number up to {LOOSEST:g}, got {tolerance:g}")
     expected = Expected(
         q=joint_values(table, kinds),
         T=T,
         flange=table.choice("of", ("tool", "flange"), "tool") == "flange",
-        tolerance=table.number("tolerance", 1e-9),
+        tolerance=tolerance,
         source=table.text("source"),
     )
     table.done()
@@ -223,13 +249,27 @@ def read_catalogue(files: Iterable[Traversable]) -> Catalogue:
     robots, problems = [], []
     for file in files:
         try:
-            robots.append(parse_robot(file.name.removesuffix(".toml"), file.read_text(encoding="utf-8"), file.name))
+            robots.append(_read_robot(file))
         except ContentError as error:
             problems.append(error)
-        except UnicodeDecodeError as error:
-            problems.append(ContentError(file.name, "", f"not a text in UTF-8: {error.reason}"))
     robots.sort(key=lambda robot: (FAMILIES.index(robot.family), robot.arm.n, robot.key))
     return Catalogue({robot.key: robot for robot in robots}, tuple(problems))
+
+
+def _read_robot(file: Traversable) -> Robot:
+    """Read one file; whatever goes wrong is a `ContentError`."""
+    try:
+        return parse_robot(file.name.removesuffix(".toml"), file.read_text(encoding="utf-8"), file.name)
+    except ContentError:
+        raise
+    except UnicodeDecodeError as error:
+        raise ContentError(file.name, "", f"not a text in UTF-8: {error.reason}") from None
+    except OSError as error:
+        raise ContentError(file.name, "", f"cannot be read: {error.strerror}") from error
+    except Exception as error:
+        # A mistake in our reading: it belongs into the log, and the class still gets its other arms.
+        log.exception("%s cannot be read", file.name)
+        raise ContentError(file.name, "", f"cannot be used: {error!r}") from error
 
 
 @cache

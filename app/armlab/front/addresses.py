@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import contextlib
+import ipaddress
 import socket
 
 LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
-EVERYWHERE = ("0.0.0.0", "::", "")
+_BOTH = (socket.AF_INET, socket.AF_INET6)
+EVERYWHERE = {"0.0.0.0": (socket.AF_INET,), "::": _BOTH, "": _BOTH}
+"""The hosts that stand for all addresses of this machine, with the families they are of."""
+_FAR = {socket.AF_INET: "192.0.2.1", socket.AF_INET6: "2001:db8::1"}
+"""Addresses of no machine, kept free for examples."""
 
 
 def addresses(host: str, port: int) -> tuple[str, list[str]]:
     """Return the address for this machine and those for others in the room."""
     if host in EVERYWHERE:
-        return _url("127.0.0.1", port), [_url(name, port) for name in own_addresses()]
+        return _url("127.0.0.1", port), [_url(name, port) for name in own_addresses(*EVERYWHERE[host])]
     own = _url(host, port)
     return own, [] if host in LOCAL_NAMES else [own]
 
@@ -20,20 +25,31 @@ def addresses(host: str, port: int) -> tuple[str, list[str]]:
 def served_names(host: str) -> frozenset[str]:
     """Return the host names a browser may address the lab by."""
     if host in EVERYWHERE:
-        return LOCAL_NAMES | {socket.gethostname().lower(), *own_addresses()}
+        return LOCAL_NAMES | {socket.gethostname().lower(), *own_addresses(*EVERYWHERE[host])}
     return LOCAL_NAMES | {host.lower()}
 
 
-def own_addresses() -> list[str]:
-    """Return the addresses of this machine in its networks, best first."""
+def own_addresses(*families: socket.AddressFamily) -> list[str]:
+    """Return the addresses of this machine in its networks, best first, one family after the other."""
+    found = [name for family in families for name in _addresses_of(family)]
+    return [name for name in dict.fromkeys(found) if _can_be_typed(ipaddress.ip_address(name))]
+
+
+def _addresses_of(family: socket.AddressFamily) -> list[str]:
     found: list[str] = []
-    with contextlib.suppress(OSError), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+    with contextlib.suppress(OSError), socket.socket(family, socket.SOCK_DGRAM) as probe:
         # Connecting a datagram socket sends nothing; it only asks which address would be used for a far host.
-        probe.connect(("192.0.2.1", 9))
+        probe.connect((_FAR[family], 9))
         found.append(probe.getsockname()[0])
     with contextlib.suppress(OSError):
-        found += [info[4][0] for info in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)]
-    return [name for name in dict.fromkeys(map(str, found)) if not name.startswith("127.") and name != "0.0.0.0"]
+        found += [str(info[4][0]) for info in socket.getaddrinfo(socket.gethostname(), None, family)]
+    return found
+
+
+def _can_be_typed(address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:
+    """Whether others can reach this address: IPv6 has some that mean another machine on every cable."""
+    bound_to_a_cable = address.version == 6 and address.is_link_local
+    return not (address.is_loopback or address.is_unspecified or bound_to_a_cable)
 
 
 def _url(host: str, port: int) -> str:

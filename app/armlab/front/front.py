@@ -16,6 +16,7 @@ from armlab.front.limits import Limits, Meter
 from armlab.front.page import Page
 from armlab.front.relay import relay
 from armlab.front.tokens import Tokens
+from armlab.front.wishes import Wishes
 
 HEADERS = {
     "Cache-Control": "no-store",  # a cached page of another viser version cannot talk to this one
@@ -61,11 +62,12 @@ class Front:
         self._labs, self._hosts = list(labs), hosts
         self._limits = limits or Limits()
         self._meters: dict[str, Meter] = {}
-        self._wishes: dict[str, str] = {}
+        self._wishes = Wishes()
         self._open: Counter[str] = Counter()
         self._sockets: weakref.WeakSet[web.WebSocketResponse] = weakref.WeakSet()
         self.app = web.Application(client_max_size=64 << 10)
         self.app.cleanup_ctx.append(self._with_client)
+        self.app.on_response_prepare.append(_protect)
         self.app.on_shutdown.append(self._say_goodbye)
         self.app.router.add_get("/", self._visit)
         self.app.router.add_get("/robot/{name}", self._visit)
@@ -101,14 +103,14 @@ class Front:
     async def _serve_page(self, request: web.Request) -> web.Response:
         if any(name in request.query for name in FOREIGN):
             kept = {key: value for key, value in request.query.items() if key not in FOREIGN}
-            raise web.HTTPFound(request.rel_url.with_query(kept), headers=HEADERS)
+            raise web.HTTPFound(request.rel_url.with_query(kept))
         sockets = f"ws://{request.host} wss://{request.host}" if HOST.match(request.host) else "'self'"
         compressed = "gzip" in request.headers.get("Accept-Encoding", "")
         response = web.Response(
             body=self._page.compressed if compressed else self._page.html,
             content_type="text/html",
             charset="utf-8",
-            headers=HEADERS | {"Content-Security-Policy": self._page.policy(sockets)},
+            headers={"Content-Security-Policy": self._page.policy(sockets)},
         )
         if compressed:
             response.headers["Content-Encoding"] = "gzip"
@@ -122,7 +124,7 @@ class Front:
             )
         if token is not None and "name" in request.match_info:
             # A wish belongs to the loading of a page, not to the socket: a reconnect must not repeat it.
-            self._wishes[token] = request.path.strip("/")
+            self._wishes.put(token, request.path.strip("/"))
         return response
 
     async def _serve_socket(self, request: web.Request) -> web.StreamResponse:
@@ -133,7 +135,7 @@ class Front:
         if self._open[token] >= self._limits.sockets_each or self._open.total() >= self._limits.sockets:
             return _text(429, "Too many connections.")
         headers = {"X-Armlab-Token": token, "X-Armlab-Secret": self._secret}
-        wish = self._wishes.pop(token, None)
+        wish = self._wishes.take(token)
         if wish is not None:
             headers["X-Armlab-Wish"] = wish
         self._open[token] += 1
@@ -149,7 +151,7 @@ class Front:
         except (aiohttp.ClientError, OSError):
             self._release(token)
             if wish is not None:
-                self._wishes[token] = wish
+                self._wishes.put(token, wish)
             return _text(503, "The lab is starting.")
         try:
             browser = web.WebSocketResponse(
@@ -185,4 +187,9 @@ def _bare(host: str) -> str:
 
 
 def _text(status: int, text: str) -> web.Response:
-    return web.Response(status=status, text=text, headers=HEADERS)
+    return web.Response(status=status, text=text)
+
+
+async def _protect(_request: web.Request, response: web.StreamResponse) -> None:
+    """Give every answer the safety headers, also those that aiohttp makes itself."""
+    response.headers.update(HEADERS)

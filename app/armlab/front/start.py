@@ -5,9 +5,10 @@ from __future__ import annotations
 import asyncio
 import errno
 import secrets
+import socket
 import sys
 import threading
-from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
 from armlab.front.addresses import served_names
 from armlab.front.front import Front
+from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
 from armlab.front.processes import LabProcesses
 from armlab.front.tokens import Tokens, kept_secret
@@ -57,13 +59,13 @@ class Settings:
 class Running:
     """A lab that is open."""
 
-    def __init__(self, port: int, stop: Callable[[], None]) -> None:
+    def __init__(self, port: int, opened: ExitStack) -> None:
         self.port = port
-        self._stop = stop
+        self._opened = opened
 
     def stop(self) -> None:
         """Close all pages' connections, save, and end."""
-        self._stop()
+        self._opened.close()
 
 
 def start(settings: Settings) -> Running:
@@ -73,29 +75,47 @@ def start(settings: Settings) -> Running:
     ------
     StartError
         The port is in use, or the folder cannot be written.
+    FolderInUse
+        Another lab keeps its students there.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
-    secret = secrets.token_urlsafe(24)
+    with ExitStack() as opened:
+        tokens = _tokens(settings.folder, opened)
+        secret = secrets.token_urlsafe(24)
+        labs = _open_labs(settings, secret, opened)
+        front = Front(make_page(), tokens, secret, labs, served_names(settings.host))
+        port = _open_front(front, settings, opened)
+        # All is well: what was opened stays open until `Running.stop`.
+        return Running(port, opened.pop_all())
+
+
+def _tokens(folder: Path | None, opened: ExitStack) -> Tokens:
+    """Take the folder for this lab alone, labs of a class included, and read its secret."""
     try:
-        tokens = Tokens(kept_secret(settings.folder))
+        if folder is not None:
+            opened.callback(FolderLock(folder).release)
+        return Tokens(kept_secret(folder))
     except OSError as error:
         raise StartError(f"cannot keep students' work in {error.filename}: {error.strerror}; use --state DIR") from None
+
+
+def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> list[int]:
+    """Open the labs on loopback; return their ports."""
     sessions = settings.folder / "sessions" if settings.folder is not None else None
     if settings.labs:
         processes = LabProcesses(settings.labs, settings.opening, sessions, secret)
-        return _with_front(settings, tokens, secret, processes.ports, processes.stop)
+        opened.callback(processes.stop)
+        return processes.ports
     # Imported here: the front of a class does not need viser in its own process.
     from armlab.ui.lab import Lab
 
     lab = Lab(catalogue()[settings.opening], sessions, secret)
-    return _with_front(settings, tokens, secret, [lab.port], lab.stop)
+    opened.callback(lab.stop)
+    return [lab.port]
 
 
-def _with_front(
-    settings: Settings, tokens: Tokens, secret: str, labs: list[int], stop_labs: Callable[[], None]
-) -> Running:
-    """Open the front in a thread of its own."""
-    front = Front(make_page(), tokens, secret, labs, served_names(settings.host))
+def _open_front(front: Front, settings: Settings, opened: ExitStack) -> int:
+    """Open the front in a thread of its own; return its port."""
     loop = asyncio.new_event_loop()
     thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-front")
     thread.start()
@@ -104,36 +124,34 @@ def _with_front(
         loop.call_soon_threadsafe(loop.stop)
         thread.join(2.0)
         loop.close()
-        stop_labs()
 
-    try:
-        runner, port = asyncio.run_coroutine_threadsafe(_listen(front, settings), loop).result()
-    except BaseException:
-        end()
-        raise
-
-    def stop() -> None:
-        asyncio.run_coroutine_threadsafe(runner.cleanup(), loop).result(5.0)
-        end()
-
-    return Running(port, stop)
+    opened.callback(end)
+    runner, port = asyncio.run_coroutine_threadsafe(_listen(front, settings), loop).result()
+    opened.callback(lambda: asyncio.run_coroutine_threadsafe(runner.cleanup(), loop).result(5.0))
+    return port
 
 
 async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]:
     runner = web.AppRunner(front.app, access_log=None, handle_signals=False, shutdown_timeout=1.0)
     await runner.setup()
     for port in settings.ports:
-        site = web.TCPSite(runner, settings.host, port, backlog=256)
         try:
-            await site.start()
+            await _site(runner, settings.host, port).start()
         except OSError as error:
             if error.errno in (errno.EADDRINUSE, errno.EACCES) and port != settings.ports[-1]:
-                await site.stop()
                 continue
             await runner.cleanup()
             raise StartError(_why(error, settings, port)) from None
         return runner, int(runner.addresses[-1][1])
     raise StartError("no port to try")
+
+
+def _site(runner: web.AppRunner, host: str, port: int) -> web.BaseSite:
+    if host != "::":
+        return web.TCPSite(runner, host, port, backlog=256)
+    # asyncio would leave IPv4 out, and with it the addresses people in the room can type.
+    everywhere = socket.create_server(("::", port), family=socket.AF_INET6, backlog=256, dualstack_ipv6=True)
+    return web.SockSite(runner, everywhere, backlog=256)
 
 
 def _why(error: OSError, settings: Settings, port: int) -> str:

@@ -6,7 +6,10 @@ import hashlib
 import hmac
 import os
 import secrets
+import tempfile
 from pathlib import Path
+
+SECRET_BYTES = 32
 
 
 class Tokens:
@@ -39,16 +42,30 @@ class Tokens:
 
 
 def kept_secret(folder: Path | None) -> bytes:
-    """Return the secret of a folder, made on first use and readable by its owner only; without a folder a new one."""
+    """Return the secret of a folder, made on first use and readable by its owner only; without a folder a new one.
+
+    One that is too short was cut off or made by hand; cookies could be forged with it, so it is replaced.
+    """
+    fresh = secrets.token_bytes(SECRET_BYTES)
     if folder is None:
-        return secrets.token_bytes(32)
+        return fresh
     folder.mkdir(parents=True, exist_ok=True, mode=0o700)
     path = folder / "secret"
+    if path.exists() and len(kept := path.read_bytes()) >= SECRET_BYTES:
+        return kept
+    _write_whole(path, fresh)
+    return fresh
+
+
+def _write_whole(path: Path, data: bytes) -> None:
+    """Put a file in its place only when all of it is on the disk."""
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".writing-")
     try:
-        handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-    except FileExistsError:
-        return path.read_bytes()
-    with os.fdopen(handle, "wb") as file:
-        secret = secrets.token_bytes(32)
-        file.write(secret)
-    return secret
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise

@@ -11,7 +11,8 @@ import threading
 from pathlib import Path
 
 from armlab.content.robots import Robot, catalogue
-from armlab.errors import ArmlabError
+from armlab.errors import InputError
+from armlab.session.parts.joints import Joints
 from armlab.session.session import Session
 from armlab.session.state import Json, State
 
@@ -35,7 +36,8 @@ class Store:
         self._folder, self.opening = folder, opening
         self._live: dict[str, Session] = {}
         self._saved: dict[str, State] = {}
-        self._lock = threading.Lock()
+        self._failing: dict[str, str] = {}
+        self._lock, self._saving = threading.Lock(), threading.Lock()
         if folder is not None:
             folder.mkdir(parents=True, exist_ok=True, mode=0o700)
 
@@ -47,18 +49,30 @@ class Store:
             return self._live[token]
 
     def save(self) -> int:
-        """Write the sessions whose state has changed since the last time; return how many.
+        """Write the sessions whose state has changed since the last time; return how many were written.
 
-        Each file is replaced as a whole, so a crash leaves the old or the new one, never a half.
+        Each file is replaced as a whole, so a crash leaves the old or the new one, never a half. One that cannot be
+        written is tried again the next time and holds up no other.
         """
         if self._folder is None:
             return 0
-        with self._lock:
-            changed = [(t, s.state) for t, s in self._live.items() if self._saved.get(t) is not s.state]
-        for token, state in changed:
+        with self._saving:  # an older state must not be written over a newer one
+            with self._lock:
+                changed = [(t, s.state) for t, s in self._live.items() if self._saved.get(t) is not s.state]
+            return sum([self._save_one(token, state) for token, state in changed])
+
+    def _save_one(self, token: str, state: State) -> bool:
+        try:
             self._write(token, {"format": FORMAT, "parts": state.to_json()})
-            self._saved[token] = state
-        return len(changed)
+        except Exception as error:
+            # A full disk fails for everybody every second: the log needs to hear of it once.
+            if repr(error) not in self._failing.values():
+                log.exception("a session cannot be saved")
+            self._failing[token] = repr(error)
+            return False
+        self._failing.pop(token, None)
+        self._saved[token] = state
+        return True
 
     def _path(self, token: str) -> Path:
         """Return the file of a token, which never becomes a file name itself."""
@@ -67,9 +81,13 @@ class Store:
 
     def _write(self, token: str, data: Json) -> None:
         handle, temporary = tempfile.mkstemp(dir=self._folder, prefix=".writing-")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            json.dump(data, file)
-        os.replace(temporary, self._path(token))
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as file:
+                json.dump(data, file)
+            os.replace(temporary, self._path(token))
+        except BaseException:
+            Path(temporary).unlink(missing_ok=True)
+            raise
 
     def _load(self, token: str) -> Session:
         session = Session.fresh(token, self.opening)
@@ -77,18 +95,15 @@ class Store:
         if self._folder is None:
             return session
         try:
-            text = self._path(token).read_text(encoding="utf-8")
+            session.state = self._saved[token] = state_from_text(self._path(token).read_text(encoding="utf-8"))
         except FileNotFoundError:
             return session
-        except OSError as error:
-            log.warning("a saved session cannot be read: %s", error)
-            session.tell("Your saved work could not be read; this is a fresh start.")
-            return session
-        try:
-            session.state = self._saved[token] = state_from_text(text)
-        except (ArmlabError, ValueError, KeyError, TypeError, IndexError, StopIteration) as error:
+        except Exception as error:
+            # Nobody can list what a damaged file may raise, and it must not keep its student out.
             log.warning("a saved session is not usable: %r", error)
-            session.tell("Your saved work does not fit this version of the lab; this is a fresh start.")
+            session.tell(
+                "Your saved work cannot be read or does not fit this version of the lab; this is a fresh start."
+            )
         return session
 
 
@@ -98,4 +113,7 @@ def state_from_text(text: str) -> State:
     if data["format"] != FORMAT:
         raise ValueError(f"format {data['format']}, expected {FORMAT}")
     parts = data["parts"]
-    return State.from_json(parts, catalogue()[parts["robot"]])
+    state = State.from_json(parts, catalogue()[parts["robot"]])
+    if state[Joints].draws < 0:
+        raise InputError(f"draws: expected 0 or more, got {state[Joints].draws}")
+    return state
