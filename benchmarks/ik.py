@@ -10,7 +10,7 @@ import peers
 from armlab.kin import ik
 
 TITLE = "Inverse kinematics: one solution, 1000 random poses, error below 1e-6 m and rad, inside the limits"
-ARMS = ("puma560", "ur10", "panda")
+ARMS = ("puma560", "ur10e", "panda", "iiwa7")
 POSES, POSES_OF_A_LOOP = 1000, 100
 
 
