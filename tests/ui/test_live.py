@@ -7,33 +7,12 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from support.fake_browser import FakeBrowser, cookie_of
+from support.fake_browser import cookie_of
 from support.lab import open_lab, running_lab
+from support.student import arm_nodes, run, student
 
 PUMA = catalogue()["puma560"]
 HAND = np.array(PUMA.arm.position(PUMA.home))
-
-
-@pytest.fixture(scope="module")
-def url():
-    with running_lab() as address:
-        yield address
-
-
-def run(main):
-    return asyncio.run(asyncio.wait_for(main, 60.0))
-
-
-async def student(url, cookie=None, path="/"):
-    """Open the page and wait for the arm."""
-    browser = FakeBrowser(url, cookie or cookie_of(url + path.lstrip("/")), path)
-    await browser.connect()
-    await browser.until(lambda: "wxyz" in browser.nodes.get("/target", {}) and bool(arm_nodes(browser)))
-    return browser
-
-
-def arm_nodes(browser):
-    return sorted(name for name in browser.nodes if "/arm/" in name and name.rsplit("/", 1)[1].isdigit())
 
 
 def slider_values(browser):

@@ -3,29 +3,11 @@
 import asyncio
 import time
 
-import pytest
-
 from armlab.session.session import Session
 from armlab.ui import lab as lab_module
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
-
-
-@pytest.fixture(scope="module")
-def url():
-    with running_lab() as address:
-        yield address
-
-
-def run(main):
-    return asyncio.run(asyncio.wait_for(main, 60.0))
-
-
-async def student(url, cookie=None, path="/"):
-    browser = FakeBrowser(url, cookie or cookie_of(url), path)
-    await browser.connect()
-    await browser.until(lambda: "wxyz" in browser.nodes.get("/target", {}) and 'data-cell="undo"' in browser.html())
-    return browser
+from support.student import run, student
 
 
 def steps(browser):

@@ -1,0 +1,32 @@
+"""A student without pictures, at a lab that runs."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Coroutine
+
+from support.fake_browser import FakeBrowser, cookie_of
+
+
+def run(main: Coroutine[object, object, None]) -> None:
+    """Run the story of a test, for a minute at most."""
+    asyncio.run(asyncio.wait_for(main, 60.0))
+
+
+async def student(url: str, cookie: str | None = None, path: str = "/") -> FakeBrowser:
+    """Open the page and wait for arm, handle and panels."""
+    browser = FakeBrowser(url, cookie or cookie_of(url + path.lstrip("/")), path)
+    await browser.connect()
+    await browser.until(lambda: is_open(browser))
+    return browser
+
+
+def is_open(browser: FakeBrowser) -> bool:
+    """Return whether arm, handle and panels are there."""
+    handle = "wxyz" in browser.nodes.get("/target", {})
+    return handle and bool(arm_nodes(browser)) and 'data-cell="undo"' in browser.html()
+
+
+def arm_nodes(browser: FakeBrowser) -> list[str]:
+    """Return the nodes of the joints, from the base on."""
+    return sorted(name for name in browser.nodes if "/arm/" in name and name.rsplit("/", 1)[1].isdigit())
