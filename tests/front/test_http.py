@@ -14,6 +14,7 @@ from armlab.front.lock import FolderInUse
 from armlab.front.start import Settings, StartError, start
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
+from support.student import run
 
 
 @pytest.fixture(scope="module")
@@ -143,12 +144,12 @@ async def opened(url, headers, protocol=None):
 def test_who_may_open_a_socket(url, change, status):
     headers = {"Cookie": cookie_of(url), "Origin": url.rstrip("/")} | change
     headers = {name: value for name, value in headers.items() if value is not None}
-    assert asyncio.run(opened(url, headers)) == status
+    assert run(opened(url, headers)) == status
 
 
 def test_another_protocol_is_refused(url):
     headers = {"Cookie": cookie_of(url), "Origin": url.rstrip("/")}
-    assert asyncio.run(opened(url, headers, "chat")) == 401
+    assert run(opened(url, headers, "chat")) == 401
 
 
 def test_a_browser_has_a_handful_of_sockets(url):
@@ -160,7 +161,7 @@ def test_a_browser_has_a_handful_of_sockets(url):
         await asyncio.gather(*(browser.close() for browser in browsers))
         return status
 
-    assert asyncio.run(main()) == 429
+    assert run(main()) == 429
 
 
 @pytest.mark.parametrize(
@@ -182,7 +183,7 @@ def test_what_is_no_message_closes_only_that_socket(url, data, codes):
         await good.close()
         await bad.close()
 
-    asyncio.run(main())
+    run(main())
 
 
 def test_a_flood_of_one_leaves_others_in_peace(url):
@@ -209,7 +210,7 @@ def test_a_flood_of_one_leaves_others_in_peace(url):
         await other.close()
         await flooder.close()
 
-    asyncio.run(main())
+    run(main())
 
 
 @pytest.fixture
@@ -240,7 +241,7 @@ def test_the_lab_itself_is_only_on_loopback_and_refuses_strangers(bound):
         assert not stranger.controls
         await stranger.close()
 
-    asyncio.run(main())
+    run(main())
     lab.stop()
     assert bound == [("127.0.0.1", lab.port)]
 

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Coroutine
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, TypeVar
 
 from support.fake_browser import FakeBrowser, cookie_of
 
+Result = TypeVar("Result")
 
-def run(main: Coroutine[object, object, None]) -> None:
-    """Run the story of a test, for a minute at most."""
-    asyncio.run(asyncio.wait_for(main, 60.0))
+
+def run(main: Coroutine[Any, Any, Result]) -> Result:
+    """Run the story of a test, for a minute at most, in a thread of its own.
+
+    While a browser test's Playwright is open, its event loop occupies the thread of the tests.
+    """
+    with ThreadPoolExecutor(1) as own:
+        return own.submit(lambda: asyncio.run(asyncio.wait_for(main, 60.0))).result()
 
 
 async def student(url: str, cookie: str | None = None, path: str = "/") -> FakeBrowser:

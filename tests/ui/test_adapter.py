@@ -10,6 +10,7 @@ from viser import _messages
 from armlab.errors import InputError
 from armlab.ui import adapter
 from support.fake_browser import FakeBrowser
+from support.student import run
 
 
 class Bare:
@@ -51,7 +52,7 @@ class Bare:
             await work(browser, do)
             await browser.close()
 
-        asyncio.run(main())
+        run(main())
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable
 
 import numpy as np
 import viser
@@ -29,10 +30,17 @@ SETTLING = 4.0
 
 
 class Camera:
-    """The camera of one browser."""
+    """The camera of one browser.
 
-    def __init__(self, client: viser.ClientHandle) -> None:
-        self._client = client
+    Parameters
+    ----------
+    client : viser.ClientHandle
+    pose : callable
+        Returns the present joint values.
+    """
+
+    def __init__(self, client: viser.ClientHandle, pose: Callable[[], NDArray[np.float64]]) -> None:
+        self._client, self._pose = client, pose
         self._robot: Robot | None = None
         self._figure: Figure | None = None
         self._aspect, self._began = 0.0, time.monotonic()
@@ -50,12 +58,12 @@ class Camera:
         self.look_from("Home")
 
     def look_from(self, preset: str) -> None:
-        """Look from one of the `PRESETS`, with the whole arm in its home pose in the picture."""
+        """Look from one of the `PRESETS`, with the whole arm in the picture, at home and as it is now."""
         if self._robot is None or self._figure is None:
             return
         home = self._robot.camera
         azimuth, elevation = PRESETS[preset] or (home.azimuth_deg, home.elevation_deg)
-        bounds = self._figure.bounds(self._robot.home)
+        bounds = self._bounds(self._robot, self._figure)
         middle = bounds.mean(axis=0)
         radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
         camera = self._client.camera
@@ -67,6 +75,13 @@ class Camera:
         camera.look_at = middle
         camera.position = middle + distance * _direction(math.radians(azimuth), math.radians(elevation))
         camera.look_at = middle
+
+    def _bounds(self, robot: Robot, figure: Figure) -> NDArray[np.float64]:
+        """Return the corners (2, 3) of a box around the arm at home and as it is now."""
+        boxes = [figure.bounds(robot.home)]
+        if len(self._pose()) == robot.arm.n:  # while another arm is being fetched its pose is there already
+            boxes.append(figure.bounds(self._pose()))
+        return np.array([np.min(boxes, axis=(0, 1)), np.max(boxes, axis=(0, 1))])
 
 
 def _direction(azimuth: float, elevation: float) -> NDArray[np.float64]:

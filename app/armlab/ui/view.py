@@ -46,7 +46,7 @@ class View:
         self, client: viser.ClientHandle, session: Session, gallery: Gallery, post: Callable[[Command], None]
     ) -> None:
         self.client, self.session, self.post = client, session, post
-        self.camera = Camera(client)
+        self.camera = Camera(client, lambda: session.state[Joints].q)
         self._gallery = gallery
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
