@@ -145,12 +145,7 @@ class Lab:
 
     def _keep_saving(self) -> None:
         while not self._stopped.wait(SAVE_INTERVAL):
-            try:
-                self.store.save()
-            except OSError as error:
-                log.warning("sessions cannot be saved: %s", error)
-            except Exception:
-                log.exception("sessions cannot be saved")  # and are tried again: this thread must live
+            self.store.save()
 
 
 __all__ = ["Lab"]
