@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources.abc import Traversable
 
@@ -16,8 +16,8 @@ from armlab import resources
 from armlab.content.reader import Table, joint_values
 from armlab.errors import ContentError, InputError, UnknownName
 from armlab.kin.arm import MAX_JOINTS, Arm
-from armlab.kin.dh import CONVENTIONS, Row
-from armlab.kin.rotations import rotation_from_sequence
+from armlab.kin.dh import CONVENTIONS, Row, common_normals
+from armlab.kin.rotations import is_rotation, rotation_from_sequence
 from armlab.kin.task import NAMED
 from armlab.kin.transforms import transform
 
@@ -67,6 +67,9 @@ class Camera:
     distance: float
 
 
+DEFAULT_CAMERA = Camera(-50.0, 22.0, 1.0)
+
+
 @dataclass(frozen=True, eq=False)
 class Robot:
     """A robot file.
@@ -99,8 +102,17 @@ class Robot:
         return next(iter(self.poses.values()))
 
 
-def parse_robot(key: str, text: str, file: str | None = None) -> Robot:
+def parse_robot(key: str, text: str, file: str | None = None, *, proven: bool = True) -> Robot:
     """Read the text of a robot file.
+
+    Parameters
+    ----------
+    key, text : str
+    file : str, optional
+        Its name in messages.
+    proven : bool
+        Whether expected poses must prove the table. A student's own arm may come without any; it may come without
+        named poses, too, and then stands with every joint at 0 or at the limit nearest to it.
 
     Raises
     ------
@@ -122,7 +134,7 @@ def parse_robot(key: str, text: str, file: str | None = None) -> Robot:
     joints = top.tables("joints")
     if not 1 <= len(joints) <= MAX_JOINTS:
         raise top.fail("joints", f"expected 1 to {MAX_JOINTS} tables [[joints]], got {len(joints)}")
-    base, tool = _pose(top.table("base")), _pose(top.table("tool"))
+    base, tool = read_pose(top.table("base")), read_pose(top.table("tool"))
     rows, limits, speeds, accelerations = zip(*map(_joint, joints), strict=True)
     try:
         arm = Arm.from_dh(rows, convention, base, tool, limits, speeds, accelerations, task, name)
@@ -136,11 +148,11 @@ def parse_robot(key: str, text: str, file: str | None = None) -> Robot:
         summary=summary,
         source=source,
         arm=arm,
-        poses=dict(_named_poses(top, arm, kinds)),
+        poses=dict(_named_poses(top, arm, kinds, required=proven)) or {"home": _rest(arm)},
         expected=tuple(_expected(table, kinds) for table in top.tables("expected")),
         camera=_camera(top.table("camera"), arm),
     )
-    if len(robot.expected) < 2:
+    if proven and len(robot.expected) < 2:
         raise top.fail("expected", f"give at least two poses that prove the table, got {len(robot.expected)}")
     top.done()
     return robot
@@ -170,11 +182,25 @@ def _joint(table: Table) -> tuple[Row, tuple[float, float], float, float]:
     return row, (float(low) * factor, float(high) * factor), bounds[0], bounds[1]
 
 
-def _pose(table: Table | None) -> NDArray[np.float64]:
-    """Read ``position`` in metres and ``rpy_deg``: roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll)."""
+def read_pose(table: Table | None) -> NDArray[np.float64]:
+    """Read ``position`` in metres and ``rpy_deg``: roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll).
+
+    Three rows ``rotation`` may stand in place of the angles.
+
+    Returns
+    -------
+    ndarray, shape (4, 4)
+        The identity without a table.
+    """
     if table is None:
         return np.eye(4)
     position = table.numbers("position", 3, [0.0, 0.0, 0.0])
+    if table.has("rotation"):
+        R = table.matrix("rotation")
+        if not is_rotation(R):
+            raise table.fail("rotation", "expected a rotation matrix: orthonormal, determinant +1, within 1e-6")
+        table.done()
+        return np.array(transform(R, position), dtype=np.float64)
     roll_pitch_yaw = np.radians(table.numbers("rpy_deg", 3, [0.0, 0.0, 0.0]))
     table.done()
     pose = np.array(transform(rotation_from_sequence("xyz", roll_pitch_yaw, fixed=True), position), dtype=np.float64)
@@ -184,9 +210,16 @@ def _pose(table: Table | None) -> NDArray[np.float64]:
     return pose
 
 
-def _named_poses(top: Table, arm: Arm, kinds: str) -> Iterable[tuple[str, NDArray[np.float64]]]:
+def _rest(arm: Arm) -> NDArray[np.float64]:
+    """Return every joint at 0, or at the limit nearest to it."""
+    q = np.array(arm.clip(np.zeros(arm.n)), dtype=np.float64)
+    q.setflags(write=False)
+    return q
+
+
+def _named_poses(top: Table, arm: Arm, kinds: str, *, required: bool) -> Iterable[tuple[str, NDArray[np.float64]]]:
     tables = top.tables("poses")
-    if not tables:
+    if required and not tables:
         raise top.fail("poses", "give at least one named pose [[poses]]; the arm opens in the first")
     names = set(TAKEN)
     for table in tables:
@@ -221,10 +254,55 @@ def _expected(table: Table, kinds: str) -> Expected:
 
 def _camera(table: Table | None, arm: Arm) -> Camera:
     if table is None:
-        return Camera(-50.0, 22.0, 1.0)
+        return DEFAULT_CAMERA
     camera = Camera(table.number("azimuth_deg"), table.number("elevation_deg"), table.number("distance", 1.0))
     table.done()
     return camera
+
+
+OWN = "own"
+"""The key of an arm that was edited on screen."""
+
+
+def own_robot(arm: Arm, name: str, like: Robot | None = None) -> Robot:
+    """Return the robot of an arm that was edited on screen.
+
+    Parameters
+    ----------
+    arm : Arm
+    name : str
+        "My arm" when empty.
+    like : Robot, optional
+        What it was made from: gives the camera and those named poses that still fit, with the same joint types and
+        inside the limits. Without any the only pose is "home", every joint at 0 or at the limit nearest to it.
+    """
+    name = name.strip() or "My arm"
+    poses: dict[str, NDArray[np.float64]] = {}
+    if like is not None and np.array_equal(like.arm.revolute, arm.revolute):
+        poses = {pose: q for pose, q in like.poses.items() if arm.within_limits(q)}
+    return Robot(
+        key=OWN,
+        name=name,
+        family=family_of(arm),
+        summary="An arm of your own.",
+        source="Edited on screen.",
+        arm=arm if arm.name == name else replace(arm, name=name),
+        poses=poses or {"home": _rest(arm)},
+        expected=(),
+        camera=like.camera if like is not None else DEFAULT_CAMERA,
+    )
+
+
+def family_of(arm: Arm) -> str:
+    """Return the family an arm belongs to by its structure."""
+    planar, spatial, sliding, six, more = FAMILIES
+    if not arm.revolute.all():
+        return sliding
+    if arm.n >= 6:
+        return six if arm.n == 6 else more
+    between = common_normals(arm.rows, arm.convention)[1 : arm.n]
+    # Revolute axes are parallel when no link between two of them has a twist.
+    return planar if all(abs(np.sin(alpha)) < 1e-9 for _, alpha in between) else spatial
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,1 @@
+"""One file a kind of check; each holds a constant ``CHECK``."""

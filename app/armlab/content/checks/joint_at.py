@@ -1,0 +1,61 @@
+"""One joint has a value."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from armlab.content.check import CheckType, degrees, metres, tolerance, turn_between
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True)
+class JointAt:
+    """Joint ``number`` (from 1) is at ``value`` within a tolerance: rad, up to whole turns, or m."""
+
+    number: int
+    value: float
+    within: float
+    revolute: bool
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether the joint is within the tolerance."""
+        return abs(self._missing(observation)) <= self.within
+
+    def says(self, observation: Observation) -> str:
+        """Return what the joint is at and what it should be; names a wrong sign."""
+        written = degrees if self.revolute else metres
+        now = float(observation.q[self.number - 1])
+        if self.is_met(observation):
+            return f"Joint {self.number} is where it should be."
+        mistake = ""
+        if abs(now + self.value) <= self.within:
+            sign = ": positive angles turn counter-clockwise about the joint's axis" if self.revolute else ""
+            mistake = f" The sign is wrong{sign}."
+        return f"Joint {self.number} is at {written(now)} and should be at {written(self.value)}.{mistake}"
+
+    def _missing(self, observation: Observation) -> float:
+        now = float(observation.q[self.number - 1])
+        return turn_between(now, self.value) if self.revolute else self.value - now
+
+
+def read(table: Table, robot: Robot) -> JointAt:
+    """Read ``joint`` (from 1), ``value_deg`` or ``value_m``, and ``tolerance_deg`` or ``tolerance_m``."""
+    number = table.number("joint")
+    if number not in range(1, robot.arm.n + 1):
+        raise table.fail("joint", f"expected a joint from 1 to {robot.arm.n}, got {number:g}")
+    i = int(number) - 1
+    revolute = bool(robot.arm.revolute[i])
+    unit, factor = ("deg", math.pi / 180) if revolute else ("m", 1.0)
+    value, within = table.number(f"value_{unit}") * factor, tolerance(table, f"tolerance_{unit}") * factor
+    low, high = robot.arm.limits[i]
+    if not low - within <= value <= high + within:
+        raise table.fail(
+            f"value_{unit}", f"outside the limits of joint {i + 1}: {low / factor:g} to {high / factor:g} {unit}"
+        )
+    return JointAt(i + 1, value, within, revolute)
+
+
+CHECK = CheckType("joint_at", 20, read)

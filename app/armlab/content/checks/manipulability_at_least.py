@@ -1,0 +1,40 @@
+"""The manipulability is large enough."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.content.check import CheckType, tolerance
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True)
+class ManipulabilityAtLeast:
+    """The manipulability of the arm's task is at least a value (its unit depends on the arm)."""
+
+    value: float
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether it is."""
+        return self._of(observation) >= self.value
+
+    def says(self, observation: Observation) -> str:
+        """Return what it is and what it should be; names a singularity."""
+        now = self._of(observation)
+        if now >= self.value:
+            return "The manipulability is large enough."
+        singular = " The arm is singular here." if now < 1e-6 * self.value else ""
+        return f"The manipulability is {now:.3f} and should be at least {self.value:.3f}.{singular}"
+
+    def _of(self, observation: Observation) -> float:
+        return float(observation.arm.manipulability(observation.q))
+
+
+def read(table: Table, robot: Robot) -> ManipulabilityAtLeast:
+    """Read ``value``."""
+    return ManipulabilityAtLeast(tolerance(table, "value"))
+
+
+CHECK = CheckType("manipulability_at_least", 30, read)

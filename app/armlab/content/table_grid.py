@@ -1,0 +1,156 @@
+"""Split a pasted table into cells, whatever it was pasted from."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import dataclass
+
+from armlab.errors import InputError
+
+LONGEST = 20_000
+"""Characters; twelve joints need a tenth of it."""
+
+_BARS = re.compile(r"[│┃║|]")
+_RULE = re.compile(r"[\s│┃║|─━═┄┌┐└┘├┤┬┴┼╔╗╚╝╠╣╦╩╬╒╕╘╛╞╡╤╧╪+:=_-]+")
+_ENVIRONMENT = re.compile(r"\\begin\s*\{(tabular[x*]?|array|[bBpvV]?matrix|smallmatrix|longtable)\}")
+_LATEX_RULES = re.compile(
+    r"\\(?:hline|toprule|midrule|bottomrule|addlinespace|centering|endhead|endfirsthead)(?![a-zA-Z])(?:\[[^\]]*\])?"
+    r"|\\(?:cline|cmidrule)(?:\([a-z]*\))?\s*\{[^}]*\}"
+)
+_OWN_PRINT = re.compile(r"^\s*joint\s+a(\(i-1\))?, m\s", re.MULTILINE)
+_AFTER_OWN_PRINT = re.compile(r"(base|tool|task): ")
+_SAID = re.compile(r"\b(standard|modified)\s+(?:DH|convention|Denavit)", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Grid:
+    """The cells of a table.
+
+    Attributes
+    ----------
+    lines : tuple of tuple of str
+        As written, without blanks around.
+    decimal_comma : bool
+        Whether a comma may be a decimal one because something else separates the cells.
+    said : str
+        ``"standard"`` or ``"modified"`` when a title says so, else empty.
+    left_out : str
+        What stood beside the table and is not read, in words.
+    """
+
+    lines: tuple[tuple[str, ...], ...]
+    decimal_comma: bool = False
+    said: str = ""
+    left_out: str = ""
+
+
+def read_grid(text: str) -> Grid:
+    """Return the cells of the first table in a text.
+
+    Raises
+    ------
+    InputError
+        There is none.
+    """
+    if len(text) > LONGEST:
+        raise InputError(f"the table: expected at most {LONGEST} characters, got {len(text)}")
+    text = text.replace("\r\n", "\n").replace("\r", "\n").strip("\n\ufeff ")
+    if not text.strip():
+        raise InputError("the table: expected one row for each joint, got nothing")
+    found = _SAID.search(text)
+    said = found[1].lower() if found else ""
+    if _ENVIRONMENT.search(text) or ("&" in text and "\\\\" in text):
+        return Grid(_latex(text), True, said)
+    if _OWN_PRINT.search(text):
+        return _own_print(text, said)
+    if text.startswith("["):  # a list of lists of Python, or a matrix of MATLAB
+        text = re.sub(r"\]\s*,?|;", "\n", text).replace("[", "")
+    content = [line for line in text.split("\n") if line.strip() and not line.lstrip().startswith(("#", "%"))]
+    if sum(len(_BARS.findall(line)) >= 2 for line in content) >= 2 or any(line.count("|") >= 3 for line in content):
+        return Grid(_bars(text), True, said)
+    for separator in ("\t", ";", ","):
+        if sum(separator in line for line in content) > len(content) / 2:
+            return Grid(_separated(content, separator), separator != ",", said)
+    return Grid(tuple(_spaced(line) for line in content if not _RULE.fullmatch(line)), True, said)
+
+
+def _bars(text: str) -> tuple[tuple[str, ...], ...]:
+    """Split Markdown and drawn tables; the first block of lines with bars is the table."""
+    lines: list[tuple[str, ...]] = []
+    for line in text.split("\n"):
+        closed = line.lstrip().startswith(("└", "╚", "╘")) or not (_BARS.search(line) or _RULE.fullmatch(line))
+        if lines and (closed or not line.strip()):
+            break
+        if _BARS.search(line) and not _RULE.fullmatch(line):
+            inner = re.sub(r"^[│┃║|]|[│┃║|]$", "", line.strip())
+            lines.append(tuple(cell.strip() for cell in _BARS.split(inner)))
+    return tuple(lines)
+
+
+def _separated(lines: list[str], separator: str) -> tuple[tuple[str, ...], ...]:
+    reader = csv.reader((line for line in lines if separator in line), delimiter=separator, skipinitialspace=True)
+    try:
+        rows = [tuple(cell.strip() for cell in row) for row in reader]
+    except csv.Error as error:
+        raise InputError(f"the table: its quotation marks do not match: {error}") from None
+    # A separator at the end of every line is a habit, not an empty column.
+    if all(len(row) > 1 and row[-1] == "" for row in rows):
+        rows = [row[:-1] for row in rows]
+    return tuple(rows)
+
+
+def _spaced(line: str) -> tuple[str, ...]:
+    """Split at two blanks or more; a line without any, at each blank."""
+    cells = re.split(r"\s{2,}", line.strip())
+    return tuple(cells if len(cells) > 1 else line.split())
+
+
+def _own_print(text: str, said: str) -> Grid:
+    """Split what ``print(arm)`` writes."""
+    lines = text.split("\n")
+    first = next(i for i, line in enumerate(lines) if _OWN_PRINT.match(line + " "))
+    rows, after = [], []
+    for line in lines[first:]:
+        name = _AFTER_OWN_PRINT.match(line.strip())
+        if name:
+            after.append(name[1])
+        elif line.strip():
+            rows.append(_spaced(line))
+    return Grid(tuple(rows), False, said, " and ".join(name for name in after if name != "task"))
+
+
+def _latex(text: str) -> tuple[tuple[str, ...], ...]:
+    body = re.sub(r"(?<!\\)%[^\n]*", "", _environment(text))
+    body = _LATEX_RULES.sub(" ", body.replace(r"\tabularnewline", r"\\"))
+    rows = [row for row in re.split(r"\\\\\*?(?:\s*\[[^\]]*\])?", body) if row.strip()]
+    return tuple(tuple(cell.strip() for cell in re.split(r"(?<!\\)&", row)) for row in rows)
+
+
+def _environment(text: str) -> str:
+    """Return what stands inside the first tabular, array or matrix, without its column types."""
+    begin = _ENVIRONMENT.search(text)
+    if begin is None:
+        return text
+    name, rest = begin[1], text[begin.end() :]
+    end = rest.find(f"\\end{{{name}}}")
+    if end < 0:
+        raise InputError(f"the table: \\begin{{{name}}} has no \\end{{{name}}}")
+    rest = re.sub(r"^\s*\[[^\]]*\]", "", rest[:end])
+    groups = 0 if name.endswith("matrix") else 2 if name in ("tabularx", "tabular*") else 1
+    for _ in range(groups):
+        rest = _without_group(rest)
+    return rest
+
+
+def _without_group(text: str) -> str:
+    """Return text without the group in braces it begins with."""
+    text = text.lstrip()
+    if not text.startswith("{"):
+        return text
+    depth = 0
+    for i, letter in enumerate(text):
+        depth += {"{": 1, "}": -1}.get(letter, 0)
+        if depth == 0:
+            return text[i + 1 :]
+    raise InputError("the table: the braces of its column types do not close")

@@ -1,0 +1,53 @@
+"""Numbers as people write them."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.arithmetic import evaluate, plain_symbols, shortest, shortest_degrees
+from armlab.errors import InputError
+
+H = math.pi / 2
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("-pi/2", -H),
+        ("3pi/4", 3 * math.pi / 4),
+        ("0.5*pi", H),
+        ("2 sqrt(2)", 2 * math.sqrt(2)),
+        ("√(2)/2", math.sqrt(2) / 2),
+        ("½π", H),
+        ("2^-1", 0.5),
+        ("007", 7.0),
+        ("1.5e-3", 0.0015),
+    ],
+)
+def test_arithmetic(text, value):
+    assert evaluate(text) == pytest.approx(value, rel=1e-15, abs=0)
+
+
+@pytest.mark.parametrize("text", ["", "1 2", "1/0", "sqrt(-1)", "1e999", "x", "pi()", "sqrt", "1,2", "(" * 500, "[1]"])
+def test_what_is_not_arithmetic(text):
+    with pytest.raises(InputError, match="expected a number such as"):
+        evaluate(text)
+
+
+def test_signs_of_print_become_those_of_a_keyboard():
+    assert plain_symbols("−½·π, aⱼ₋₁ ≤ 90º") == "-1/2*pi, aj-1 ≤ 90°"
+
+
+def test_degrees_come_back_as_the_same_radians(rng):
+    for value in np.radians(rng.integers(-360, 360, 200)):
+        text = shortest_degrees(float(value))
+        assert len(text) <= 4
+        assert float(np.radians(float(text))) == value
+    for value in rng.uniform(-7, 7, 500):
+        assert math.isclose(float(np.radians(float(shortest_degrees(value)))), value, rel_tol=3e-16)
+
+
+def test_shortest_numbers_come_back_the_same(rng):
+    for value in [0.1, 1e-300, 1e22, -0.0, *rng.uniform(-2, 2, 100)]:
+        assert float(shortest(float(value))) == value

@@ -1,0 +1,129 @@
+"""The kinds of checks a lesson can have."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.lessons import parse_lesson
+from armlab.content.observation import Observation
+from armlab.content.robots import catalogue
+from armlab.errors import ContentError
+
+FRONT = """+++
+title = "A lesson"
+chapter = "1 Introduction"
+teaches = ["S4.0-2R"]
+robot = "planar_2r"
++++
+"""
+STEP = """
+## Do something
+
+Text.
+"""
+
+
+def lesson(body=STEP, front=FRONT):
+    return parse_lesson("made_up", front + body)
+
+
+def check(text):
+    found = lesson(f"{STEP}\n```check\n{text}\n```\n").steps[0].check
+    assert found is not None
+    return found
+
+
+def seen(q_deg, robot="planar_2r"):
+    return Observation.of(catalogue()[robot].arm, np.radians(q_deg))
+
+
+def test_the_tool_at_a_point_names_mistakes():
+    asked = check('kind = "tool_at"\nposition = [1.5, 0.5, 0]\ntolerance_m = 0.01')
+    arm = catalogue()["planar_2r"].arm
+
+    def says(x, y):
+        r = math.hypot(x, y)
+        q2 = math.acos((r * r - 2) / 2)
+        q1 = math.atan2(y, x) - q2 / 2
+        return asked.says(Observation.of(arm, [q1, q2]))
+
+    assert "y has the wrong sign" in says(1.5, -0.5)
+    assert "x has the wrong sign" in says(-1.5, 0.5)
+    assert "the opposite way" in says(-1.5, -0.5)
+    assert "x and y are exchanged" in says(0.5, 1.5)
+    assert says(1.5, 0.3) == (
+        "The tool is 0.200 m away from (1.500, 0.500, 0.000) m: y is 0.300 m and should be 0.500 m."
+    )
+    assert says(1.5, 0.5) == "The tool is where it should be."
+
+
+def test_the_angle_of_the_tool_counts_when_it_is_asked_for():
+    asked = check('kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.02\nphi_deg = 0\ntolerance_deg = 2')
+    assert asked.is_met(seen([90, -90]))
+    assert asked.is_met(seen([90.5, -89.5]))
+    assert not asked.is_met(seen([0, 90]))
+    assert asked.says(seen([0, 90])) == (
+        "The position is right; the angle φ is not: turn the tool 90.0° clockwise."
+    )  # fmt: skip
+    with pytest.raises(ContentError, match="tolerance_deg: expected phi_deg with it"):
+        check('kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\ntolerance_deg = 2')
+
+
+def test_a_joint_at_a_value():
+    asked = check('kind = "joint_at"\njoint = 2\nvalue_deg = 60\ntolerance_deg = 1')
+    assert asked.is_met(seen([10, 60.9]))
+    assert not asked.is_met(seen([60, 58.9]))
+    assert asked.says(seen([60, 10])) == "Joint 2 is at 10.0° and should be at 60.0°."
+    assert asked.says(seen([60, -60])).endswith(
+        "should be at 60.0°. The sign is wrong: positive angles turn counter-clockwise about the joint's axis."
+    )
+    across = check('kind = "joint_at"\njoint = 1\nvalue_deg = 180\ntolerance_deg = 1')
+    assert across.is_met(seen([-179.5, 0]))
+
+
+def test_a_sliding_joint_is_in_metres():
+    text = FRONT.replace("planar_2r", "scara")
+    block = '\n```check\nkind = "joint_at"\njoint = 3\nvalue_m = 0.1\ntolerance_m = 0.005\n```\n'
+    asked = lesson(STEP + block, text).steps[0].check
+    arm = catalogue()["scara"].arm
+    assert asked.is_met(Observation.of(arm, [0, 1, 0.104, 0]))
+    assert asked.says(Observation.of(arm, [0, 1, 0.12, 0])) == "Joint 3 is at 0.120 m and should be at 0.100 m."
+    with pytest.raises(ContentError, match=r"step 1\.check\.value_m: outside the limits of joint 3"):
+        lesson(STEP + block.replace("0.1\n", "9\n"), text)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (
+            'kind = "joint_at"\njoint = 3\nvalue_deg = 0\ntolerance_deg = 1',
+            "joint: expected a joint from 1 to 2, got 3",
+        ),
+        ('kind = "joint_at"\njoint = 1.5\nvalue_deg = 0\ntolerance_deg = 1', "joint: expected a joint from 1 to 2"),
+        ('kind = "joint_at"\njoint = 1\nvalue = 0\ntolerance_deg = 1', "value: the unit belongs into the name"),
+        (
+            'kind = "joint_at"\njoint = 1\nvalue_deg = 200\ntolerance_deg = 1',
+            "value_deg: outside the limits of joint 1",
+        ),
+        ('kind = "manipulability_at_least"\nvalue = 0', "value: expected a positive number, got 0"),
+        ('kind = "manipulability_at_least"\nvalue = 1\nunit = "m"', "unit: unknown key"),
+    ],
+)
+def test_mistakes_in_checks(text, says):
+    with pytest.raises(ContentError, match=f"step 1.check.{says}"):
+        check(text)
+
+
+def test_manipulability_is_sin_q2_for_the_planar_arm():
+    asked = check('kind = "manipulability_at_least"\nvalue = 0.5')
+    assert asked.is_met(seen([10, 30.1]))
+    assert not asked.is_met(seen([10, 29.9]))
+    assert asked.says(seen([10, 20])) == "The manipulability is 0.342 and should be at least 0.500."
+    assert asked.says(seen([10, 0])).endswith("The arm is singular here.")
+
+
+def test_an_observation_is_of_the_tool():
+    arm = catalogue()["puma560"].arm
+    q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+    np.testing.assert_array_equal(Observation.of(arm, q).tool_pose, arm.fk(q))

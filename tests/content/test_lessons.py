@@ -1,0 +1,247 @@
+"""The format of lessons, their checks and questions, and the lessons themselves."""
+
+import math
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from armlab import resources
+from armlab.content.check import check_types
+from armlab.content.lessons import lessons, parse_lesson, read_lessons
+from armlab.content.observation import Observation
+from armlab.content.robots import catalogue
+from armlab.errors import ContentError, UnknownName
+
+FRONT = """+++
+title = "A lesson"
+chapter = "1 Introduction"
+teaches = ["S4.0-2R"]
+robot = "planar_2r"
++++
+"""
+STEP = """
+## Do something
+
+Text.
+"""
+POINT = """
+```check
+kind = "tool_at"
+position = [1, 1, 0]
+tolerance_m = 0.02
+```
+"""
+
+
+def lesson(body=STEP, front=FRONT):
+    return parse_lesson("made_up", front + body)
+
+
+def front(line):
+    return FRONT.replace('robot = "planar_2r"', f'robot = "planar_2r"\n{line}')
+
+
+def seen(q_deg, robot="planar_2r"):
+    return Observation.of(catalogue()[robot].arm, np.radians(q_deg))
+
+
+# --- The lessons that come with the lab
+
+SOLUTIONS = {"first_arm": {1: [[0, 0]], 2: [[0, 90], [90, -90]]}}
+"""Degrees; ways to meet the check of each step."""
+
+ANSWERS = {"first_arm": {3: ["0.866", "86.6 cm", "sqrt(3)/2"]}}
+
+
+def test_no_lesson_is_broken():
+    assert lessons().problems == ()
+    assert "first_arm" in lessons().lessons
+
+
+@pytest.fixture(params=list(lessons().lessons))
+def given(request):
+    return lessons()[request.param]
+
+
+def test_the_start_meets_no_check(given):
+    arm = catalogue()[given.robot].arm
+    start = Observation.of(arm, given.start)
+    checks = [step.check for step in given.steps if step.check is not None]
+    assert checks
+    for asked in checks:
+        assert not asked.is_met(start)
+        assert len(asked.says(start)) > 20
+
+
+def test_the_solutions_meet_the_checks(given):
+    arm = catalogue()[given.robot].arm
+    asked = {i: step.check for i, step in enumerate(given.steps, start=1) if step.check is not None}
+    assert set(SOLUTIONS[given.key]) == set(asked)
+    for i, ways in SOLUTIONS[given.key].items():
+        for way in ways:
+            assert asked[i].is_met(Observation.of(arm, np.radians(way)))
+
+
+def test_the_answers_are_right_and_the_wrong_ones_are_named(given):
+    asked = {i: step.question for i, step in enumerate(given.steps, start=1) if step.question is not None}
+    assert set(ANSWERS[given.key]) == set(asked)
+    for i, answers in ANSWERS[given.key].items():
+        assert all(asked[i].judge(answer).right for answer in answers)
+        for wrong in asked[i].wrong:
+            verdict = asked[i].judge(str(wrong.answer))
+            assert not verdict.right
+            assert verdict.says == wrong.says
+
+
+def test_the_numbers_of_the_first_lesson_are_those_of_the_arm():
+    question = lessons()["first_arm"].steps[2].question
+    x, y, _ = catalogue()["planar_2r"].arm.position(np.radians([90, -60]))
+    assert abs(x - question.answer) < 1e-4
+    forgot_the_sum, is_y, in_radians = (wrong.answer for wrong in question.wrong)
+    assert math.isclose(forgot_the_sum, math.cos(math.radians(90)) + math.cos(math.radians(-60)), abs_tol=1e-12)
+    assert math.isclose(is_y, y, abs_tol=1e-12)
+    assert math.isclose(in_radians, math.cos(90) + math.cos(90 - 60), abs_tol=1e-3)
+
+
+def test_every_fenced_example_of_the_readme_is_valid():
+    text = (resources.folder("lessons") / "README.md").read_text(encoding="utf-8")
+    example = text.split("````markdown\n")[1].split("````")[0]
+    parsed = lesson(example)
+    assert parsed.steps[0].check.is_met(seen([0, 0]))
+    assert parsed.steps[0].question.judge("2").right
+    for kind in check_types():
+        assert f"`{kind}`" in text
+
+
+def test_the_wheel_takes_the_lessons():
+    project = tomllib.loads((Path(resources.checkout()) / "pyproject.toml").read_text(encoding="utf-8"))
+    assert project["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"]["lessons"] == "armlab/_data/lessons"
+
+
+# --- The format
+
+
+def test_what_a_lesson_holds():
+    text = front('panel = "joints"\noverlays = ["frames", "names"]\nq_deg = [10, 20]\n[target]\nposition = [1, 0, 0]')
+    parsed = lesson(f"Hello $q_1$.\n{STEP}{POINT}\n## Two\n\n    ## no heading\n\n```python\n## neither\n```\n", text)
+    assert (parsed.key, parsed.title, parsed.chapter) == ("made_up", "A lesson", "1 Introduction")
+    assert (parsed.teaches, parsed.robot) == (("S4.0-2R",), "planar_2r")
+    assert (parsed.panel, parsed.overlays) == ("joints", ("frames", "names"))
+    np.testing.assert_allclose(parsed.start, np.radians([10, 20]), rtol=0, atol=1e-15)
+    np.testing.assert_array_equal(parsed.target[:3, 3], [1, 0, 0])
+    assert parsed.intro_html.startswith("<p>Hello <span")
+    assert [step.title for step in parsed.steps] == ["Do something", "Two"]
+    assert parsed.steps[0].html == "<p>Text.</p>\n"
+    assert parsed.steps[0].check.is_met(seen([0, 90]))
+    assert parsed.steps[1].check is None
+    assert parsed.steps[1].html.count("##") == 2
+
+
+def test_the_start_is_the_first_pose_unless_it_is_given():
+    np.testing.assert_array_equal(lesson().start, catalogue()["planar_2r"].home)
+    np.testing.assert_allclose(lesson(front=front('pose = "right angle"')).start, [0, np.pi / 2], rtol=0, atol=1e-15)
+    with pytest.raises(ValueError, match="read-only"):
+        lesson(front=front("q_deg = [1, 2]")).start[0] = 0.0
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ('robott = "x"', "robott: unknown key; did you mean 'robot'"),
+        ('pose = "rigth angle"', "pose: unknown value 'rigth angle'; did you mean 'right angle'"),
+        ("q_deg = [10]", "q_deg: expected 2 numbers in brackets"),
+        ("q_m = [10, 2]", "q_deg: missing"),
+        ("q_deg = [500, 0]", "q_deg: outside the joint limits of Planar 2R"),
+        ('pose = "home"\nq_deg = [1, 2]', "q_deg: expected one of pose and q_deg"),
+        ("overlays = [1]", r"overlays: expected a list of texts, got \[1\]"),
+        ("[target]\nplace = [1, 0, 0]", r"target\.place: unknown key"),
+        ("x = = 1", "not valid TOML: .* line 6"),
+    ],
+)
+def test_mistakes_in_the_front_matter(line, says):
+    with pytest.raises(ContentError, match=f"made_up.md: {says}"):
+        lesson(front=front(line))
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("# No front matter", r"expected a first line \+\+\+"),
+        ("+++\ntitle = 'x'\n", r"expected a second line \+\+\+"),
+        (FRONT, "expected at least one step"),
+        (FRONT.replace("planar_2r", "planar2r") + STEP, "robot: unknown robot 'planar2r'; did you mean 'planar_2r'"),
+        (FRONT.replace("S4.0-2R", "two links") + STEP, "teaches: expected rows of the inventory"),
+        (FRONT.replace('title = "A lesson"', "") + STEP, "title: missing"),
+        (FRONT + STEP + "$\\foo$", r"step 1: the formula \$\\foo\$ has an unknown command"),
+        (FRONT + "$\\foo$" + STEP, r"introduction: the formula \$\\foo\$ has an unknown command"),
+        (FRONT + STEP + "```chek\n```", "step 1: unknown block 'chek'; did you mean 'check'"),
+        (FRONT + STEP + POINT + POINT, "step 1.check: expected one in a step"),
+        (FRONT + STEP + STEP + POINT.replace("tool_at", "tool_on"), "step 2.check.kind: unknown value 'tool_on'; did"),
+        (FRONT + STEP + POINT.replace("tolerance_m", "tolerance"), "step 1.check.tolerance: the unit belongs into"),
+        (FRONT + STEP + POINT.replace("kind", "knid"), "step 1.check.kind: missing"),
+        (FRONT + STEP + POINT.replace("[1,", "[1,,"), "step 1.check: not valid TOML: .* line 14"),
+        (FRONT + STEP + POINT.replace("[1,", "[3,"), r"step 1.check.position: it is 1\.162 m out of the reach of Plan"),
+        (FRONT + STEP + POINT.replace("0.02", "0"), "step 1.check.tolerance_m: expected a positive number, got 0"),
+    ],
+)
+def test_mistakes_in_a_lesson(text, says):
+    with pytest.raises(ContentError, match=f"made_up.md: {says}"):
+        parse_lesson("made_up", text)
+
+
+def test_the_line_of_a_mistake_is_that_of_the_file():
+    text = FRONT + STEP + POINT.replace("[1,", "[1,,")
+    line = next(i for i, line in enumerate(text.split("\n"), start=1) if "[1,," in line)
+    with pytest.raises(ContentError, match=f"at line {line},"):
+        parse_lesson("made_up", text)
+
+
+def test_a_broken_lesson_disturbs_no_other(tmp_path):
+    (tmp_path / "broken.md").write_text("nothing", encoding="utf-8")
+    (tmp_path / "binary.md").write_bytes(b"\xff\xfe\x00")
+    (tmp_path / "README.md").write_text("no lesson", encoding="utf-8")
+    for name, chapter in (("ten", "10 Last"), ("two", "2 First"), ("also_two", "2 First")):
+        text = FRONT.replace("1 Introduction", chapter) + STEP
+        (tmp_path / f"{name}.md").write_text(text, encoding="utf-8")
+    found = read_lessons(sorted(tmp_path.iterdir()))
+    assert list(found.lessons) == ["also_two", "two", "ten"]
+    assert sorted(problem.file for problem in found.problems) == ["binary.md", "broken.md"]
+    with pytest.raises(ContentError, match=r"broken\.md: expected a first line"):
+        found["broken"]
+    with pytest.raises(UnknownName, match="lesson: unknown name 'tenn'; did you mean 'ten'"):
+        found["tenn"]
+
+
+def test_a_file_name_that_is_no_key():
+    with pytest.raises(ContentError, match="expected a file name of lower-case letters"):
+        parse_lesson("First Arm", FRONT + STEP)
+
+
+# --- Questions in lessons
+
+QUESTION = '\n```question\nkind = "number"\ntext = "How **far**?"\nanswer = 0.5\nunit = "m"\ntolerance = 0.01\n```\n'
+
+
+def test_a_question_in_a_lesson():
+    question = lesson(STEP + QUESTION).steps[0].question
+    assert question.html == "<p>How <strong>far</strong>?</p>\n"
+    assert question.judge("49.5 cm").right
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ('unit = "m"', 'unit = "metre"', "unit: unknown value 'metre'"),
+        ("answer = 0.5", "", "answer: missing"),
+        ("0.01", "-1", "tolerance: expected a positive number"),
+        ('"number"', '"text"', "kind: unknown value 'text'"),
+        ("0.01", '0.01\n[[wrong]]\nanswer = 0.51\nsays = "x"', r"wrong\[1\].answer: 0.51 is too close to the right"),
+        ("0.01", '0.01\n[[wrong]]\nanswer = 1\nsays = "$\\\\foo$"', r"wrong\[1\].says: the formula"),
+        ("0.01", '0.01\n[[wrong]]\nanswer = 1\nsay = "x"', r"wrong\[1\].says: missing"),
+    ],
+)
+def test_mistakes_in_questions(old, new, says):
+    with pytest.raises(ContentError, match=f"made_up.md: step 1.question.{says}"):
+        lesson(STEP + QUESTION.replace(old, new))
