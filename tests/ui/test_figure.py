@@ -12,7 +12,11 @@ from armlab.kin.rotations import rotation_from_quaternion
 from armlab.kin.transforms import transform
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.figure.figure import build_figure
-from armlab.ui.figure.solids import block, drum, tube
+from armlab.ui.figure.glb import merged
+from armlab.ui.figure.marks import SYMBOL_STEP, symbol_height, symbols_of
+from armlab.ui.figure.mesh import placed
+from armlab.ui.figure.solids import CREASE, block, drum, lathe
+from armlab.ui.figure.tubes import tube
 from support.arms import random_arm, random_q
 
 H = np.pi / 2
@@ -119,11 +123,80 @@ def test_rods_stay_in_their_sleeves_and_reach_the_end():
         assert low < 0.0
 
 
-def test_solids_are_closed_and_face_outwards():
-    for mesh in (drum(1.0, 2.0, 0.1), block((1.0, 2.0, 3.0), 0.1)):
-        mesh.merge_vertices()
-        assert mesh.is_watertight
-        assert mesh.volume > 0
-    # The domes of a tube end in rings too small to see; its volume tells which way it faces.
-    bent = tube([(0, 0, 0), (0, 0, 1), (1, 0, 1)], 0.2, 0.1, 0.3)
-    assert 0.1 < bent.volume < 0.2
+def closed(solid):
+    """Return the solid with the two sides of its sharp edges joined again."""
+    return trimesh.Trimesh(solid.vertices, solid.faces, process=True)
+
+
+SOLIDS = {
+    "drum": drum(1.0, 2.0, 0.1),
+    "soft drum": drum(1.0, 2.0, 0.1, soft=True),
+    "block": block((1.0, 2.0, 3.0), 0.1, (0.3, 0.0, -1.0)),
+    "cone": lathe([(0.0, 0.0), (0.7, 0.0), (0.55, 0.4), (0.0, 1.6)]),
+    "straight tube": tube([(0, 0, 0), (1, 2, 3)], 0.2, 0.1, 0.3),
+    "bent tube": tube([(0, 0, 0), (0, 0, 1), (1, 0, 1)], 0.2, 0.1, 0.3),
+}
+
+
+@pytest.mark.parametrize("solid", SOLIDS.values(), ids=SOLIDS.keys())
+def test_solids_are_closed_and_face_outwards(solid):
+    mesh = closed(solid)
+    assert mesh.is_watertight
+    assert mesh.volume > 0
+    np.testing.assert_allclose(solid.bounds, mesh.bounds, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("solid", SOLIDS.values(), ids=SOLIDS.keys())
+def test_normals_are_of_unit_length_and_near_those_of_their_faces(solid):
+    np.testing.assert_allclose(np.linalg.norm(solid.normals, axis=1), 1.0, rtol=0, atol=1e-12)
+    a, b, c = (solid.vertices[solid.faces[:, k]] for k in range(3))
+    of_faces = np.cross(b - a, c - a)
+    of_faces /= np.linalg.norm(of_faces, axis=1)[:, None]
+    dots = np.einsum("fkx,fx->fk", solid.normals[solid.faces], of_faces)
+    # The tip of a cone is the one place where no normal can be near those of all faces.
+    assert np.mean(dots > np.cos(CREASE)) > 0.8
+    assert np.all(dots > 0.25)
+
+
+def test_volumes_of_simple_solids():
+    """Box 1 x 2 x 3 without bevel; cylinder of 28 sides: area n/2 sin(2 pi/n) r^2."""
+    assert closed(block((1.0, 2.0, 3.0), 1e-9)).volume == pytest.approx(6.0, abs=1e-6)
+    area = 14.0 * np.sin(2.0 * np.pi / 28.0)
+    assert closed(drum(1.0, 2.0, 1e-6)).volume == pytest.approx(4.0 * area, abs=1e-4)
+
+
+def test_facets_of_a_block_are_flat_and_its_bevels_are_seen():
+    solid = SOLIDS["block"]
+    assert len(solid.faces) == 6 * 2 + 12 * 2 + 8
+    assert len(np.unique(np.round(solid.normals, 9), axis=0)) == 6 + 12 + 8
+
+
+def test_placing_a_solid_turns_its_normals_too():
+    pose = transform(rotation_from_quaternion((0.5, 0.5, 0.5, 0.5)), (1.0, 2.0, 3.0))
+    before, after = SOLIDS["drum"], placed(SOLIDS["drum"], pose)
+    ahead = before.vertices + before.normals
+    np.testing.assert_allclose(after.vertices + after.normals, ahead @ pose[:3, :3].T + pose[:3, 3], rtol=0, atol=1e-12)
+
+
+def test_glb_files_keep_normals_and_sharp_edges(robot):
+    figure = build_figure(robot.arm)
+    for parts, glb in zip(figure.parts, figure.glbs(), strict=True):
+        if glb is None:
+            continue
+        scene = trimesh.load(io.BytesIO(glb), file_type="glb", process=False)
+        meshes = list(scene.geometry.values())
+        solids = list(merged(parts).values())
+        assert len(meshes) == len(solids)
+        for mesh, solid in zip(meshes, solids, strict=True):
+            np.testing.assert_allclose(mesh.vertices, solid.vertices, rtol=0, atol=1e-6)
+            np.testing.assert_allclose(mesh.vertex_normals, solid.normals, rtol=0, atol=1e-6)
+
+
+def test_symbols_have_the_height_the_skeleton_counts_on(robot):
+    anatomy = anatomy_of(robot.arm)
+    for i, glb in enumerate(symbols_of(anatomy)):
+        low, high = trimesh.load(io.BytesIO(glb), file_type="glb").bounds
+        height = symbol_height(anatomy, i)
+        # Half a step of sizes: a symbol may be one made for an arm of nearly this size.
+        assert high[2] - low[2] == pytest.approx(height, rel=0.51 * SYMBOL_STEP)
+        np.testing.assert_allclose(low + high, 0.0, rtol=0, atol=1e-6)

@@ -1,4 +1,4 @@
-"""Figures made ready for the page, one for each arm, kept because making one takes some 100 ms."""
+"""Figures made ready for the page, one for each arm, kept for the next student who opens it."""
 
 from __future__ import annotations
 

@@ -13,8 +13,10 @@ from armlab.ui.figure.anatomy import Anatomy, anatomy_of
 from armlab.ui.figure.glb import Part, body_glb, joint_material
 from armlab.ui.figure.gripper import NATURAL, SHORTEST, gripper, pointer
 from armlab.ui.figure.housings import HALF_LENGTH, RADIUS, half_length, housing_offsets
+from armlab.ui.figure.mesh import placed, shifted
 from armlab.ui.figure.slides import is_rail, rail, ram
-from armlab.ui.figure.solids import block, drum, lathe, placed, tube
+from armlab.ui.figure.solids import block, drum, lathe
+from armlab.ui.figure.tubes import tube
 
 Z = np.array([0.0, 0.0, 1.0])
 
@@ -72,7 +74,7 @@ def _corners(bounds: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def build_figure(arm: Arm) -> Figure:
-    """Return the drawn arm; takes some 100 ms."""
+    """Return the drawn arm."""
     anatomy = anatomy_of(arm)
     offsets = housing_offsets(anatomy)
     parts: list[list[Part]] = [[] for _ in range(arm.n + 1)]
@@ -101,11 +103,10 @@ def _base(anatomy: Anatomy, housing: float) -> tuple[list[Part], float]:
         ("dark", drum(2.5 * r, 0.14 * r, 0.1 * r, foot + 0.14 * r)),
         ("dark", lathe([*((x * r, foot + z * r) for x, z in cone), (1.5 * r, top), (0.0, top + 1e-4)])),
     ]
+    bolt = drum(0.17 * r, 0.08 * r, 0.03 * r, foot + 0.34 * r, soft=True)
     for k in range(4):
         angle = math.pi / 4.0 + k * math.pi / 2.0
-        bolt = drum(0.17 * r, 0.08 * r, 0.03 * r, foot + 0.34 * r)
-        bolt.apply_translation([2.05 * r * math.cos(angle), 2.05 * r * math.sin(angle), 0.0])
-        parts.append(("steel", bolt))
+        parts.append(("steel", shifted(bolt, (2.05 * r * math.cos(angle), 2.05 * r * math.sin(angle), 0.0))))
     return parts, foot
 
 
@@ -113,7 +114,7 @@ def _revolute(anatomy: Anatomy, i: int, at: float) -> list[Part]:
     """Return housing and tube of a revolute joint; at the last one also the hand."""
     body, r, colour = anatomy.bodies[i], float(anatomy.radius[i]), joint_material(i)
     R, h = RADIUS * r, half_length(anatomy, i, at)
-    parts: list[Part] = [("shell", drum(R, h, 0.16 * r, at))]
+    parts: list[Part] = [("shell", drum(R, h, 0.16 * r, at, soft=True))]
     for side in (1.0, -1.0):
         parts.append((colour, drum(1.035 * R, 0.17 * r, 0.05 * r, at + side * (h - 0.34 * r))))
         # An inset cap with a bar along x: it shows the turn.

@@ -1,23 +1,25 @@
-"""From solids to GLB bytes: one primitive for each material, smooth where the surface is."""
+"""From solids to GLB bytes: one primitive for each material."""
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable
+from functools import cache
 
-import numpy as np
 import trimesh
+from trimesh.visual import TextureVisuals
 from trimesh.visual.material import PBRMaterial
 
 from armlab.ui.colours import Rgb, joint_colour, linear
+from armlab.ui.figure.mesh import Solid, joined
 
-CREASE = np.deg2rad(35.0)
-"""Edges that turn more than this stay sharp."""
-
-Part = tuple[str, trimesh.Trimesh]
+Part = tuple[str, Solid]
 """A material (a key of `MATERIALS`, or ``joint3``) and a solid."""
 
-MATERIALS: dict[str, tuple[Rgb, float, float]] = {
+Look = tuple[Rgb, float, float]
+"""Colour, roughness and metallic part of a material."""
+
+MATERIALS: dict[str, Look] = {
     # Whites above some 225 are blown out by the tone curve of the page.
     "shell": ((222, 226, 232), 0.42, 0.0),
     "dark": ((74, 82, 95), 0.46, 0.0),
@@ -33,35 +35,44 @@ def joint_material(i: int) -> str:
 
 def body_glb(parts: Iterable[Part]) -> bytes:
     """Return one GLB file of all parts."""
+    return scene_glb((solid, _look(material)) for material, solid in merged(parts).items())
+
+
+def merged(parts: Iterable[Part]) -> dict[str, Solid]:
+    """Return one solid for each material."""
+    by_material: dict[str, list[Solid]] = defaultdict(list)
+    for material, solid in parts:
+        by_material[material].append(solid)
+    return {material: joined(solids) for material, solids in by_material.items()}
+
+
+def scene_glb(coloured: Iterable[tuple[Solid, Look]]) -> bytes:
+    """Return the GLB file of solids, each of one material."""
     scene = trimesh.Scene()
-    for material, mesh in merged(parts).items():
-        colour, roughness, metallic = _look(material)
-        scene.add_geometry(coloured(mesh, colour, roughness, metallic), geom_name=material)
-    exported: bytes = scene.export(file_type="glb", include_normals=True)
+    for solid, look in coloured:
+        # Neither checked nor cleaned: merged vertices would lose the sharp edges.
+        mesh = trimesh.Trimesh(
+            solid.vertices,
+            solid.faces,
+            vertex_normals=solid.normals,
+            visual=TextureVisuals(material=_material(look)),  # type: ignore[no-untyped-call]
+            process=False,
+            validate=False,
+        )
+        scene.add_geometry(mesh)
+    exported: bytes = scene.export(file_type="glb", include_normals=True)  # type: ignore[no-untyped-call]
     return exported
 
 
-def merged(parts: Iterable[Part]) -> dict[str, trimesh.Trimesh]:
-    """Return one smooth mesh for each material."""
-    by_material: dict[str, list[trimesh.Trimesh]] = defaultdict(list)
-    for material, mesh in parts:
-        by_material[material].append(mesh)
-    return {
-        material: trimesh.graph.smooth_shade(trimesh.util.concatenate(meshes), angle=CREASE)
-        for material, meshes in by_material.items()
-    }
-
-
-def coloured(mesh: trimesh.Trimesh, colour: Rgb, roughness: float, metallic: float = 0.0) -> trimesh.Trimesh:
-    """Return the mesh with a physical material."""
+@cache
+def _material(look: Look) -> PBRMaterial:
+    colour, roughness, metallic = look
     factor = [*(round(255.0 * float(value)) for value in linear(colour)), 255]
-    material = PBRMaterial(baseColorFactor=factor, roughnessFactor=roughness, metallicFactor=metallic)
-    mesh = mesh.copy()
-    mesh.visual = trimesh.visual.TextureVisuals(material=material)
-    return mesh
+    look_of = {"baseColorFactor": factor, "roughnessFactor": roughness, "metallicFactor": metallic}
+    return PBRMaterial(**look_of)  # type: ignore[no-untyped-call]
 
 
-def _look(material: str) -> tuple[Rgb, float, float]:
+def _look(material: str) -> Look:
     if material.startswith("joint"):
         return joint_colour(int(material.removeprefix("joint"))), 0.38, 0.0
     return MATERIALS[material]

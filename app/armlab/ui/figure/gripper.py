@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.ui.figure.glb import Part, joint_material
-from armlab.ui.figure.solids import along, block, drum, lathe, placed
+from armlab.ui.figure.mesh import placed
+from armlab.ui.figure.solids import along, block, drum, lathe
 
 NATURAL = 4.0
 """Length of a gripper that may choose, in tube radii."""
@@ -36,8 +37,8 @@ def gripper(
     s = min(1.25 * r, length / 3.2)
     finger = 0.62 * length - 0.5 * s
     parts: list[Part] = [
-        ("dark", drum(1.02 * s, 0.18 * s, 0.08 * s, 0.18 * s)),
-        (joint_material(joint), drum(1.06 * s, 0.09 * s, 0.03 * s, 0.45 * s)),
+        ("dark", drum(1.02 * s, 0.18 * s, 0.08 * s, 0.18 * s, soft=True)),
+        (joint_material(joint), drum(1.06 * s, 0.09 * s, 0.03 * s, 0.45 * s, soft=True)),
         ("dark", block((2.7 * s, 1.25 * s, 0.30 * length), 0.16 * s, (0.0, 0.0, 0.5 * s + 0.15 * length))),
     ]
     for side in (1.0, -1.0):

@@ -40,7 +40,7 @@ def half_length(anatomy: Anatomy, i: int, offset: float) -> float:
 
 
 def _first(anatomy: Anatomy) -> float:
-    body, r = anatomy.bodies[0], anatomy.radius[0]
+    body, r = anatomy.bodies[0], float(anatomy.radius[0])
     if not body.revolute or body.d < 4.0 * r:
         return 0.0
     return min(2.6 * r, 0.4 * body.d)

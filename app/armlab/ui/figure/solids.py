@@ -2,108 +2,138 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from functools import cache
+from itertools import pairwise
 
 import numpy as np
-import trimesh
 from numpy.typing import ArrayLike, NDArray
 
+from armlab.ui.figure.mesh import Solid
+
 SIDES = 28
-FILLET_POINTS = 9
-DOME_RINGS = 5
+
+CREASE = math.radians(35.0)
+"""Edges that turn more than this stay sharp."""
+
+_Corner = tuple[NDArray[np.float64], NDArray[np.bool_]]
+"""A vertex of a bevelled box: the signs of its corner, and the axes along which the bevel moves it."""
 
 
-def lathe(profile: Sequence[tuple[float, float]], sides: int = SIDES) -> trimesh.Trimesh:
-    """Return a solid of revolution about z from (radius, height) points, bottom to top, closed on the axis."""
-    return trimesh.creation.revolve(np.array(profile, dtype=float), sections=sides)
-
-
-def drum(radius: float, half_length: float, bevel: float, z: float = 0.0) -> trimesh.Trimesh:
-    """Return a cylinder about z with rounded edges, its middle at height z."""
-    r, h, b = radius, half_length, bevel
-    rim = [(r - b, -h), (r - 0.3 * b, -h + 0.3 * b), (r, -h + b), (r, h - b), (r - 0.3 * b, h - 0.3 * b), (r - b, h)]
-    return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)])
-
-
-def block(size: ArrayLike, bevel: float, at: ArrayLike = (0.0, 0.0, 0.0)) -> trimesh.Trimesh:
-    """Return a box with bevelled edges around a point."""
-    half = np.asarray(size, dtype=float) / 2.0
-    corners = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1.0
-    points = []
-    for k in range(3):
-        extent = half - bevel
-        extent[k] = half[k]
-        points.append(corners * extent)
-    mesh = trimesh.convex.convex_hull(np.vstack(points))
-    mesh.apply_translation(np.asarray(at, dtype=float))
-    return mesh
-
-
-def tube(points: Sequence[ArrayLike], start: float, end: float, bend: float) -> trimesh.Trimesh:
-    """Return a round tube through points with filleted corners and domed ends.
+def lathe(profile: Sequence[tuple[float, float]], sides: int = SIDES, soft: bool = False) -> Solid:
+    """Return a solid of revolution about z.
 
     Parameters
     ----------
-    points : sequence of array_like, shape (3,)
-    start, end : float
-        Radii at the ends; linear along the path in between.
-    bend : float
-        Radius of the fillets, as far as the legs allow.
+    profile : sequence of (float, float)
+        Radii and heights, bottom to top; the first and the last point are on the axis.
+    sides : int
+    soft : bool
+        Shade level ends as if they bulged into their bevel; else they are as flat as they look.
     """
-    path = _filleted([np.asarray(p, dtype=float) for p in points], bend)
-    directions = np.gradient(path, axis=0)
-    directions /= np.linalg.norm(directions, axis=1)[:, None]
-    lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-    radii = start + (end - start) * lengths / lengths[-1]
-    rings = _rings(path, directions, radii)
-    return trimesh.Trimesh(np.vstack(rings), _skin(len(rings)), process=False)
+    segments = [_outwards(a, b) for a, b in pairwise(profile)]
+    rings: list[tuple[float, float, float, float]] = []
+    creases = []
+    for (r, z), (below, above) in zip(profile[1:-1], pairwise(segments), strict=True):
+        turn = below[0] * above[0] + below[1] * above[1]
+        level = 1.0 in (abs(below[1]), abs(above[1]))
+        creases.append(turn < math.cos(CREASE) or (level and not soft))
+        if creases[-1]:
+            rings += [(r, z, *below), (r, z, *above)]
+        else:
+            length = math.sqrt(2.0 + 2.0 * turn)
+            rings.append((r, z, (below[0] + above[0]) / length, (below[1] + above[1]) / length))
+    r, z, across, up = np.array(rings).T[:, :, None]
+    (cosines, sines), ones = circle(sides), np.ones(sides)
+    around = np.array([r * cosines, r * sines, z * ones]).reshape(3, -1).T
+    normals = np.array([across * cosines, across * sines, up * ones]).reshape(3, -1).T
+    return Solid(
+        np.concatenate([[(0.0, 0.0, profile[0][1])], around, [(0.0, 0.0, profile[-1][1])]]),
+        np.concatenate([[(0.0, 0.0, -1.0)], normals, [(0.0, 0.0, 1.0)]]),
+        skin(tuple(creases), sides),
+    )
 
 
-def _filleted(corners: list[NDArray[np.float64]], bend: float) -> NDArray[np.float64]:
-    path = [corners[0]]
-    for before, corner, after in zip(corners, corners[1:], corners[2:], strict=False):
-        into, out = corner - before, after - corner
-        into_length, out_length = float(np.linalg.norm(into)), float(np.linalg.norm(out))
-        into, out = into / into_length, out / out_length
-        angle = float(np.arccos(np.clip(into @ out, -1.0, 1.0)))
-        cut = min(bend * np.tan(angle / 2.0), 0.48 * into_length, 0.48 * out_length)
-        a, b = corner - cut * into, corner + cut * out
-        path += [(1 - t) ** 2 * a + 2 * t * (1 - t) * corner + t * t * b for t in np.linspace(0, 1, FILLET_POINTS)]
-    path.append(corners[-1])
-    return np.array(path)
+def _outwards(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:
+    """Return the normal of a segment of a profile: across and up."""
+    across, up = b[1] - a[1], a[0] - b[0]
+    length = math.hypot(across, up)
+    return across / length, up / length
 
 
-def _rings(
-    path: NDArray[np.float64], directions: NDArray[np.float64], radii: NDArray[np.float64]
-) -> list[NDArray[np.float64]]:
-    """Return circles along the path, with shrinking ones at both ends that close the tube with a dome."""
-    phi = np.linspace(0.0, 2.0 * np.pi, SIDES, endpoint=False)
-    normal = np.cross(directions[0], [1.0, 0.0, 0.0] if abs(directions[0][0]) < 0.8 else [0.0, 1.0, 0.0])
-    bulge = np.linspace(0.0, np.pi / 2.0, DOME_RINGS)
-    rings = []
-    last = len(path) - 1
-    for k, (centre, direction, radius) in enumerate(zip(path, directions, radii, strict=True)):
-        # Carry the normal along without twist, so that the quads of neighbouring rings face each other.
-        normal = normal - direction * (normal @ direction)
-        normal /= np.linalg.norm(normal)
-        other = np.cross(direction, normal)
-        circle = np.cos(phi)[:, None] * normal + np.sin(phi)[:, None] * other
-        side = -1.0 if k == 0 else 1.0
-        steps = bulge[::-1] if k == 0 else bulge if k == last else [0.0]
-        for b in steps:
-            shift = side * radius * np.sin(b) * direction
-            rings.append(centre + shift + max(radius * float(np.cos(b)), 1e-6) * circle)
-    return rings
+@cache
+def circle(sides: int) -> NDArray[np.float64]:
+    """Return cosines and sines, shape (2, sides)."""
+    phi = np.linspace(0.0, 2.0 * np.pi, sides, endpoint=False)
+    return np.array([np.cos(phi), np.sin(phi)])
 
 
-def _skin(count: int) -> NDArray[np.int64]:
-    i = np.arange(SIDES)
-    j = (i + 1) % SIDES
-    faces = []
-    for k in range(count - 1):
-        a, b = k * SIDES, (k + 1) * SIDES
+@cache
+def skin(creases: tuple[bool, ...], sides: int) -> NDArray[np.int64]:
+    """Return the faces over rings of vertices between two ends; where there is a crease, a ring comes twice.
+
+    The first vertex is the lower end, then follow the rings, then the upper end.
+    """
+    i = np.arange(sides)
+    j = (i + 1) % sides
+    faces, ring = [np.column_stack([0 * i, 1 + j, 1 + i])], 1 + sides * int(creases[0])
+    for crease in creases[1:]:
+        a, b = ring, ring + sides
         faces += [np.column_stack([a + i, a + j, b + j]), np.column_stack([a + i, b + j, b + i])]
+        ring = b + sides * int(crease)
+    faces.append(np.column_stack([ring + i, ring + j, 0 * i + ring + sides]))
     return np.vstack(faces)
+
+
+def drum(radius: float, half_length: float, bevel: float, z: float = 0.0, soft: bool = False) -> Solid:
+    """Return a cylinder about z with rounded edges, its middle at height z; ``soft`` is that of `lathe`."""
+    r, h, b = radius, half_length, bevel
+    rim = [(r - b, -h), (r - 0.3 * b, -h + 0.3 * b), (r, -h + b), (r, h - b), (r - 0.3 * b, h - 0.3 * b), (r - b, h)]
+    return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], soft=soft)
+
+
+def block(size: ArrayLike, bevel: float, at: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
+    """Return a box with bevelled edges around a point."""
+    full, less, normals, faces = _facets()
+    vertices = full * (np.asarray(size, dtype=float) / 2.0) - bevel * less + np.asarray(at, dtype=float)
+    return Solid(vertices, normals, faces)
+
+
+@cache
+def _facets() -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
+    """Return what all bevelled boxes share: signs of corners, the part of them that the bevel moves, normals, faces.
+
+    Each corner of the box is three vertices, one on each side that meets there. A box has 6 sides, 12 edges and 8
+    corners; all of its facets are flat, for even a corner and an edge meet at 35.26 degrees.
+    """
+    signs = [np.array(index) * 2.0 - 1.0 for index in np.ndindex(2, 2, 2)]
+    full: list[NDArray[np.float64]] = []
+    less: list[NDArray[np.float64]] = []
+    normals: list[NDArray[np.float64]] = []
+    faces: list[tuple[int, int, int]] = []
+    for towards in np.ndindex(3, 3, 3):
+        n = np.array(towards) - 1.0
+        sides = np.flatnonzero(n)
+        own = [(sign, np.arange(3) != side) for sign in signs if np.all(sign[sides] == n[sides]) for side in sides]
+        if own:
+            start = len(full)
+            own = _counterclockwise(own, n)
+            faces += [(start, start + k, start + k + 1) for k in range(1, len(own) - 1)]
+            full += [sign for sign, _ in own]
+            less += [sign * moved for sign, moved in own]
+            normals += [n / np.linalg.norm(n)] * len(own)
+    return np.array(full), np.array(less), np.array(normals), np.array(faces)
+
+
+def _counterclockwise(own: list[_Corner], normal: NDArray[np.float64]) -> list[_Corner]:
+    """Return the corners of a facet in order around its normal."""
+    points = [sign * (2.0 - 0.5 * moved) for sign, moved in own]
+    middle = np.mean(points, axis=0)
+    x = points[0] - middle
+    y = np.cross(normal / np.linalg.norm(normal), x)
+    angles = [math.atan2(float((point - middle) @ y), float((point - middle) @ x)) for point in points]
+    return [own[k] for k in np.argsort(angles)]
 
 
 def along(direction: ArrayLike, at: ArrayLike = (0.0, 0.0, 0.0)) -> NDArray[np.float64]:
@@ -116,10 +146,3 @@ def along(direction: ArrayLike, at: ArrayLike = (0.0, 0.0, 0.0)) -> NDArray[np.f
     pose = np.eye(4)
     pose[:3, 0], pose[:3, 1], pose[:3, 2], pose[:3, 3] = x, np.cross(z, x), z, np.asarray(at, dtype=float)
     return pose
-
-
-def placed(mesh: trimesh.Trimesh, pose: NDArray[np.floating]) -> trimesh.Trimesh:
-    """Return the mesh moved by a 4 x 4 pose."""
-    moved = mesh.copy()
-    moved.apply_transform(pose)
-    return moved
