@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Awaitable, Callable, Iterator
 
 import numpy as np
 
@@ -91,11 +91,19 @@ def by_first_joint(browser: FakeBrowser, angles: np.ndarray) -> Reader:
     return event_of
 
 
-async def drive(server: servers.Server, count: int, points: np.ndarray, reader: Callable) -> tuple[list[float], float]:
+async def drive(
+    server: servers.Server,
+    count: int,
+    points: np.ndarray,
+    reader: Callable,
+    prepare: Callable[[FakeBrowser], Awaitable[None]] | None = None,
+) -> tuple[list[float], float]:
     """Return the latencies of all students' events and the share of a processor the server used."""
     browsers = [server.browser() for _ in range(count)]
     await asyncio.gather(*(browser.connect() for browser in browsers))
     await asyncio.gather(*(browser.until(lambda b=browser: is_open(b), 30.0) for browser in browsers))
+    if prepare is not None:
+        await asyncio.gather(*(prepare(browser) for browser in browsers))
     await asyncio.sleep(SETTLING)
     before, start = server.cpu(), time.perf_counter()
     phases = np.arange(count) / count / RATE

@@ -16,6 +16,8 @@ ONLY_IN = {
     "viser": ("ui",),
     "trimesh": ("ui",),
     "latex2mathml": ("ui", "content"),
+    "markdown_it": ("content",),
+    "mdit_py_plugins": ("content",),
     "aiohttp": ("front",),
     "zstandard": ("front",),
     "scipy": ("kin",),

@@ -37,7 +37,7 @@ def get(url, headers=None, follow=True):
         return error.code, error.headers, error.read()
 
 
-@pytest.mark.parametrize("path", ["", "robot/puma560", "robot/anything-well-formed"])
+@pytest.mark.parametrize("path", ["", "robot/puma560", "robot/anything-well-formed", "lesson/first_arm"])
 def test_pages(url, path):
     status, headers, body = get(url + path)
     assert status == 200
@@ -59,6 +59,11 @@ def test_pages(url, path):
         "robot/%2e%2e",
         "robot/../secret",
         "robot/" + "x" * 65,
+        "lesson/",
+        "lesson/UPPER",
+        "lesson/first_arm.md",
+        "lesson/%2e%2e",
+        "lesson/first_arm/2",
         "index.html",
         "assets/x.js",
         "healthz",

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.kin.arm import Arm
-from armlab.kin.symbolic import constants, pose_formulas
+from armlab.kin.symbolic import angle_offsets, constants, pose_formulas
 from support.arms import random_q
 
 H = math.pi / 2
@@ -47,3 +47,28 @@ def test_a_twist_that_is_no_quarter_turn_is_a_symbol_too():
 )
 def test_formulas_read_like_the_book(arm, name, style, formula):
     assert pose_formulas(arm, style)[name] == formula
+
+
+def test_an_offset_that_is_no_quarter_turn_belongs_to_the_angle():
+    """theta_2 = q_2 + 0.3: c_12 is short for the cosine of the table's angles, and Python gets the offset."""
+    arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, H), ("R", 0.5, 0.0, 0.0, 0.3), ("P", 0.0, 0.0, 0.0, 0.7)])
+    assert angle_offsets(arm) == {2: 0.3}
+    assert pose_formulas(arm, "latex")["py"] == "a_1 c_1 + a_2 c_{12}"
+    assert pose_formulas(arm)["py"] == "a1*cos(q1) + a2*cos(q1 + (q2 + 0.3))"
+    turned = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0), ("R", 0.5, math.pi, 0.0, -0.3), ("R", 0.1, 0.0, 0.0, 0.0)])
+    assert pose_formulas(turned, "latex")["r11"] == r"\cos(q_1 + \theta_2 - q_3)"
+
+
+@pytest.mark.parametrize("offset", [1e-12, 1e-7, 0.4, -2.0, H + 1e-7])
+def test_formulas_with_offsets_evaluate_to_forward_kinematics(offset, rng):
+    rows = [("R", 0.3, 0.2, 0.1, offset), ("P", 0.2, H, 0.3, offset), ("R", 0.4, 0.0, 0.2, -offset)]
+    for convention in ("standard", "modified"):
+        arm = Arm.from_dh(rows, convention)
+        for q in random_q(arm, rng, 3):
+            names = constants(arm) | {f"q{i + 1}": value for i, value in enumerate(q)}
+            names |= {"sin": math.sin, "cos": math.cos}
+            T = arm.fk(q)
+            formulas = pose_formulas(arm)
+            for k, axis in enumerate("xyz"):
+                assert eval(formulas[f"p{axis}"], {}, names) == pytest.approx(T[k, 3], abs=1e-12)
+                assert eval(formulas[f"r1{k + 1}"], {}, names) == pytest.approx(T[0, k], abs=1e-12)

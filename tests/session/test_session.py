@@ -11,7 +11,7 @@ from armlab.content.robots import catalogue
 from armlab.session.history import PAUSE
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.display import Show
-from armlab.session.parts.joints import Joints, MoveJoint, TakePose
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
 from armlab.session.session import Redo, Refuse, Session, StartFresh, Undo
@@ -93,7 +93,7 @@ def test_undo_crosses_a_choice_of_arm(session):
 
 
 def test_a_command_without_effect_is_no_step(session):
-    session.apply(Show("names", True), 0.0)
+    session.apply(LockJoint(0, False), 0.0)
     assert session.history.undo_label is None
 
 

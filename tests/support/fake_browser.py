@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import html
+import json
 import struct
 import time
 import urllib.request
@@ -18,6 +20,8 @@ import msgspec
 import viser
 import websockets
 import zstandard
+
+from armlab.ui import plugin as plugins
 
 _ENCODER, _DECODER = msgspec.msgpack.Encoder(), msgspec.msgpack.Decoder()
 _INFLATE = zstandard.ZstdDecompressor()
@@ -170,6 +174,21 @@ class FakeBrowser:
         channel = content.split(marker)[0].rsplit('data-chan="', 1)[1].split('"')[0]
         value = msgspec.json.encode([cell, text, time.perf_counter_ns()]).decode()
         await self.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
+
+    async def open(self, *panels: str) -> None:
+        """See the tabs of these panels, and turn to their pages, as the page's script tells."""
+        notes = next(
+            c["props"]["content"] for c in self.controls.values() if "al-notes" in c["props"].get("content", "")
+        )
+        channel = json.loads(html.unescape(notes.split('data-notes="', 1)[1].split('"', 1)[0]))["chan"]
+        found = plugins.panels()
+        tabs = json.dumps(sorted({found[key].tab or key for key in panels}))
+        value = json.dumps(["tabs", tabs, time.perf_counter_ns()])
+        await self.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
+        for key in panels:
+            if any(panel.tab == (found[key].tab or key) for panel in found.values()):
+                await self.press(key)
+        await asyncio.sleep(0.3)
 
     async def drag(self, phase: str, position: Any = None, wxyz: Any = None, node: str = "/target") -> None:
         """Send one event of a drag: start, update or end."""

@@ -1,11 +1,10 @@
-"""Numbers, units and verdicts on screen."""
+"""Numbers and markup on screen."""
 
 import math
 
 import numpy as np
 import pytest
 
-from armlab.kin.ik import Verdict
 from armlab.ui import format as fmt
 
 
@@ -42,21 +41,3 @@ def test_text_cannot_become_markup():
 def test_formulas_become_mathml():
     assert fmt.mathml("q_1").startswith("<math")
     assert 'display="block"' in fmt.mathml("q_1", block=True)
-
-
-@pytest.mark.parametrize(
-    ("verdict", "kind", "line"),
-    [
-        (Verdict("reached", 1e-9, 0.0, ()), "ok", "✓ reached</b> 0.0 mm 0.0°"),
-        (Verdict("limit", 0.043, 0.0, (2,)), "no", "✕ limit on joint 3</b> 43.0 mm short"),
-        (Verdict("limit", 0.0, 0.1, (0, 4)), "no", "✕ limit on joints 1 and 5</b> 5.7° turned away"),
-        (Verdict("closest", 0.143, 0.02, ()), "no", "✕ closest possible</b> 143 mm short, 1.1° turned away"),
-        (Verdict("beyond", 1.2, 0.0, ()), "no", "✕ out of reach</b> 1200 mm short; farther than all links in a line"),
-        (Verdict("moving", 0.01, 0.0, ()), "warn", "◐ on the way</b> 10.0 mm short"),
-        (Verdict("closest", 1e-5, 0.0, ()), "no", "✕ closest possible</b> within 0.1 mm and 0.1°"),
-    ],
-)
-def test_verdicts_have_a_sign_a_word_and_numbers(verdict, kind, line):
-    assert fmt.verdict_kind(verdict) == kind
-    assert line in fmt.verdict_line(verdict)
-    assert f'class="verdict {kind}"' in fmt.verdict_card(verdict)

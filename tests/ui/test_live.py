@@ -135,11 +135,13 @@ def test_a_link_names_an_arm_but_a_reconnect_does_not_repeat_it(url):
         cookie = cookie_of(url)
         urllib.request.urlopen(urllib.request.Request(url + "robot/scara", headers={"Cookie": cookie})).close()
         browser = await student(url, cookie, "/robot/scara")
+        await browser.open("robot")
         await browser.until(lambda: "SCARA RRPR" in browser.html())
         await browser.press("panda") if 'data-cell="panda"' in browser.html() else await choose(browser, "planar_2r")
         await settled(browser)
         await browser.close()
         again = await student(url, cookie, "/robot/scara")
+        await again.open("robot")
         await settled(again)
         assert "Planar 2R" in again.html()
         await again.close()
@@ -171,6 +173,7 @@ def test_a_typed_target_that_is_no_number_is_refused_at_the_field(url):
     async def main():
         browser = await student(url)
         before = slider_values(browser)
+        await browser.open("joints", "target")
         await browser.press("x", "six hundred")
         await browser.until(lambda: bool(browser.notices))
         assert browser.notices[-1] == "x: expected a number in mm, got 'six hundred'"

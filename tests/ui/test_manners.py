@@ -19,6 +19,7 @@ def steps(browser):
 def test_a_choice_undone_at_once_is_shown_undone(url):
     async def main():
         browser = await student(url)
+        await browser.open("target")
         method = browser.control("Method")
         first = method["value"]
         other = next(title for title in method["props"]["options"] if title != first)
@@ -52,6 +53,7 @@ def test_a_notice_is_told_once(url):
     async def main():
         cookie = cookie_of(url)
         browser = await student(url, cookie)
+        await browser.open("target")
         await browser.press("x", "abc")
         await browser.until(lambda: any("expected a number" in text for text in browser.notices))
         await browser.close()

@@ -71,6 +71,7 @@ class Front:
         self.app.on_shutdown.append(self._say_goodbye)
         self.app.router.add_get("/", self._visit)
         self.app.router.add_get("/robot/{name}", self._visit)
+        self.app.router.add_get("/lesson/{name}", self._visit)
 
     async def _with_client(self, _app: web.Application) -> AsyncIterator[None]:
         self._client = aiohttp.ClientSession(auto_decompress=False)

@@ -22,6 +22,9 @@ times the distance of the lines, which a table written with ten decimals does no
 RELATIVE_LENGTH = 1e-9
 """Lines meet when they are closer than this times the scale, in metres, that the caller gives."""
 
+UNIT = 1e-15
+"""How far from one the length of a direction may be to be taken for exact."""
+
 FREE: dict[Relation, str] = {
     "skew": "Nothing is free: exactly one segment is perpendicular to both lines.",
     "parallel": "The lines are parallel: the normal may sit anywhere along them, so its foot (the offset d) is free.",
@@ -57,9 +60,10 @@ class Line:
         largest = float(np.abs(direction).max())
         if largest == 0.0:
             raise InputError("direction: expected a vector that is not zero, got [0, 0, 0]")
-        # Scaled first: the squares of very small or very large components leave the range of floats.
-        direction /= largest
-        direction /= np.linalg.norm(direction)
+        if largest > 1.0 or abs(float(np.linalg.norm(direction)) - 1.0) > UNIT:  # what is of length one stays as it is
+            # Scaled first: the squares of very small or very large components leave the range of floats.
+            direction /= largest
+            direction /= np.linalg.norm(direction)
         for name, value in (("point", point), ("direction", direction)):
             value.setflags(write=False)
             object.__setattr__(self, name, value)

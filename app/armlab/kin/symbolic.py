@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import math
+import re
+from dataclasses import replace
+
 import numpy as np
 
 from armlab.kin.arm import Arm
 from armlab.kin.dh import common_normals
 from armlab.kin.graph.expression import Graph, Number
 from armlab.kin.graph.printing import Printer, Style
+
+QUARTER = 1e-9
+"""Radians from a multiple of a quarter turn within which an angle counts as one."""
 
 
 def pose_formulas(arm: Arm, style: Style = "text") -> dict[str, str]:
@@ -18,6 +25,8 @@ def pose_formulas(arm: Arm, style: Style = "text") -> dict[str, str]:
     arm : Arm
         Base is left out; the tool's constants appear as numbers.
     style : "text" or "latex"
+        In LaTeX ``c_{23}`` is the cosine of the sum of the table's angles theta_2 + theta_3: the joint variables, but
+        for the joints in `angle_offsets`, whose angle is written theta.
 
     Returns
     -------
@@ -32,7 +41,9 @@ def pose_formulas(arm: Arm, style: Style = "text") -> dict[str, str]:
     'a1*cos(q1) + a2*cos(q1 + q2)'
     """
     graph = Graph()
-    chain = arm.description.chain(graph, lambda name, _value: graph.parameter(name))
+    offsets = angle_offsets(arm)
+    rows = tuple(replace(row, theta=0.0) if i + 1 in offsets else row for i, row in enumerate(arm.rows))
+    chain = replace(arm.description, rows=rows).chain(graph, lambda name, _value: graph.parameter(name))
     _, walker = chain.axes()
     if not np.array_equal(arm.tool, np.eye(4)):
         walker.place(arm.tool.tolist())
@@ -40,7 +51,31 @@ def pose_formulas(arm: Arm, style: Style = "text") -> dict[str, str]:
     show = Printer(graph, style)
     entries: dict[str, Number] = {f"p{axis}": p[k] for k, axis in enumerate("xyz")}
     entries |= {f"r{i + 1}{j + 1}": axis[i] for i in range(3) for j, axis in enumerate((x, y, z))}
-    return {name: show(value) for name, value in entries.items()}
+    return {name: _with_offsets(show(value), offsets, style) for name, value in entries.items()}
+
+
+def angle_offsets(arm: Arm) -> dict[int, float]:
+    """Return the constant parts of the angles theta, in rad, that are no quarter turns, by joint (1-based).
+
+    Quarter turns only exchange sines and cosines and are worked into the formulas. Of a prismatic joint the angle is
+    constant and is worked in too.
+    """
+    return {
+        i + 1: row.theta
+        for i, row in enumerate(arm.rows)
+        if row.revolute and abs(math.remainder(row.theta, math.pi / 2)) > QUARTER
+    }
+
+
+def _with_offsets(formula: str, offsets: dict[int, float], style: Style) -> str:
+    for joint, offset in offsets.items():
+        if style == "text":
+            shifted = f"(q{joint} {'-' if offset < 0.0 else '+'} {abs(offset)!r})"
+            formula = re.sub(rf"\bq{joint}\b", shifted, formula)
+        else:
+            name = str(joint) if joint < 10 else f"{{{joint}}}"
+            formula = formula.replace(f"q_{name}", rf"\theta_{name}")
+    return formula
 
 
 def constants(arm: Arm) -> dict[str, float]:

@@ -98,15 +98,16 @@ class Session:
         """
         try:
             if isinstance(command, Undo):
-                self.state = self.history.undo(self.state)
+                self.state = _with_kept(self.history.undo(self.state), self.state)
             elif isinstance(command, Redo):
-                self.state = self.history.redo(self.state)
+                self.state = _with_kept(self.history.redo(self.state), self.state)
             elif isinstance(command, StartFresh):
                 self.state, self.history = State.initial(self.opening), History()
             else:
                 after = apply(self.state, command)
                 if after is not self.state:
-                    self.history.note(self.state, command, at)
+                    if command.undoable:
+                        self.history.note(self.state, command, at)
                     self.state = after
         except ArmlabError as refusal:
             self.tell(str(refusal))
@@ -117,3 +118,11 @@ class Session:
     def tell(self, text: str) -> None:
         """Leave a notice for the student."""
         self.notice = Notice(1 if self.notice is None else self.notice.number + 1, text)
+
+
+def _with_kept(restored: State, present: State) -> State:
+    """Return a restored state with the present parts that undo leaves alone."""
+    same_arm = restored[RobotPart].robot is present[RobotPart].robot
+    kept = [part if same_arm else part.for_robot(restored[RobotPart].robot) for part in present if part.kept_by_undo]
+    changed = [part for part in kept if part is not restored[type(part)]]
+    return restored.replace(*changed) if changed else restored

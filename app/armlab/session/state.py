@@ -24,6 +24,9 @@ class Part:
 
     key: ClassVar[str]
 
+    kept_by_undo: ClassVar[bool] = False
+    """Whether an undo leaves the part as it is: what is being looked at is not work that is taken back."""
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part as it is when an arm has just been chosen."""
@@ -32,6 +35,17 @@ class Part:
     def for_robot(self, robot: Robot) -> Self:
         """Return the part for another arm; what does not depend on the arm is kept by overriding this."""
         return self.initial(robot)
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Return the part for the same arm with an edited table.
+
+        Parameters
+        ----------
+        robot : Robot
+        origin : tuple of int or None
+            For each joint of the edited arm, which joint it was before; None for an added one.
+        """
+        return self.for_robot(robot)
 
     def after(self, before: State, now: State) -> Self:
         """Return the part adapted to what a command changed in others; called once for each command."""
@@ -108,6 +122,10 @@ class State:
         """Return the state with every part adapted to another arm."""
         return State({kind: part.for_robot(robot) for kind, part in self._parts.items()})
 
+    def with_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> State:
+        """Return the state with every part adapted to an edited table of the same arm; see `Part.for_edited`."""
+        return State({kind: part.for_edited(robot, origin) for kind, part in self._parts.items()})
+
     def derived(self, compute: Callable[[State], T]) -> T:
         """Return ``compute(state)``, computed at most once for this state."""
         if compute not in self._derived:
@@ -138,12 +156,15 @@ class Command:
         counts, in order.
     rests : bool
         Whether a pause ends its stroke: sliders do not say when they are let go.
+    undoable : bool
+        Whether it is a step of undo; what only changes the view of things is none.
     label : str
         What an undo of it says it takes back.
     """
 
     snapshot: ClassVar[bool] = False
     rests: ClassVar[bool] = False
+    undoable: ClassVar[bool] = True
     label: ClassVar[str] = "change"
 
     def apply(self, state: State) -> State:

@@ -10,9 +10,10 @@ import tempfile
 import threading
 from pathlib import Path
 
-from armlab.content.robots import Robot, catalogue
+from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import robot_from_json
 from armlab.session.session import Session
 from armlab.session.state import Json, State
 
@@ -113,7 +114,7 @@ def state_from_text(text: str) -> State:
     if data["format"] != FORMAT:
         raise ValueError(f"format {data['format']}, expected {FORMAT}")
     parts = data["parts"]
-    state = State.from_json(parts, catalogue()[parts["robot"]])
+    state = State.from_json(parts, robot_from_json(parts["robot"]))
     if state[Joints].draws < 0:
         raise InputError(f"draws: expected 0 or more, got {state[Joints].draws}")
     return state

@@ -25,8 +25,11 @@ PRESETS: dict[str, tuple[float, float] | None] = {
 """Azimuth and elevation in degrees; the home view is the robot's own."""
 
 
+GROWN = 1.6
+"""An edited arm so many times larger or smaller is looked at anew."""
+
 SETTLING = 4.0
-"""Seconds after the start in which the panels may still take their part of the window."""
+"""Seconds after the start, or the opening of a dock, in which the panels may still take their part of the window."""
 
 
 class Camera:
@@ -43,7 +46,7 @@ class Camera:
         self._client, self._pose = client, pose
         self._robot: Robot | None = None
         self._figure: Figure | None = None
-        self._aspect, self._began = 0.0, time.monotonic()
+        self._aspect, self._began, self._roomy, self._size = 0.0, time.monotonic(), False, math.inf
         client.camera.on_update(self._moved)
 
     async def _moved(self, _camera: object) -> None:
@@ -52,10 +55,21 @@ class Camera:
         if reshaped and time.monotonic() - self._began < SETTLING:
             self.look_from("Home")
 
-    def follow(self, robot: Robot, figure: Figure) -> None:
-        """Look at another arm, from its home view."""
+    def make_room(self, on: bool) -> None:
+        """Take every named pose of an arm into the picture, not only its home: a lesson leads there.
+
+        The dock that opens with it gives the picture another shape, so that is waited for.
+        """
+        self._roomy = on
+        if on:
+            self._began = time.monotonic()
+            self.look_from("Home")
+
+    def follow(self, robot: Robot, figure: Figure, stay: bool = False) -> None:
+        """Look at another arm, from its home view or from where the eye is unless it has become much larger."""
         self._robot, self._figure = robot, figure
-        self.look_from("Home")
+        if not stay or not 1.0 / GROWN < figure.anatomy.size / self._size < GROWN:
+            self.look_from("Home")
 
     def look_from(self, preset: str) -> None:
         """Look from one of the `PRESETS`, with the whole arm in the picture, at home and as it is now."""
@@ -67,7 +81,7 @@ class Camera:
         middle = bounds.mean(axis=0)
         radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
         camera = self._client.camera
-        self._aspect = camera.aspect
+        self._aspect, self._size = camera.aspect, self._figure.anatomy.size
         narrow = math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, self._aspect))
         distance = 1.02 * home.distance * radius / math.sin(narrow)
         # In this order: assigning the position keeps the point looked at.
@@ -77,8 +91,8 @@ class Camera:
         camera.look_at = middle
 
     def _bounds(self, robot: Robot, figure: Figure) -> NDArray[np.float64]:
-        """Return the corners (2, 3) of a box around the arm at home and as it is now."""
-        boxes = [figure.bounds(robot.home)]
+        """Return the corners (2, 3) of a box around the arm at home, or in all its poses, and as it is now."""
+        boxes = [figure.bounds(q) for q in (robot.poses.values() if self._roomy else [robot.home])]
         if len(self._pose()) == robot.arm.n:  # while another arm is being fetched its pose is there already
             boxes.append(figure.bounds(self._pose()))
         return np.array([np.min(boxes, axis=(0, 1)), np.max(boxes, axis=(0, 1))])

@@ -58,6 +58,7 @@ class Canvas:
 
     def _make_nodes(self, q: NDArray[np.float64]) -> None:
         anatomy = self.drawn.figure.anatomy
+        self._root = self.scene.add_frame(f"/{self._number}", show_axes=False)
         path = self.path("arm")
         root = quaternion_from_rotation(anatomy.root[:3, :3])
         self._nodes.append(self.scene.add_frame(path, show_axes=False, wxyz=root, position=anatomy.root[:3, 3]))
@@ -78,18 +79,30 @@ class Canvas:
         """Call back with every configuration that is shown, moves included."""
         self._listeners.append(listener)
 
-    def show_pose(self, q: NDArray[np.float64]) -> None:
-        """Show a configuration: at once when it is near, by a short move when it is not."""
+    @property
+    def shown(self) -> NDArray[np.float64]:
+        """The configuration on screen."""
+        return self._shown
+
+    def show_pose(self, q: NDArray[np.float64], at_once: bool = False) -> None:
+        """Show a configuration: at once when it is near or wanted so, by a short move when it is not."""
         self._goal = q
+        if at_once:
+            self.stop()
         if self._glide is not None:
             return
-        if self._distance() <= JUMP:
+        if at_once or self._distance() <= JUMP:
             self._write(q)
         else:
             self._begin_glide()
 
-    def close(self) -> None:
-        """Stop moving; the scene is about to be rebuilt or the browser is gone."""
+    def remove(self) -> None:
+        """Take everything out of the scene."""
+        self.stop()
+        self._root.remove()
+
+    def stop(self) -> None:
+        """Stop moving."""
         if self._glide is not None:
             self._glide.cancel()
             self._glide = None

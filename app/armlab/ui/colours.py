@@ -34,7 +34,10 @@ def css(rgb: Rgb) -> str:
 
 
 def line_colour(rgb: Rgb) -> Rgb:
-    """Return the colour to give viser's lines, which take it as linear light, so that this one is seen."""
+    """Return the colour to give arrows, and lines coloured point by point, so that this one is seen.
+
+    The page takes these as linear light; a line of one colour, as everything else, it takes as it is.
+    """
     r, g, b = (round(255.0 * float(value)) for value in linear(rgb))
     return r, g, b
 

@@ -11,20 +11,8 @@ import latex2mathml.converter
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.ik import Verdict
-
 MINUS = "\u2212"
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-
-
-def degrees(value: float) -> float:
-    """Return an angle in degrees, rounded to 0.1 as everywhere on screen."""
-    return round(math.degrees(value), 1) + 0.0
-
-
-def millimetres(value: float) -> float:
-    """Return a length in millimetres, rounded to 0.1."""
-    return round(1000.0 * value, 1) + 0.0
 
 
 def number(value: float, decimals: int) -> str:
@@ -37,9 +25,14 @@ def number(value: float, decimals: int) -> str:
     return text.replace("-", MINUS)
 
 
-def angle(value: float, decimals: int = 1) -> str:
-    """Return an angle given in radians, in degrees with its unit."""
-    return f"{number(math.degrees(value), decimals)}°"
+def trimmed(value: float, decimals: int) -> str:
+    """Return a number with at most so many decimals, without zeros at its end.
+
+    >>> trimmed(0.4318, 5), trimmed(-90.0, 1)
+    ('0.4318', '−90')
+    """
+    text = number(value, decimals)
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def turn(value: float, decimals: int = 1) -> str:
@@ -68,6 +61,11 @@ def subscript(letter: str, index: int) -> str:
 def capitalised(text: str) -> str:
     """Return the text with a capital first letter and nothing else changed."""
     return text[:1].upper() + text[1:]
+
+
+def lowered(text: str) -> str:
+    """Return the text with a small first letter and nothing else changed."""
+    return text[:1].lower() + text[1:]
 
 
 def escaped(text: str) -> str:
@@ -103,49 +101,3 @@ def pairs(rows: Sequence[tuple[str, str]]) -> str:
 def dot(colour: str) -> str:
     """Return a small round mark."""
     return f'<span class="dot" style="background:{colour}"></span>'
-
-
-SIGNS = {"ok": "✓", "warn": "◐", "no": "✕"}
-
-
-def verdict_kind(verdict: Verdict) -> str:
-    """Return ``ok``, ``warn`` or ``no``."""
-    return {"reached": "ok", "moving": "warn"}.get(verdict.status, "no")
-
-
-def verdict_words(verdict: Verdict) -> tuple[str, str]:
-    """Return the verdict in a word or two, and what there is to say about it with numbers and units."""
-    short = _shortfall(verdict)
-    if verdict.status == "reached":
-        return "reached", f"{length(verdict.position_error)} {angle(verdict.rotation_error)}"
-    if verdict.status == "limit":
-        return verdict.reason, short
-    if verdict.status == "beyond":
-        return "out of reach", f"{short}; farther than all links in a line"
-    if verdict.status == "closest":
-        return "closest possible", short
-    return "on the way", short
-
-
-def _shortfall(verdict: Verdict) -> str:
-    """Return how far away the target is, in the components that matter."""
-    said = []
-    if verdict.position_error >= 5e-5:
-        said.append(f"{length(verdict.position_error)} short")
-    if verdict.rotation_error >= math.radians(0.05):
-        said.append(f"{angle(verdict.rotation_error)} turned away")
-    return ", ".join(said) or "within 0.1 mm and 0.1°"
-
-
-def verdict_card(verdict: Verdict) -> str:
-    """Return the verdict as a coloured card with a sign and words."""
-    kind = verdict_kind(verdict)
-    head, body = verdict_words(verdict)
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {capitalised(escaped(head))}</b>{escaped(body)}</div>'
-
-
-def verdict_line(verdict: Verdict) -> str:
-    """Return the verdict in one line."""
-    kind = verdict_kind(verdict)
-    head, body = verdict_words(verdict)
-    return f'<b class="{kind}">{SIGNS[kind]} {escaped(head)}</b> {escaped(body)}'

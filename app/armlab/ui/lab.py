@@ -9,22 +9,26 @@ from pathlib import Path
 
 import viser
 
+from armlab.content.lessons import lessons
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
+from armlab.session.parts.lesson import LessonPart, OpenLesson
 from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.timeline import clips
 from armlab.session.session import Session
-from armlab.session.state import part_types
+from armlab.session.state import Command, part_types
 from armlab.session.store import Store
 from armlab.session.worker import Worker
 from armlab.ui import adapter
 from armlab.ui.figure.drawn import Gallery
-from armlab.ui.plugin import layers, panels
+from armlab.ui.player import Player
+from armlab.ui.plugin import layers, tabs
 from armlab.ui.view import View
 
 log = logging.getLogger(__name__)
 
 GRANT_PATIENCE = 2.0
-"""Seconds to wait for the arm a link names before the page is built without it."""
+"""Seconds to wait for the arm or lesson a link names before the page is built without it."""
 
 SAVE_INTERVAL = 1.0
 """Seconds between savings: what a crash can lose."""
@@ -47,7 +51,7 @@ class Lab:
 
     def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student.
-        for found in (part_types, methods, panels, layers):
+        for found in (part_types, methods, clips, tabs, layers, lessons):
             found()
         self._secret = secret
         self.server = adapter.make_server(port)
@@ -57,6 +61,7 @@ class Lab:
         self.worker = Worker(self._publish)
         self._views: dict[int, View] = {}
         self._of_session: dict[str, set[View]] = {}
+        self._players: dict[str, Player] = {}
         self._due: set[str] = set()
         self._waiting: dict[str, list[asyncio.Future[None]]] = {}
         self._stopped = threading.Event()
@@ -102,19 +107,27 @@ class Lab:
         view = View(client, session, self.gallery, lambda command: self.worker.post(session, command))
         self._views[client.client_id] = view
         self._of_session.setdefault(token, set()).add(view)
+        if token not in self._players:
+            self._players[token] = Player(
+                session, lambda command: self.worker.post(session, command), lambda: token in self._of_session
+            )
+        self._players[token].follow()
 
     async def _grant(self, session: Session, wish: str) -> None:
-        """Do what a readable link asks for, before the page is built: ``robot/puma560`` puts that arm on the table."""
-        kind, _, key = wish.partition("/")
-        if kind != "robot" or key == session.robot.key:
+        """Do what a readable link asks for, before the page is built.
+
+        ``robot/puma560`` puts that arm on the table, ``lesson/first_arm`` opens that lesson.
+        """
+        command = _wished(session, wish)
+        if command is None:
             return
         done = self.loop.create_future()
         self._waiting.setdefault(session.token, []).append(done)
-        self.worker.post(session, ChooseRobot(key))
+        self.worker.post(session, command)
         try:
             await asyncio.wait_for(done, GRANT_PATIENCE)
         except TimeoutError:
-            log.warning("the worker is slow; the page is built before the link's arm is chosen")
+            log.warning("the worker is slow; the page is built before the link's wish is granted")
 
     async def _disconnect(self, client: viser.ClientHandle) -> None:
         view = self._views.pop(client.client_id, None)
@@ -124,6 +137,7 @@ class Lab:
             views.discard(view)
             if not views:
                 del self._of_session[view.session.token]
+                del self._players[view.session.token]
 
     def _publish(self, session: Session) -> None:
         """Have the views of a session shown, on the event loop; called by the worker."""
@@ -142,10 +156,22 @@ class Lab:
                 done.set_result(None)
         for view in tuple(self._of_session.get(session.token, ())):
             view.show()
+        if session.token in self._players:
+            self._players[session.token].follow()
 
     def _keep_saving(self) -> None:
         while not self._stopped.wait(SAVE_INTERVAL):
             self.store.save()
+
+
+def _wished(session: Session, wish: str) -> Command | None:
+    """Return the command for a wish; None when it is granted already, so that a reload resets nothing."""
+    kind, _, key = wish.partition("/")
+    if kind == "robot" and key != session.robot.key:
+        return ChooseRobot(key)
+    if kind == "lesson" and key != session.state[LessonPart].open:
+        return OpenLesson(key)
+    return None
 
 
 __all__ = ["Lab"]

@@ -12,11 +12,14 @@ from collections.abc import Callable
 
 import viser
 
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import Target, verdict
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Command
-from armlab.ui.format import escaped, verdict_line
+from armlab.ui.format import escaped
+from armlab.ui.units import units_of
+from armlab.ui.verdicts import verdict_line
 from armlab.ui.widgets import Fields
 
 FIRST_HINT = "Drag the handle: the arm follows"
@@ -25,8 +28,16 @@ FIRST_HINT = "Drag the handle: the arm follows"
 class Overlay:
     """The layer of HTML over the scene of one browser."""
 
-    def __init__(self, client: viser.ClientHandle, post: Callable[[Command], None]) -> None:
-        self._fields = Fields(client.gui, lambda cell, _: post(Undo() if cell == "undo" else Redo()))
+    def __init__(
+        self, client: viser.ClientHandle, post: Callable[[Command], None], on_tabs: Callable[[str], None]
+    ) -> None:
+        def pressed(cell: str, text: str) -> None:
+            if cell == "tabs":
+                on_tabs(text)
+            else:
+                post(Undo() if cell == "undo" else Redo())
+
+        self._fields = Fields(client.gui, pressed)
         self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
@@ -34,13 +45,13 @@ class Overlay:
         # Another word each time: the page may outlive the server that asked before.
         self._tab, self._asked = title, secrets.token_hex(4)
 
-    def show(self, session: Session) -> None:
-        """Show the state of a session."""
-        untouched = session.state[Target].pose is None
-        if not untouched:
-            line = verdict_line(session.state.derived(verdict))
-        else:
-            line = FIRST_HINT if session.history.only(ChooseRobot.label) else ""
+    def show(self, session: Session, handle: bool) -> None:
+        """Show the state of a session; without the handle in the scene there is nothing to say about it."""
+        line = ""
+        if handle and session.state[Target].pose is not None:
+            line = verdict_line(session.state.derived(verdict), units_of(session.state))
+        elif handle and session.history.only(ChooseRobot.label):
+            line = FIRST_HINT
         hint = f'<div class="al-over al-hint" role="status">{line}</div>' if line else ""
         self._fields.show(hint + self._steps(session) + self._notes(session))
 
@@ -60,6 +71,10 @@ class Overlay:
         return f'<div class="al-over al-steps">{"".join(buttons)}</div>'
 
     def _notes(self, session: Session) -> str:
-        """Return what the page's script reads: the address of this arm, and the tab to open."""
-        notes = {"path": f"/robot/{session.state[RobotPart].robot.key}", "tab": self._tab, "asked": self._asked}
+        """Return what the page's script reads: the address of this lesson or arm, and the tab to open."""
+        robot = session.state[RobotPart]
+        path = "/" if robot.own else f"/robot/{robot.robot.key}"
+        if lesson := session.state[LessonPart].open:
+            path = f"/lesson/{lesson}"
+        notes = {"path": path, "tab": self._tab, "asked": self._asked, "chan": self._fields.channel_id}
         return f'<i id="al-notes" hidden data-notes="{escaped(json.dumps(notes))}"></i>'

@@ -7,12 +7,16 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
+from armlab.errors import PluginError
 from armlab.plugins import discover
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, Part, State
+from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.widgets import Gui
 
 if TYPE_CHECKING:
-    from armlab.ui.canvas import Canvas
+    from armlab.ui.drawing import LayerCanvas
 
 Post = Callable[[Command], None]
 Show = Callable[[State], None]
@@ -22,18 +26,28 @@ Show = Callable[[State], None]
 class Panel:
     """The constant ``PANEL`` of a module in `armlab.ui.panels`.
 
+    A panel is built when a person first opens it, and shown only while it is open.
+
     Parameters
     ----------
     key, title : str
     icon : str
         Name of one of `viser.Icon`, such as ``"ROBOT"``.
     order : int
-        Place among the tabs.
+        Place among the tabs, or among the pages of its tab.
     watches : tuple of part types
         ``show`` is called when one of these parts has changed, at most some eight times a second.
     build : callable
         ``build(gui, state, post) -> show``: makes the controls, returns the function that shows a state, which is
-        called at once. Called anew when another arm is chosen.
+        called at once.
+    tab : str
+        Key of the panel whose tab it shares as one of its pages; empty for a tab of its own.
+    rebuilds : tuple of part types
+        ``build`` is called anew when one of these has changed: another arm, other units.
+    see_through : bool
+        Whether the arm is drawn as a skeleton while the panel is open, because what it shows lies inside.
+    hides : tuple of str
+        Keys of layers that would be in its way while it is open.
     """
 
     key: str
@@ -42,6 +56,10 @@ class Panel:
     order: int
     watches: tuple[type[Part], ...]
     build: Callable[[Gui, State, Post], Show]
+    tab: str = ""
+    rebuilds: tuple[type[Part], ...] = (RobotPart, Notation)
+    see_through: bool = False
+    hides: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -56,13 +74,23 @@ class Layer:
     watches : tuple of part types
         ``show`` is called at once when one of these parts has changed.
     build : callable
-        ``build(canvas, state) -> show``; ``show`` is called at once. Called anew when another arm is chosen.
+        ``build(canvas, state) -> show``; ``show`` is called at once. Called anew when the arm has changed. What it adds
+        to ``canvas.scene`` is shown, hidden and removed as a whole.
+    switch : Switch or None
+        With which a person shows or hides it; it is built when first switched on, and not shown while it is off.
+    panel : str
+        Key of the panel with which it comes and goes; empty when it does not.
+    hides : tuple of str
+        Keys of layers that say the same in fewer words, and are hidden while its switch is on.
     """
 
     key: str
     order: int
     watches: tuple[type[Part], ...]
-    build: Callable[[Canvas, State], Show]
+    build: Callable[[LayerCanvas, State], Show]
+    switch: Switch | None = None
+    panel: str = ""
+    hides: tuple[str, ...] = ()
 
 
 @cache
@@ -70,7 +98,22 @@ def panels() -> dict[str, Panel]:
     """Return all panels in order."""
     from armlab.ui import panels as folder
 
-    return discover(folder, "PANEL", Panel)
+    found = discover(folder, "PANEL", Panel)
+    for panel in found.values():
+        if panel.tab and (panel.tab not in found or found[panel.tab].tab):
+            raise PluginError(f"panel {panel.key}: there is no tab {panel.tab!r}")
+    return found
+
+
+@cache
+def tabs() -> dict[str, tuple[Panel, ...]]:
+    """Return the tabs in order: the key of each, which is that of its first page, and its pages."""
+    found = panels()
+    return {
+        key: (first, *(page for page in found.values() if page.tab == key))
+        for key, first in found.items()
+        if not first.tab
+    }
 
 
 @cache
@@ -78,4 +121,22 @@ def layers() -> dict[str, Layer]:
     """Return all layers in order."""
     from armlab.ui import layers as folder
 
-    return discover(folder, "LAYER", Layer)
+    found = discover(folder, "LAYER", Layer)
+    names = [switch.name for switch in GENERAL] + [layer.switch.name for layer in found.values() if layer.switch]
+    for name in names:
+        if names.count(name) > 1:
+            raise PluginError(f"two switches are called {name!r}")
+    for layer in found.values():
+        if layer.panel and layer.panel not in panels():
+            raise PluginError(f"layer {layer.key}: there is no panel {layer.panel!r}")
+    hiding: tuple[Panel | Layer, ...] = (*panels().values(), *found.values())
+    for plugin in hiding:
+        for key in plugin.hides:
+            if key not in found:
+                raise PluginError(f"{plugin.key}: there is no layer {key!r} to hide")
+    return found
+
+
+def switches() -> tuple[Switch, ...]:
+    """Return all switches of the picture in order: those of layers, then the general ones."""
+    return (*(layer.switch for layer in layers().values() if layer.switch), *GENERAL)

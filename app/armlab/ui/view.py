@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import logging
 from collections.abc import Callable
-from typing import Any
 
 import viser
 
-from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Session
-from armlab.session.state import Command, Part, State
+from armlab.session.state import Command, State
 from armlab.ui import commands
 from armlab.ui.camera import Camera
 from armlab.ui.canvas import Canvas
 from armlab.ui.colours import BLUE
-from armlab.ui.figure.drawn import Gallery
+from armlab.ui.drawing import Drawing
+from armlab.ui.figure.drawn import Drawn, Gallery
+from armlab.ui.lesson_dock import LessonDock
 from armlab.ui.overlay import Overlay
-from armlab.ui.plugin import Layer, Panel, Show, layers, panels
+from armlab.ui.plugin import layers, panels, tabs
+from armlab.ui.switches import DARK, SKELETON
+from armlab.ui.tab import Tab
+from armlab.ui.timeline_bar import TimelineBar
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
@@ -30,6 +35,11 @@ PANEL_INTERVAL = 0.125
 
 DOCK_WIDTH = 345
 """Pixels: leaves the scene 75 % of a window of 1400, 66 % of 1024 and 58 % of a tablet's 820."""
+
+FIRST_TAB = "joints"
+
+LINGER = 0.15
+"""Seconds for which the bodies of an arm stay after it was edited: the page takes as long to unpack the new ones."""
 
 
 class View:
@@ -51,34 +61,81 @@ class View:
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
         self._canvases = 0
-        self._layers: list[tuple[Layer, Show]] = []
-        self._panels: list[_Tab] = []
+        self._drawings: list[Drawing] = []
+        self._tabs: dict[str, Tab] = {}
+        self._seen: frozenset[str] = frozenset((FIRST_TAB,))
         self._shown: State | None = None
+        self._robot: RobotPart | None = None
         self._told = session.notice_seen
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._closed = False
         with client.atomic():
             self._theme(session.state)
-            self._overlay = Overlay(client, post)
+            self._overlay = Overlay(client, post, self._tabs_seen)
+            self._timeline = TimelineBar(client, post)
             self._dock()
+            self._lesson = LessonDock(client, self._gui, post)
             commands.register(self)
-        self.open_tab("Joints")
+        self._overlay.open_tab(panels()[FIRST_TAB].title)
         self.show()
 
     def _dock(self) -> None:
         dock = self.client.gui.add_panel()
-        for panel in panels().values():
-            tab = dock.add_tab(panel.title, getattr(viser.Icon, panel.icon))
-            self._panels.append(_Tab(panel, tab, Gui(self.client, self.camera), self.post))
+        for key, pages in tabs().items():
+            tab = dock.add_tab(pages[0].title, getattr(viser.Icon, pages[0].icon))
+            self._tabs[key] = Tab(pages, tab, self._gui, self.post, self._panels_changed)
         dock.dock_right()
         dock.set_width(DOCK_WIDTH)
 
-    def open_tab(self, title: str) -> None:
-        """Bring a tab to the front."""
-        self._overlay.open_tab(title)
-        self._overlay.show(self.session)
+    def _gui(self) -> Gui:
+        return Gui(self.client, self.camera)
+
+    # -- which panels are open -----------------------------------------------------------------------------------
+
+    @property
+    def open_panels(self) -> frozenset[str]:
+        """The keys of the panels a person sees."""
+        return frozenset(self._tabs[key].page for key in self._seen)
+
+    def _hidden(self, state: State) -> frozenset[str]:
+        """Return the keys of layers that are in the way of an open panel, or of a layer that is switched on."""
+        on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
+        hiding = (*(panels()[key].hides for key in self.open_panels), *(layer.hides for layer in on))
+        return frozenset(key for hides in hiding for key in hides)
+
+    def _show_overlay(self) -> None:
+        self._overlay.show(self.session, "gizmo" not in self._hidden(self.session.state))
+
+    def open_tab(self, key: str) -> None:
+        """Bring a panel to the front."""
+        panel = panels()[key]
+        tab = self._tabs[panel.tab or key]
+        tab.turn_to(key)
+        self._overlay.open_tab(panels()[tab.key].title)
+        self._show_overlay()
+        self._panels_changed()
+
+    def _tabs_seen(self, text: str) -> None:
+        """Take from the page's script which tabs are seen, a list of keys."""
+        try:
+            seen = frozenset(key for key in json.loads(text) if key in self._tabs)
+        except (ValueError, TypeError):
+            log.warning("a page that is not ours told of its tabs")
+            return
+        if seen != self._seen:
+            self._seen = seen
+            self._panels_changed()
+
+    def _panels_changed(self) -> None:
+        if self._closed or self._shown is None:
+            return
+        with self.client.atomic():
+            self._show_layers(self._shown)
         self.client.flush()
+        self._refresh_now()
+
+    # -- showing -------------------------------------------------------------------------------------------------
 
     def show(self) -> None:
         """Show the present state: the scene at once, the panels soon."""
@@ -88,52 +145,74 @@ class View:
         if state is not before:
             self._shown = state
             with self.client.atomic():
-                if before is None or state[RobotPart] is not before[RobotPart]:
+                if self._robot is None or state[RobotPart].robot is not self._robot.robot:
                     self._change_robot(state)
                 else:
-                    self._show_layers(state, before)
-                if before is not None and state[Display].dark != before[Display].dark:
+                    self._show_layers(state)
+                if before is not None and DARK.on(state) != DARK.on(before):
                     self._theme(state)
+                lesson_changed = self._lesson.open(state)
             self.client.flush()
+            if lesson_changed:
+                self._lesson_changed(state)
         self._refresh_soon()
 
-    def _show_layers(self, state: State, before: State | None) -> None:
-        for layer, show in self._layers:
-            if before is None or _differ(layer.watches, state, before):
-                _guarded(f"layer {layer.key}", show, state)
+    def _lesson_changed(self, state: State) -> None:
+        """Make room in the picture, and bring the bench of the lesson to the front."""
+        lesson = state[LessonPart].lesson
+        self.camera.make_room(lesson is not None)
+        if lesson is not None and lesson.panel in panels():
+            self.open_tab(lesson.panel)
+
+    def _show_layers(self, state: State) -> None:
+        if self._robot is None or state[RobotPart].robot is not self._robot.robot:
+            return  # the picture of another arm is being made
+        open_panels = self.open_panels
+        bare = SKELETON.on(state) or any(panels()[key].see_through for key in open_panels)
+        hidden = self._hidden(state)
+        for drawing in self._drawings:
+            drawing.show(state, open_panels, bare, hidden)
 
     def _change_robot(self, state: State) -> None:
-        """Clear the scene and draw another arm; a figure that is new is made outside the event loop."""
-        robot = state[RobotPart].robot
-        drawn = self._gallery.ready(robot.arm)
-        if self._canvas is not None:
-            self._canvas.close()
-            self._canvas, self._layers = None, []
-        self.client.scene.reset()
+        """Draw another arm; a figure that is new is made outside the event loop, and the present one stays so long."""
+        arm = state[RobotPart].robot.arm
+        drawn = self._gallery.ready(arm)
         if drawn is None:
-            making = self._loop.run_in_executor(None, self._gallery.make, robot.arm)
-            making.add_done_callback(lambda future: self._figure_made(robot.arm, future.exception()))
+            making = self._loop.run_in_executor(None, self._gallery.make, arm)
+            making.add_done_callback(lambda future: self._figure_made(future.exception()))
             return
-        q = state[Joints].q
+        self._remove_drawings()
         self._canvases += 1
-        self._canvas = Canvas(self.client, drawn, self.post, q, self._canvases)
-        for layer in layers().values():
-            show = _guarded(f"layer {layer.key}", layer.build, self._canvas, state)
-            if show is not None:
-                self._layers.append((layer, show))
-                _guarded(f"layer {layer.key}", show, state)
-        self.camera.follow(robot, drawn.figure)
+        self._canvas = Canvas(self.client, drawn, self.post, state[Joints].q, self._canvases)
+        before, self._robot = self._robot, state[RobotPart]
+        self._drawings = [Drawing(layer, self._canvas) for layer in layers().values()]
+        self._show_layers(state)
+        self._look_at(drawn, before)
 
-    def _figure_made(self, arm: object, problem: BaseException | None) -> None:
+    def _remove_drawings(self) -> None:
+        canvas, self._canvas = self._canvas, None
+        for drawing in self._drawings:
+            if drawing.layer.key != "arm":
+                drawing.canvas.remove()
+        self._drawings = []
+        if canvas is not None:
+            canvas.stop()
+            self._loop.call_later(LINGER, lambda: None if self._closed else canvas.remove())
+
+    def _look_at(self, drawn: Drawn, before: RobotPart | None) -> None:
+        """Follow another arm with the camera; an edit of the same table leaves the eye where it is."""
+        assert self._robot is not None
+        edited = before is not None and before.origin == self._robot.origin and (before.own or self._robot.own)
+        self.camera.follow(self._robot.robot, drawn.figure, stay=edited)
+
+    def _figure_made(self, problem: BaseException | None) -> None:
         if problem is not None:
             log.error("the arm cannot be drawn", exc_info=problem)
             self.client.add_notification("Not drawn", "This arm cannot be drawn; the numbers are right.", color="red")
             return
-        if not self._closed and self.session.robot.arm is arm and self._gallery.ready(self.session.robot.arm):
-            with self.client.atomic():
-                self._change_robot(self.session.state)
-                self._shown = self.session.state
-            self.client.flush()
+        if not self._closed and self._gallery.ready(self.session.robot.arm):
+            self._shown = None
+            self.show()
 
     def _refresh_soon(self) -> None:
         if self._refresh is None:
@@ -144,14 +223,18 @@ class View:
                 self._refresh = self._loop.call_later(wait, self._refresh_now)
 
     def _refresh_now(self) -> None:
-        self._refresh = None
+        if self._refresh is not None:
+            self._refresh.cancel()
+            self._refresh = None
         if self._closed:
             return
         self._refreshed = self._loop.time()
         with self.client.atomic():
-            for tab in self._panels:
-                tab.show(self.session.state)
-            self._overlay.show(self.session)
+            for key in self._seen:
+                self._tabs[key].show(self.session.state)
+            self._lesson.show(self.session.state)
+            self._show_overlay()
+            self._timeline.show(self.session.state)
             self._tell()
         self.client.flush()
 
@@ -163,7 +246,7 @@ class View:
 
     def _theme(self, state: State) -> None:
         self.client.gui.configure_theme(
-            dark_mode=state[Display].dark, show_logo=False, show_share_button=False, brand_color=BLUE
+            dark_mode=DARK.on(state), show_logo=False, show_share_button=False, brand_color=BLUE
         )
 
     def close(self) -> None:
@@ -172,55 +255,4 @@ class View:
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:
-            self._canvas.close()
-
-
-class _Tab:
-    """One panel in its tab; one that fails is replaced by a line, and the rest lives on."""
-
-    def __init__(self, panel: Panel, tab: Any, gui: Gui, post: Callable[[Command], None]) -> None:
-        self._panel, self._tab, self._gui, self._post = panel, tab, gui, post
-        self._show: Show | None = None
-        self._shown: State | None = None
-
-    def show(self, state: State) -> None:
-        before, self._shown = self._shown, state
-        new = before is None or state[RobotPart] is not before[RobotPart]
-        with self._tab:
-            if new:
-                self._gui.clear()
-                self._show = self._try(self._panel.build, self._gui, state, self._post)
-            if self._show is not None and (new or before is None or _differ(self._panel.watches, state, before)):
-                self._try(_done(self._show), state)
-
-    def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:
-        result = _guarded(f"panel {self._panel.key}", call, *arguments)
-        if result is None:
-            self._fail()
-        return result
-
-    def _fail(self) -> None:
-        self._show = None
-        self._gui.clear()
-        self._gui.html(f'<div class="verdict no"><b>✕ {self._panel.title} has failed</b>The rest works on.</div>')
-
-
-def _differ(watched: tuple[type[Part], ...], state: State, before: State) -> bool:
-    return any(state[kind] is not before[kind] for kind in watched)
-
-
-def _done(show: Show) -> Callable[[State], bool]:
-    def call(state: State) -> bool:
-        show(state)
-        return True
-
-    return call
-
-
-def _guarded(what: str, call: Callable[..., Any], *arguments: Any) -> Any:
-    """Return the result of a call, or None when it raised; the log gets the traceback."""
-    try:
-        return call(*arguments)
-    except Exception:
-        log.exception("%s failed", what)
-        return None
+            self._canvas.stop()

@@ -113,9 +113,9 @@ class Fields:
         """Where buttons in the markup send their ``data-cell``: put it into their ``data-chan``."""
         return adapter.gui_id(self.channel)
 
-    def field(self, cell: str, value: str, label: str, disabled: bool = False) -> str:
-        """Return the markup of one input field."""
-        off = " disabled" if disabled else ""
+    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "") -> str:
+        """Return the markup of one input field; Enter goes on to the field ``below``."""
+        off = (" disabled" if disabled else "") + (f' data-below="{below}"' if below else "")
         return (
             f'<input class="field" inputmode="decimal" autocomplete="off" aria-label="{label}" value="{value}"'
             f' data-chan="{self.channel_id}" data-cell="{cell}"{off}>'
@@ -154,7 +154,7 @@ class Gui:
     """
 
     def __init__(self, client: viser.ClientHandle, camera: Camera) -> None:
-        self._gui, self.camera = client.gui, camera
+        self._client, self._gui, self.camera = client, client.gui, camera
         self._made: list[Any] = []
 
     def clear(self) -> None:
@@ -242,6 +242,26 @@ class Gui:
         self._keep(fields.channel)
         self._keep(fields.html)
         return fields
+
+    def uplot(self, data: tuple[Any, ...], series: tuple[Any, ...], x: str, height: int) -> Any:
+        """Add the bare chart of a `Plot`; returns the handle."""
+        axis = {"font": "11px sans-serif", "labelFont": "11px sans-serif", "labelSize": 16, "labelGap": 0}
+        axes: Any = ({**axis, "label": x, "size": 26}, {**axis, "size": 46, "space": 24})
+        return self._keep(
+            self._gui.add_uplot(
+                data,
+                series,
+                scales={"x": {"time": False}},
+                axes=axes,
+                legend={"show": False},
+                height=height,
+                padding=(6, 10, 0, 0),
+            )
+        )
+
+    def save(self, name: str, text: str) -> None:
+        """Have the browser save a text file."""
+        self._client.send_file_download(name, text.encode(), save_immediately=True)
 
     @contextmanager
     def folder(self, label: str, expanded: bool = False) -> Iterator[None]:

@@ -28,18 +28,86 @@
       type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify([cell, value, Date.now()]) },
     });
   };
+  const typed = 'input[data-chan]:not([data-live]):not([type=file]), select[data-chan], textarea[data-chan]';
   document.addEventListener('change', event => {
-    if (event.target.matches?.('input[data-chan]')) send(event.target, event.target.value);
+    if (event.target.matches?.(typed)) send(event.target, event.target.value);
+  });
+
+  // Sliders of ours tell where they are while they move, at most twenty times a second, and where they end.
+  let live = null;
+  let liveTimer = 0;
+  const sendLive = () => {
+    liveTimer = 0;
+    if (live) send(live, live.value);
+    live = null;
+  };
+  document.addEventListener('input', event => {
+    if (!event.target.matches?.('input[data-live]')) return;
+    live = event.target;
+    liveTimer ||= setTimeout(sendLive, 50);
+    // Until the lab answers, the thumb stays where the hand has put it.
+    if (live.dataset.cell === 'seek' && clock) clock = { ...clock, time: live.value * clock.end, at: performance.now() };
+  });
+
+  // Files are read here and arrive as text: the lab takes no uploads.
+  document.addEventListener('change', event => {
+    const file = event.target.matches?.('input[type=file][data-chan]') && event.target.files[0];
+    if (!file) return;
+    const field = event.target;
+    file.slice(0, 50001).text().then(text => send(field, text)); // one more than the lab takes, so that it says so
+    field.value = '';
+  });
+
+  // <button data-copy=TEXT>: where the page is not served securely there is no clipboard, but there is the old way.
+  const copy = async text => {
+    if (navigator.clipboard) return navigator.clipboard.writeText(text);
+    const area = document.createElement('textarea');
+    area.value = text;
+    document.body.append(area);
+    area.select();
+    document.execCommand('copy');
+    area.remove();
+  };
+  document.addEventListener('click', event => {
+    const button = event.target.closest?.('button[data-copy]');
+    if (!button) return;
+    copy(button.dataset.copy).then(() => {
+      button.dataset.done = '1';
+      setTimeout(() => delete button.dataset.done, 1200);
+    }, () => { button.dataset.done = '0'; });
+  });
+
+  // <button data-key=CODE> is pressed by that key when no control has the focus.
+  document.addEventListener('keydown', event => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+    const control = event.target.closest?.('input, select, textarea, button, [role=slider], [role=combobox], [contenteditable]');
+    if (control && !control.matches('.al-time input')) return; // the thumb of the timeline needs none of these keys
+    const button = document.querySelector(`button[data-key="${CSS.escape(event.code)}"]`);
+    if (!button || button.disabled) return;
+    event.preventDefault();
+    button.click();
   });
   document.addEventListener('keydown', event => {
-    if (event.key === 'Enter' && event.target.matches?.('input[data-chan]')) {
-      event.target.blur();
-      last = null;
+    if (event.key !== 'Enter' || !event.target.matches?.('input[data-chan]:not([data-live])')) return;
+    // In a table Enter goes down the column, as in a spreadsheet; elsewhere it leaves the field.
+    const below = event.target.dataset.below;
+    const { chan } = event.target.dataset;
+    const next = below && document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(below)}"]`);
+    event.target.blur();
+    last = null;
+    if (next) {
+      next.focus();
+      next.select();
     }
   });
   document.addEventListener('click', event => {
     const button = event.target.closest?.('button[data-chan]');
-    if (button && !button.disabled) send(button, '');
+    if (!button || button.disabled) return;
+    send(button, '');
+    if (event.detail) { // clicked by hand and done with: the space bar plays, and does not press it again
+      button.blur();
+      last = null;
+    }
   });
 
   // The lab replaces the markup around a field; the cursor goes on in the field of the same name.
@@ -54,9 +122,12 @@
     if (!last || last.isConnected || document.activeElement !== document.body) return;
     const { chan, cell } = last.dataset;
     const same = document.querySelector(`[data-chan="${chan}"][data-cell="${CSS.escape(cell)}"]`);
+    // What was typed before the new markup came is not lost.
+    const unsent = last.matches('input.field') && last.value !== last.defaultValue ? last.value : null;
     last = same;
     same?.focus({ preventScroll: true });
-    if (same?.select) same.select();
+    if (unsent !== null && same) same.value = unsent;
+    else if (same?.select) same.select();
   };
 
   // Keys that move the camera must not do so while a slider, a tab or a list has the focus.
@@ -92,6 +163,74 @@
     }
   };
 
+  // Which tabs are seen: the lab shows nothing in those that are not.
+  let seen = '["joints"]';
+  const tellTabs = () => {
+    const element = document.getElementById('al-notes');
+    if (!element) return;
+    // A tab that has been seen stays in the page and is only not displayed.
+    const marks = [...document.querySelectorAll('[data-tab]')].filter(mark => mark.parentElement.getClientRects().length);
+    const keys = [...new Set(marks.map(mark => mark.dataset.tab))].sort();
+    const text = JSON.stringify(keys);
+    const { chan } = JSON.parse(element.dataset.notes);
+    if (text === seen && chan === toldTo) return;
+    seen = text;
+    toldTo = chan;
+    send({ dataset: { chan, cell: 'tabs' } }, text);
+  };
+  let toldTo = '';
+
+  // The timeline: between two marks of the lab its thumb and the cursors of plots follow the page's own clock.
+  let clock = null;
+  let clockText = '';
+  const readClock = () => {
+    const text = document.getElementById('al-clock')?.dataset.clock ?? '';
+    if (text !== clockText) {
+      clockText = text;
+      clock = text ? { ...JSON.parse(text), at: performance.now() } : null;
+      if (clock) requestAnimationFrame(showClock);
+    }
+    drawClock(performance.now()); // the bar may have been made anew, without its time
+  };
+  const drawClock = now => {
+    if (!clock) return 0;
+    const time = Math.min(clock.time + clock.rate * Math.max(0, now - clock.at) / 1000, clock.end);
+    const part = clock.end > 0 ? time / clock.end : 0;
+    const thumb = document.querySelector('.al-time input[type=range]');
+    if (thumb && !thumb.matches(':active')) thumb.value = part;
+    const label = document.querySelector('.al-time .now');
+    const text = `${time.toFixed(1)} / ${clock.end.toFixed(1)} s`;
+    if (label && label.textContent !== text) label.textContent = text;
+    placeCursors(part);
+    return time;
+  };
+  let clockDrawn = 0;
+  const showClock = now => {
+    if (!clock || now === clockDrawn) return;
+    clockDrawn = now;
+    const time = drawClock(now);
+    if (clock.rate > 0 && time < clock.end) requestAnimationFrame(showClock);
+  };
+
+  // <i data-cursor=PART> after a plot: a line at that part of its width; PART "time" follows the timeline.
+  const placeCursors = part => {
+    for (const mark of document.querySelectorAll('[data-cursor]')) {
+      const over = mark.closest('[data-tabpanel], [role=tabpanel], body').querySelectorAll('.u-over');
+      const plot = [...over].filter(o => o.compareDocumentPosition(mark) & Node.DOCUMENT_POSITION_FOLLOWING).pop();
+      if (!plot) continue;
+      let line = plot.querySelector('.al-cursor');
+      if (!line) {
+        line = document.createElement('div');
+        line.className = 'al-cursor';
+        plot.append(line);
+      }
+      const at = mark.dataset.cursor === 'time' ? part : Number(mark.dataset.cursor);
+      const shown = Number.isFinite(at) && mark.dataset.cursor !== '';
+      line.style.display = shown ? '' : 'none';
+      if (shown) line.style.left = `${100 * at}%`;
+    }
+  };
+
   // The free part of the window between the docks, for what lies over the scene.
   const measure = () => {
     const canvas = document.querySelector('canvas');
@@ -100,6 +239,7 @@
     const style = document.documentElement.style;
     style.setProperty('--al-left', `${box.left}px`);
     style.setProperty('--al-right', `${innerWidth - box.right}px`);
+    style.setProperty('--al-wide', `${box.width}px`);
     style.setProperty('--al-mid', `${(box.left + box.right) / 2}px`);
   };
 
@@ -112,9 +252,12 @@
         due = false;
         keepFocus();
         obey();
+        tellTabs();
+        readClock();
+        placeCursors(clock && clock.end > 0 ? clock.time / clock.end : NaN);
         measure();
       });
-    }).observe(document.body, { childList: true, subtree: true, attributes: true, attributeFilter: ['data-notes', 'style'] });
+    }).observe(document.body, { childList: true, subtree: true, attributes: true, attributeFilter: ['data-notes', 'data-clock', 'data-cursor', 'style'] });
     addEventListener('resize', measure);
   };
   if (document.body) watch();

@@ -2,37 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import ClassVar, Self
 
 from armlab.content.robots import Robot
-from armlab.errors import UnknownName
+from armlab.errors import InputError
 from armlab.session.state import Command, Json, Part, PartType, State
+
+NAME = re.compile(r"[a-z0-9_]{1,40}\Z")
+MOST = 100
 
 
 @dataclass(frozen=True)
 class Display(Part):
-    """Switches of the picture; they stay when the arm changes.
+    """Switches of the picture that a person has set; they stay when the arm changes.
 
     Attributes
     ----------
-    frames, names, skeleton, trace : bool
-        All Denavit-Hartenberg frames; the names q1 ... at the joints; textbook symbols instead of bodies; the path of
-        the tool point.
-    shadows : bool
-        Half the work of drawing, on a computer without a graphics processor.
-    dark : bool
-        The dark theme.
+    switches : mapping of str to bool
+        By name. Which names there are, and how each stands when nobody has set it, is known where they are drawn.
     """
 
     key: ClassVar[str] = "display"
 
-    frames: bool = False
-    names: bool = True
-    skeleton: bool = False
-    trace: bool = False
-    shadows: bool = True
-    dark: bool = False
+    switches: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -45,12 +41,12 @@ class Display(Part):
 
     def to_json(self) -> Json:
         """Write the switches."""
-        return asdict(self)
+        return dict(self.switches)
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read the switches there are."""
-        return cls(**{name: bool(data[name]) for name in asdict(cls()) if name in data})
+        """Read the switches."""
+        return cls(MappingProxyType({name: bool(on) for name, on in data.items() if NAME.match(name)}))
 
 
 PART = PartType(Display, order=30)
@@ -66,8 +62,9 @@ class Show(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the switch set."""
-        display = state[Display]
-        if self.name not in asdict(display):
-            raise UnknownName("display", self.name, asdict(display))
-        changed = replace(display, **{self.name: self.on})
-        return state if changed == display else state.replace(changed)
+        switches = state[Display].switches
+        if not NAME.match(self.name) or (self.name not in switches and len(switches) >= MOST):
+            raise InputError(f"display: not the name of a switch: {self.name[:40]!r}")
+        if switches.get(self.name) == self.on:
+            return state
+        return state.replace(Display(MappingProxyType({**switches, self.name: self.on})))

@@ -44,6 +44,14 @@ class Joints(Part):
         """Return the home pose, nothing held."""
         return cls(robot.arm, _checked(robot.arm, robot.home), (False,) * robot.arm.n)
 
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep the values and locks of the joints that are still there; added ones stand as the robot's home does."""
+        q, locked = np.array(robot.home), [False] * robot.arm.n
+        for i, before in enumerate(origin):
+            if before is not None and self.arm.rows[before].kind == robot.arm.rows[i].kind:
+                q[i], locked[i] = self.q[before], self.locked[before]
+        return type(self)(robot.arm, _checked(robot.arm, q), tuple(locked), self.draws)
+
     def to_json(self) -> Json:
         """Write values and locks."""
         return {"q": self.q.tolist(), "locked": list(self.locked), "draws": self.draws}

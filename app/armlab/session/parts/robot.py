@@ -2,37 +2,85 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from armlab.content.robots import Robot, catalogue
+from armlab.content.robots import OWN, Robot, catalogue, parse_robot
+from armlab.content.write_robot import robot_toml
+from armlab.errors import InputError
+from armlab.kin.convert import Link, Remainders
 from armlab.session.state import Command, Json, Part, PartType, State
 
 
 @dataclass(frozen=True)
 class RobotPart(Part):
-    """The robot file in use."""
+    """The arm in use: one of the files, or a table of the student's own.
+
+    Attributes
+    ----------
+    robot : Robot
+    origin : str
+        Key of the file an own table began with; empty for one that began with none.
+    moved : Remainders or None
+        What the last edit, a change of convention, put into base and tool; None when it was another edit.
+    """
 
     key: ClassVar[str] = "robot"
 
     robot: Robot
+    origin: str = ""
+    moved: Remainders | None = None
+
+    @property
+    def own(self) -> bool:
+        """Whether the table is the student's own."""
+        return self.robot.key == OWN
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part for an arm."""
-        return cls(robot)
+        return cls(robot, "" if robot.key == OWN else robot.key)
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Remember which file the table began with."""
+        return type(self)(robot, self.origin)
 
     def to_json(self) -> Json:
-        """Write the key of the file."""
-        return self.robot.key
+        """Write the key of the file, or the whole of an own table."""
+        if not self.own:
+            return self.robot.key
+        data: dict[str, Json] = {"toml": robot_toml(self.robot), "origin": self.origin}
+        if self.moved is not None:
+            data["moved"] = [[link.a, link.alpha] for link in (self.moved.base, self.moved.tool)]
+        return data
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read the part; the caller has already found the robot of this key."""
-        return cls(robot)
+        """Read the part; the caller has already found the robot with `robot_from_json`."""
+        if not isinstance(data, dict):
+            return cls(robot, robot.key)
+        origin = data["origin"]
+        return cls(robot, origin if origin in catalogue().robots else "", _moved(data.get("moved")))
 
 
 PART = PartType(RobotPart, order=0)
+
+
+def _moved(data: Json) -> Remainders | None:
+    if data is None:
+        return None
+    base, tool = ((float(a), float(alpha)) for a, alpha in data)
+    if not all(map(math.isfinite, base + tool)):
+        raise InputError(f"moved: expected finite numbers, got {data}")
+    return Remainders(Link(*base), Link(*tool))
+
+
+def robot_from_json(data: Json) -> Robot:
+    """Return the robot a written part names or holds; raises when it is not usable."""
+    if isinstance(data, dict):
+        return parse_robot(OWN, data["toml"], proven=False)
+    return catalogue()[data]
 
 
 @dataclass(frozen=True)

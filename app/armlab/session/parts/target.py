@@ -71,6 +71,11 @@ class Target(Part):
         """Keep axes and method; put the target on the tool of the new arm."""
         return replace(self, pose=None, catching_up=False, handle="move")
 
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep the handle too when the arm still has that handle."""
+        kept = self.for_robot(robot)
+        return replace(kept, handle=self.handle) if robot.arm.task.rotation != "none" else kept
+
     def after(self, before: State, now: State) -> Self:
         """Put the target back on the tool when the joints were moved by anything but the target itself."""
         moved = now[Joints].q is not before[Joints].q

@@ -8,52 +8,38 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.rotations import quaternion_from_rotation
-from armlab.session.parts.display import Display
 from armlab.session.state import State
-from armlab.ui.canvas import Canvas
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.marks import FRAME_LENGTH, frame_glb
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.switches import Switch
 
 SHRINK = 0.72
 """Of each further frame in the same place."""
 
 
-def build(canvas: Canvas, state: State) -> Show:
+def build(canvas: LayerCanvas, state: State) -> Show:
     """Hang a frame with its label on each body; they move with it."""
-    handles = []
     for group in _groups(canvas):
         for rank, mark in enumerate(group):
-            handles.append(
-                canvas.scene.add_glb(
-                    f"{canvas.node(mark.body)}/frame{mark.name}",
-                    frame_glb(),
-                    scale=FRAME_LENGTH * canvas.size * SHRINK**rank,
-                    wxyz=quaternion_from_rotation(mark.pose[:3, :3]),
-                    position=mark.pose[:3, 3],
-                    cast_shadow=False,
-                    receive_shadow=False,
-                    visible=False,
-                )
+            canvas.scene.add_glb(
+                f"{canvas.node(mark.body)}/frame{mark.name}",
+                frame_glb(),
+                scale=FRAME_LENGTH * canvas.size * SHRINK**rank,
+                wxyz=quaternion_from_rotation(mark.pose[:3, :3]),
+                position=mark.pose[:3, 3],
+                cast_shadow=False,
+                receive_shadow=False,
             )
         first = group[0]
         corner = 0.35 * FRAME_LENGTH * canvas.size * (first.pose[:3, 0] + first.pose[:3, 1])
-        handles.append(
-            canvas.scene.add_label(
-                f"{canvas.node(first.body)}/label{first.name}",
-                "{" + ", ".join(mark.name for mark in group) + "}",
-                position=first.pose[:3, 3] + corner,
-                font_screen_scale=0.85,
-                visible=False,
-            )
+        canvas.scene.add_label(
+            f"{canvas.node(first.body)}/label{first.name}",
+            "{" + ", ".join(mark.name for mark in group) + "}",
+            position=first.pose[:3, 3] + corner,
+            font_screen_scale=0.85,
         )
-
-    def show(state: State) -> None:
-        on = state[Display].frames
-        for handle in handles:
-            if handle.visible != on:
-                handle.visible = on
-
-    return show
+    return lambda state: None
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +51,7 @@ class _Mark:
     pose: NDArray[np.float64]
 
 
-def _groups(canvas: Canvas) -> list[list[_Mark]]:
+def _groups(canvas: LayerCanvas) -> list[list[_Mark]]:
     """Return the frames, those that share their origin in every configuration together."""
     anatomy = canvas.drawn.figure.anatomy
     arm, n = anatomy.arm, len(anatomy.bodies)
@@ -85,4 +71,5 @@ def _groups(canvas: Canvas) -> list[list[_Mark]]:
     return [[marks[k] for k in group] for group in groups]
 
 
-LAYER = Layer("frames", order=20, watches=(Display,), build=build)
+SWITCH = Switch("frames", "Frames", "All Denavit–Hartenberg frames {0} to {n} and the tool's frame {E}.", "F")
+LAYER = Layer("frames", order=20, watches=(), build=build, switch=SWITCH)

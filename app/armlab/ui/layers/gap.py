@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target, target_pose, verdict
 from armlab.session.state import State
-from armlab.ui.canvas import Canvas
-from armlab.ui.colours import VERDICT, line_colour
-from armlab.ui.format import verdict_kind
+from armlab.ui.colours import VERDICT
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.verdicts import verdict_kind
 
 DASH, SPACE, THICKNESS = 0.018, 0.012, 0.003
 """In sizes of the arm."""
@@ -22,7 +22,7 @@ VISIBLE = 1e-3
 """Shortest gap that is drawn, in sizes of the arm."""
 
 
-def build(canvas: Canvas, state: State) -> Show:
+def build(canvas: LayerCanvas, state: State) -> Show:
     """Draw the gap when there is one."""
     line: viser.LineSegmentsHandle | None = None
 
@@ -37,7 +37,7 @@ def build(canvas: Canvas, state: State) -> Show:
                 line = None
             return
         points = _dashes(state[Joints].tool_pose[:3, 3], gap, canvas.size)
-        colour = line_colour(VERDICT[verdict_kind(state.derived(verdict))])
+        colour = VERDICT[verdict_kind(state.derived(verdict))]
         if line is None:
             line = canvas.scene.add_line_segments(canvas.path("gap"), points, colour, thickness=THICKNESS * canvas.size)
         else:

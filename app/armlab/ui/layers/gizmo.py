@@ -17,7 +17,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
 from armlab.session.state import State
 from armlab.ui import adapter
-from armlab.ui.canvas import Canvas
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
 
 SCALE = 0.14
@@ -30,7 +30,7 @@ CATCH_UP = 0.05
 class Gizmo:
     """One or two transform controls that act as one handle."""
 
-    def __init__(self, canvas: Canvas) -> None:
+    def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
         self._made_for: tuple[str, str, str] | None = None
         self._controls: list[viser.TransformControlsHandle] = []
@@ -141,7 +141,7 @@ def _place(control: viser.TransformControlsHandle, axes: NDArray[np.floating], p
         adapter.set_position(control, (px, py, pz))
 
 
-def build(canvas: Canvas, state: State) -> Show:
+def build(canvas: LayerCanvas, state: State) -> Show:
     """Put the handle on the target."""
     gizmo = Gizmo(canvas)
     return gizmo.show

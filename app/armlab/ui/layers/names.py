@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from armlab.session.parts.display import Display
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State
-from armlab.ui.canvas import Canvas
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.housings import RADIUS
-from armlab.ui.format import subscript
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.switches import Switch
+from armlab.ui.units import units_of
 
 
-def build(canvas: Canvas, state: State) -> Show:
+def build(canvas: LayerCanvas, state: State) -> Show:
     """Hang a label beside each joint; those of joints in one place are one label."""
     figure = canvas.drawn.figure
     anatomy = figure.anatomy
+    units = units_of(state)
     labels = []
     for i, body in enumerate(anatomy.bodies):
         side = RADIUS * float(anatomy.radius[i]) * 1.25
@@ -23,21 +25,21 @@ def build(canvas: Canvas, state: State) -> Show:
         labels.append(
             canvas.scene.add_label(
                 f"{canvas.node(on)}/name{i + 1}",
-                subscript("q", i + 1),
+                units.variable(i, body.revolute),
                 position=(place[0], place[1], place[2] + (side if not body.revolute else 0.0)),
                 font_screen_scale=0.85,
                 anchor="bottom-left",
-                visible=False,
             )
         )
 
     def show(state: State) -> None:
-        on = state[Display].names
-        for label in labels:
-            if label.visible != on:
-                label.visible = on
+        units = units_of(state)
+        for i, (label, body) in enumerate(zip(labels, anatomy.bodies, strict=True)):
+            if label.text != units.variable(i, body.revolute):
+                label.text = units.variable(i, body.revolute)
 
     return show
 
 
-LAYER = Layer("names", order=40, watches=(Display,), build=build)
+SWITCH = Switch("names", "Joint names", "The names of the joint variables at the joints.", "N", default=True)
+LAYER = Layer("names", order=40, watches=(Notation,), build=build, switch=SWITCH)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import viser
@@ -11,56 +10,48 @@ import viser
 from armlab.kin.rotations import quaternion_from_rotation
 from armlab.session.parts.display import Display
 from armlab.session.state import State
-from armlab.ui.canvas import Canvas
-from armlab.ui.colours import line_colour
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.anatomy import Pose
 from armlab.ui.figure.figure import Figure
 from armlab.ui.figure.marks import symbol_height
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.switches import DARK, SKELETON
 
 INK = {False: (52, 60, 72), True: (205, 212, 222)}
 PLATE = (110, 119, 132)
 
 
-def build(canvas: Canvas, state: State) -> Show:
+def build(canvas: LayerCanvas, state: State) -> Show:
     """Hang lines and symbols on the bodies, and a plate on the ground; they are shown instead of the solids."""
     anatomy, scene = canvas.drawn.figure.anatomy, canvas.scene
-    handles: list[Any] = [_plate(canvas)]
+    _plate(canvas)
     lines = [(0, np.array([[[0.0, 0.0, canvas.drawn.figure.foot], [0.0, 0.0, 0.0]]], dtype=np.float32))]
     for i in range(len(anatomy.bodies)):
         on, pose = _place_of_symbol(canvas.drawn.figure, i)
-        handles.append(
-            scene.add_glb(
-                f"{canvas.node(on)}/symbol{i + 1}",
-                canvas.drawn.symbols[i],
-                wxyz=quaternion_from_rotation(pose[:3, :3]),
-                position=pose[:3, 3],
-                visible=False,
-            )
+        scene.add_glb(
+            f"{canvas.node(on)}/symbol{i + 1}",
+            canvas.drawn.symbols[i],
+            wxyz=quaternion_from_rotation(pose[:3, :3]),
+            position=pose[:3, 3],
         )
         segments = _segments(canvas, i)
         if len(segments):
             lines.append((i + 1, segments))
 
     def show(state: State) -> None:
-        display = state[Display]
         for on, segments in lines:
             # Lines are made anew because their colour follows the theme.
             scene.add_line_segments(
                 f"{canvas.node(on)}/lines",
                 segments,
-                line_colour(INK[display.dark]),
+                INK[DARK.on(state)],
                 thickness=0.008 * canvas.size,
-                visible=display.skeleton,
             )
-        for handle in handles:
-            if handle.visible != display.skeleton:
-                handle.visible = display.skeleton
 
     return show
 
 
-def _plate(canvas: Canvas) -> viser.MeshHandle:
+def _plate(canvas: LayerCanvas) -> viser.MeshHandle:
     """Return the ground the arm stands on."""
     radius = 2.2 * float(canvas.drawn.figure.anatomy.radius[0])
     return canvas.scene.add_cylinder(
@@ -69,7 +60,6 @@ def _plate(canvas: Canvas) -> viser.MeshHandle:
         height=0.08 * radius,
         color=PLATE,
         position=(0.0, 0.0, canvas.drawn.figure.foot + 0.04 * radius),
-        visible=False,
     )
 
 
@@ -88,7 +78,7 @@ def _place_of_symbol(figure: Figure, i: int) -> tuple[int, Pose]:
     return (i + 1 if body.revolute else i), pose
 
 
-def _segments(canvas: Canvas, i: int) -> np.ndarray:
+def _segments(canvas: LayerCanvas, i: int) -> np.ndarray:
     """Return the lines of body i in its node, (k, 2, 3): along z, along x, and to the tool at the last body."""
     anatomy = canvas.drawn.figure.anatomy
     body = anatomy.bodies[i]
@@ -103,4 +93,4 @@ def _segments(canvas: Canvas, i: int) -> np.ndarray:
     return pairs[long_enough].astype(np.float32)
 
 
-LAYER = Layer("skeleton", order=30, watches=(Display,), build=build)
+LAYER = Layer("skeleton", order=30, watches=(Display,), build=build, switch=SKELETON)

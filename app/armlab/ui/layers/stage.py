@@ -6,11 +6,12 @@ import math
 
 from armlab.session.parts.display import Display
 from armlab.session.state import State
-from armlab.ui.canvas import Canvas
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.switches import DARK, SHADOWS
 
-LIGHT = {"cell": (203, 210, 219), "section": (176, 186, 198), "key": 1.75, "shadow": 0.16}
-DARK = {"cell": (58, 67, 80), "section": (78, 90, 106), "key": 1.7, "shadow": 0.55}
+DAY = {"cell": (203, 210, 219), "section": (176, 186, 198), "key": 1.75, "shadow": 0.16}
+NIGHT = {"cell": (58, 67, 80), "section": (78, 90, 106), "key": 1.7, "shadow": 0.55}
 
 
 def cell_size(size: float) -> float:
@@ -25,7 +26,7 @@ def cell_size(size: float) -> float:
     return min(steps, key=lambda step: abs(math.log(step / wanted)))
 
 
-def build(canvas: Canvas, state: State) -> Show:
+def build(canvas: LayerCanvas, state: State) -> Show:
     """Set up three lights and an endless grid that fades into the background."""
     scene, S = canvas.scene, canvas.size
     at = {"key": (-1.35, -1.86, 3.0), "fill": (2.0, 1.5, 1.0), "rim": (-1.0, 2.5, 1.2)}
@@ -40,12 +41,12 @@ def build(canvas: Canvas, state: State) -> Show:
     foot = float(canvas.drawn.figure.anatomy.root[2, 3]) + canvas.drawn.figure.foot
 
     def show(state: State) -> None:
-        look = DARK if state[Display].dark else LIGHT
+        look = NIGHT if DARK.on(state) else DAY
         scene.add_light_directional(
             canvas.path("stage/key"),
             intensity=look["key"],
             color=(255, 250, 244),
-            cast_shadow=state[Display].shadows,
+            cast_shadow=SHADOWS.on(state),
             position=position["key"],
         )
         scene.add_grid(
@@ -60,7 +61,7 @@ def build(canvas: Canvas, state: State) -> Show:
             fade_distance=7.0 * S,
             fade_strength=1.6,
             fade_from="origin",
-            shadow_opacity=look["shadow"] if state[Display].shadows else 0.0,
+            shadow_opacity=look["shadow"] if SHADOWS.on(state) else 0.0,
             # A little below the plate, or the two would fight for the same pixels.
             position=(0.0, 0.0, foot - 0.002 * S),
         )

@@ -6,11 +6,11 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from armlab.session.parts.display import Display
 from armlab.session.state import State
-from armlab.ui.canvas import Canvas
-from armlab.ui.colours import BLUE, line_colour
+from armlab.ui.colours import BLUE
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.switches import Switch
 
 STEP = 0.004
 """Distance between the points that are kept, in sizes of the arm."""
@@ -23,17 +23,14 @@ CHUNKS = 40
 class Trace:
     """Collects the shown tool points and draws them in chunks."""
 
-    def __init__(self, canvas: Canvas) -> None:
+    def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
         self._points: list[NDArray[np.float64]] = []
         self._chunks: list[viser.LineSegmentsHandle] = []
         self._made = 0
-        self.on = False
 
     def add(self, q: NDArray[np.float64]) -> None:
         """Note a shown configuration."""
-        if not self.on:
-            return
         point = self._canvas.drawn.figure.anatomy.arm.position(q)
         if self._points and np.linalg.norm(point - self._points[-1]) < STEP * self._canvas.size:
             return
@@ -45,9 +42,7 @@ class Trace:
         points = np.array(self._points, dtype=np.float32)
         segments = np.stack([points[:-1], points[1:]], axis=1)
         name = self._canvas.path(f"trace/{self._made}")
-        handle = self._canvas.scene.add_line_segments(
-            name, segments, line_colour(BLUE), thickness=0.0035 * self._canvas.size
-        )
+        handle = self._canvas.scene.add_line_segments(name, segments, BLUE, thickness=0.0035 * self._canvas.size)
         self._chunks[-1:] = [handle] if self._chunks and self._chunks[-1].name == name else [*self._chunks[-1:], handle]
         if len(segments) >= CHUNK:
             self._points = self._points[-1:]
@@ -64,17 +59,13 @@ class Trace:
         self._made += 1
 
 
-def build(canvas: Canvas, state: State) -> Show:
+def build(canvas: LayerCanvas, state: State) -> Show:
     """Follow the tool while the switch is on; switching off clears the path."""
     trace = Trace(canvas)
     canvas.on_pose(trace.add)
-
-    def show(state: State) -> None:
-        if trace.on and not state[Display].trace:
-            trace.clear()
-        trace.on = state[Display].trace
-
-    return show
+    canvas.on_hide(trace.clear)
+    return lambda state: None
 
 
-LAYER = Layer("trace", order=70, watches=(Display,), build=build)
+SWITCH = Switch("trace", "Trace", "The path of the tool point. Switch off to clear it.", "T")
+LAYER = Layer("trace", order=70, watches=(), build=build, switch=SWITCH)

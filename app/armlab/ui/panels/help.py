@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
-from armlab.ui.commands import SHORTCUTS
+from armlab.ui.commands import shortcuts
 from armlab.ui.format import escaped
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.widgets import Gui
@@ -30,11 +30,11 @@ WORDS = (
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the text."""
-    gui.html("<h3>Keys</h3>" + _table((s.shown, s.label) for s in SHORTCUTS if s.key))
+    gui.html("<h3>Keys</h3>" + _table((s.shown, s.label) for s in shortcuts() if s.key))
     gui.html("<h3>Mouse and touch</h3>" + _table(MOUSE))
     gui.html("<h3>What the verdict says</h3>" + _table(WORDS))
     gui.html(
-        "<h3>Units</h3><p>Degrees and millimetres on screen; matrices in metres. Joints count from 1. "
+        "<h3>Units</h3><p>Choose units and names under View; matrices are in metres. Joints count from 1. "
         "Every control has a hint: rest the pointer on its name.</p>"
     )
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from armlab.kin.rotations import euler_zyx
@@ -12,16 +10,17 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
-from armlab.ui.format import degrees, escaped, mathml, matrix, millimetres, number, pairs, subscript, turn
+from armlab.ui.format import escaped, mathml, matrix, number, pairs, subscript
 from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make a slider for each joint and the read-out of the tool."""
-    joints = state[Joints]
+    joints, units = state[Joints], units_of(state)
     gui.heading("Joint variables")
-    sliders = [_slider(gui, joints, i, post) for i in range(joints.arm.n)]
+    sliders = [_slider(gui, joints, i, post, units) for i in range(joints.arm.n)]
     gui.html(_colours(sliders))
     locks = gui.fields(lambda cell, _: post(LockJoint(int(cell), not held[int(cell)])))
     names = [*state[RobotPart].robot.poses, "zero"]
@@ -34,35 +33,41 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         joints = state[Joints]
         for i, slider in enumerate(sliders):
-            slider.show(_shown(joints, i))
+            slider.show(_shown(joints, i, units))
             slider.enable(not joints.locked[i])
         held[:] = joints.locked
-        locks.show(_row("Hold", "".join(_lock(locks.channel_id, i, on) for i, on in enumerate(held))))
-        readout.show(_readout(joints))
+        locks.show(
+            _row("Hold", "".join(_lock(locks.channel_id, i, on, _name(joints, i, units)) for i, on in enumerate(held)))
+        )
+        readout.show(_readout(joints, units))
 
     return show
 
 
-def _shown(joints: Joints, i: int) -> float:
-    value = float(joints.q[i])
-    return degrees(value) if joints.arm.rows[i].revolute else millimetres(value)
+def _shown(joints: Joints, i: int, units: Units) -> float:
+    return units.value(float(joints.q[i]), joints.arm.rows[i].revolute)
 
 
-def _slider(gui: Gui, joints: Joints, i: int, post: Post) -> Control:
+def _name(joints: Joints, i: int, units: Units) -> str:
+    return units.variable(i, joints.arm.rows[i].revolute)
+
+
+def _slider(gui: Gui, joints: Joints, i: int, post: Post, units: Units) -> Control:
     revolute = joints.arm.rows[i].revolute
-    unit, scale, step = ("°", math.pi / 180.0, 0.1) if revolute else ("mm", 1e-3, 0.1)
+    unit, scale, decimals = units.unit(revolute), units.factor(revolute), units.decimals(revolute)
     low, high = (float(value) / scale for value in joints.arm.limits[i])
     symbol = subscript("θ" if revolute else "d", i + 1)
     kind = "revolute, turns about" if revolute else "prismatic, slides along"
     axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
     return gui.slider(
-        f"{subscript('q', i + 1)} {unit}",
-        round(low, 1),
-        round(high, 1),
-        step,
-        _shown(joints, i),
+        f"{_name(joints, i, units)} {unit}",
+        round(low, decimals),
+        round(high, decimals),
+        10.0**-decimals,
+        _shown(joints, i, units),
         lambda value: post(MoveJoint(i, value * scale)),
-        f"Joint {i + 1}: {kind} {axis}, {symbol} of the table. From {number(low, 1)} to {number(high, 1)} {unit}.",
+        f"Joint {i + 1}: {kind} {axis}, {symbol} of the table. "
+        f"From {number(low, decimals)} to {number(high, decimals)} {unit}.",
     )
 
 
@@ -89,8 +94,7 @@ def _chip(channel: str, key: str, title: str) -> str:
     return f'<button class="chip" data-chan="{channel}" data-cell="{escaped(key)}">{escaped(title)}</button>'
 
 
-def _lock(channel: str, i: int, on: bool) -> str:
-    name = subscript("q", i + 1)
+def _lock(channel: str, i: int, on: bool, name: str) -> str:
     title = f"Joint {i + 1} is held: click to let it go" if on else f"Hold joint {i + 1} where it is"
     return (
         f'<button class="chip lock" data-chan="{channel}" data-cell="{i}" aria-pressed="{str(on).lower()}"'
@@ -98,24 +102,25 @@ def _lock(channel: str, i: int, on: bool) -> str:
     )
 
 
-def _readout(joints: Joints) -> str:
+def _readout(joints: Joints, units: Units) -> str:
     T = joints.tool_pose
     (yaw, pitch, roll), singular = euler_zyx(T[:3, :3])
-    position = "&ensp;".join(number(1000.0 * float(value), 1) for value in T[:3, 3])
-    angles = [turn(float(value)) for value in (yaw, pitch, roll)]
-    product = r"R=R_z(%s°)\,R_y(%s°)\,R_x(%s°)" % tuple(angles)  # noqa: UP031
+    position = "&ensp;".join(units.text(float(value), False) for value in T[:3, 3])
+    angles = [units.turned(float(value)) for value in (yaw, pitch, roll)]
+    degrees = "°" if units.in_degrees else ""
+    product = "".join(rf"R_{axis}({value}{degrees})\," for axis, value in zip("zyx", angles, strict=True))
     note = '<p class="dim">Pitch is ±90°: only yaw ∓ roll is defined, roll is set to 0.</p>' if bool(singular) else ""
     unit = {0: "", 1: " m", 2: " m²", 3: " m³"}[_length_power(joints)]
     return (
         f"<h3>Tool in the world, {mathml('{}^{w}T_{E}')} <small>position in m</small></h3>{matrix(T, 3, 3)}"
         + pairs(
             [
-                ("position x y z, mm", position),
-                ("yaw pitch roll, °", "&ensp;".join(angles)),
+                (f"position x y z, {units.length_unit}", position),
+                (f"yaw pitch roll, {units.angle_unit}", "&ensp;".join(angles)),
                 (f"manipulability {mathml('w')}", f"{number(joints.manipulability, 4)}{unit}"),
             ]
         )
-        + f'<div class="eq small">{mathml(product)}</div>{note}'
+        + f'<div class="eq small">{mathml("R=" + product)}</div>{note}'
     )
 
 

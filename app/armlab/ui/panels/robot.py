@@ -5,15 +5,12 @@ from __future__ import annotations
 from armlab.content.robots import FAMILIES, Robot, catalogue
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import State
-from armlab.ui.format import escaped, length, mathml, pairs
+from armlab.ui.format import escaped, pairs
 from armlab.ui.panels._tables import dh_table
 from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
-FORMULAS = {
-    "standard": r"{}^{i-1}T_i=R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)",
-    "modified": r"{}^{i-1}T_i=R_x(\alpha_{i-1})\,T_x(a_{i-1})\,R_z(\theta_i)\,T_z(d_i)",
-}
 BOOKS = {"standard": "standard (Paul, Spong, Siciliano)", "modified": "modified (Craig)"}
 
 
@@ -35,7 +32,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         "Arms by their structure; the list below shows one family.",
     )
     arms = gui.fields(lambda key, _: post(ChooseRobot(key)))
-    gui.html(_description(present))
+    gui.html(_description(present, units_of(state)))
 
     def list_arms() -> None:
         robots = [robot for robot in catalogue().robots.values() if robot.family == shown]
@@ -69,17 +66,16 @@ def _problems() -> str:
     )
 
 
-def _description(robot: Robot) -> str:
+def _description(robot: Robot, units: Units) -> str:
     arm = robot.arm
     rows = [
         ("convention", BOOKS[arm.convention]),
         ("task", escaped(arm.task.title)),
-        ("all lengths in a line", length(arm.reach)),
+        ("all lengths in a line", units.length(arm.reach)),
     ]
-    table = f"<h3>Denavit–Hartenberg table</h3>{dh_table(arm)}"
-    formula = f'<div class="eq">{mathml(FORMULAS[arm.convention], block=True)}</div>'
+    table = f"<h3>Denavit–Hartenberg table</h3>{dh_table(arm, units)}"
     source = f'<p class="dim">{escaped(robot.source)}</p>'
-    return f"<h3>{escaped(robot.name)}</h3>{pairs(rows)}{table}{formula}<h3>Source</h3>{source}"
+    return f"<h3>{escaped(robot.name)}</h3>{pairs(rows)}{table}<h3>Source</h3>{source}"
 
 
 PANEL = Panel("robot", "Robot", "ROBOT", 10, (RobotPart,), build)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,24 +24,27 @@ from armlab.session.parts.target import (
 )
 from armlab.session.session import Refuse
 from armlab.session.state import State
-from armlab.ui.format import capitalised, mathml, number, turn, verdict_card
+from armlab.ui.format import capitalised, mathml
 from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.verdicts import verdict_card
 from armlab.ui.widgets import Fields, Gui
 
 ANGLES = ("yaw", "pitch", "roll")
 PRODUCT = r"R=R_z(yaw)\,R_y(pitch)\,R_x(roll)"
-MOST_MM = 1e6
-MOST_DEG = 3600.0
+FARTHEST = 1e3
+MOST_TURNED = 20.0 * math.pi
+"""Metres and radians; what is typed beyond is a slip of the pen."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the fields, the choices and the verdict."""
-    present = state
+    present, units = state, units_of(state)
     task = state[Joints].arm.task
 
     def typed(cell: str, text: str) -> None:
         try:
-            pose = typed_pose(present, cell, text)
+            pose = typed_pose(present, cell, text, units)
         except InputError as refusal:
             post(Refuse(str(refusal)))
             show_fields(present)  # what holds, not what was refused
@@ -53,7 +55,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     fields = gui.fields(typed)
 
     def show_fields(state: State) -> None:
-        fields.show(_fields(fields, state))
+        fields.show(_fields(fields, state, units))
 
     handles = None
     if task.rotation != "none" and task.position:
@@ -94,7 +96,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             handles.show(state[Target].handle)
         axes.show(state[Target].axes)
         method.show(state[Target].method)
-        card.show(verdict_card(state.derived(verdict)))
+        card.show(verdict_card(state.derived(verdict), units))
         status = state.derived(verdict).status
         away = state[Target].pose is not None and status != "reached"
         for button, on in ((back, away), (other, away and status in ("limit", "closest"))):
@@ -104,28 +106,26 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def typed_pose(state: State, cell: str, text: str) -> NDArray[np.floating]:
-    """Return the target with one typed component: ``x y z`` in mm, ``yaw pitch roll phi`` in degrees.
+def typed_pose(state: State, cell: str, text: str, units: Units) -> NDArray[np.floating]:
+    """Return the target with one typed component: ``x y z`` or ``yaw pitch roll phi`` in the units on screen.
 
     Raises
     ------
     InputError
         Not a finite number, or an absurd one.
     """
-    unit, most = ("mm", MOST_MM) if cell in "xyz" else ("degrees", MOST_DEG)
-    plain = text.strip().replace("−", "-").replace(",", ".")
-    if not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?", plain, re.IGNORECASE):
-        raise InputError(f"{cell}: expected a number in {unit}, got {text.strip()[:40]!r}")
-    value = float(plain)
-    if not math.isfinite(value) or abs(value) > most:
-        raise InputError(f"{cell}: expected at most {most:,.0f} {unit}, got {text.strip()[:40]}")
+    turns = cell not in "xyz"
+    value = units.read(text, turns, cell)
+    most = MOST_TURNED if turns else FARTHEST
+    if abs(value) > most:
+        raise InputError(f"{cell}: expected at most {units.angle(most) if turns else units.length(most)}, got {text}")
     reference = _reference(state[Joints].arm)
     pose = inverse(reference) @ target_pose(state)
     if cell in "xyz":
-        pose["xyz".index(cell), 3] = value / 1000.0
+        pose["xyz".index(cell), 3] = value
     else:
         angles = list(euler_zyx(pose[:3, :3])[0])
-        angles[0 if cell == "phi" else ANGLES.index(cell)] = math.radians(value)
+        angles[0 if cell == "phi" else ANGLES.index(cell)] = value
         pose[:3, :3] = rotation_from_sequence("zyx", angles)
     return np.asarray(reference @ pose)
 
@@ -138,25 +138,33 @@ def _reference(arm: Arm) -> NDArray[np.float64]:
     return np.eye(4) if np.array_equal(arm.base[:3, :3], np.eye(3)) else arm.base
 
 
-def _fields(fields: Fields, state: State) -> str:
+def _fields(fields: Fields, state: State, units: Units) -> str:
     arm = state[Joints].arm
     task, reference = arm.task, _reference(arm)
     pose = inverse(reference) @ target_pose(state)
     position = _row(
-        "position, mm" if reference is not arm.base else "in frame 0, mm",
+        f"{'position' if reference is not arm.base else 'in frame 0'}, {units.length_unit}",
         [
-            fields.field(axis, number(1000.0 * float(pose[k, 3]), 1), f"{axis} in mm", axis not in task.position)
+            fields.field(
+                axis,
+                units.text(float(pose[k, 3]), False),
+                f"{axis} in {units.length_unit}",
+                axis not in task.position,
+            )
             for k, axis in enumerate("xyz")
         ],
     )
-    yaw, pitch, roll = (turn(float(value)) for value in euler_zyx(pose[:3, :3])[0])
+    yaw, pitch, roll = (units.turned(float(value)) for value in euler_zyx(pose[:3, :3])[0])
     if task.rotation == "none":
         angles = '<p class="dim">This arm controls the position only; its orientation follows.</p>'
     elif task.rotation == "phi":
-        angles = _row("φ about z, °", [fields.field("phi", yaw, "phi in degrees")])
+        angles = _row(f"φ about z, {units.angle_unit}", [fields.field("phi", yaw, f"phi in {units.angle_unit}")])
     else:
         cells = zip(ANGLES, (yaw, pitch, roll), strict=True)
-        angles = _row("yaw pitch roll, °", [fields.field(name, value, f"{name} in degrees") for name, value in cells])
+        angles = _row(
+            f"yaw pitch roll, {units.angle_unit}",
+            [fields.field(name, value, f"{name} in {units.angle_unit}") for name, value in cells],
+        )
         angles += f'<div class="eq small">{mathml(PRODUCT)}</div>'
     return position + angles
 

@@ -1,0 +1,1 @@
+"""One file a film or run; each holds a constant ``CLIP``."""

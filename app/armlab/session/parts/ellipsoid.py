@@ -1,0 +1,224 @@
+"""Which velocities of the tool are looked at, and the ellipsoid of those the present configuration allows."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar, Literal, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.content.robots import Robot
+from armlab.errors import UnknownName
+from armlab.kin.arm import Arm
+from armlab.kin.ellipsoid import Ellipsoid, velocity_ellipsoid
+from armlab.session.parts.joints import Joints
+from armlab.session.state import Command, Json, Part, PartType, State
+
+Array = NDArray[np.float64]
+Block = Literal["translation", "rotation"]
+
+UNIT: dict[Block, str] = {"translation": "m/s", "rotation": "rad/s"}
+
+DEFAULT_SPEED = 1.0
+"""rad/s or m/s: what counts as the limit of a joint that has none, where joints are made comparable."""
+
+SAMPLES = 64
+"""Random configurations from which the size of a typical ellipsoid is taken."""
+
+DRAWN = 0.2
+"""Longest half axis of a typical ellipsoid on screen, in reaches of the arm."""
+
+
+@dataclass(frozen=True)
+class VelocityBlock:
+    """Rows of the geometric Jacobian that have one unit and that the arm's task controls.
+
+    Parameters
+    ----------
+    arm : Arm
+    key : "translation" or "rotation"
+        Velocities of the tool point in m/s, or angular velocities in rad/s.
+    """
+
+    arm: Arm
+    key: Block
+
+    @property
+    def unit(self) -> str:
+        """The unit of the half axes."""
+        return UNIT[self.key]
+
+    @property
+    def m(self) -> int:
+        """Number of rows."""
+        task = self.arm.task
+        return len(task.position) if self.key == "translation" else task.m - len(task.position)
+
+    @cached_property
+    def speeds(self) -> Array | None:
+        """Speed of each joint that counts as 1, shape (n,), rad/s or m/s; None where every joint turns.
+
+        Joints that slide and joints that turn have no common unit: each is measured by its limit.
+        """
+        if self.arm.revolute.all():
+            return None
+        limits = self.arm.speed_limits
+        return np.where(np.isfinite(limits), limits, DEFAULT_SPEED)
+
+    def axes(self, q: ArrayLike) -> Array:
+        """Return the unit vectors of the rows in the world, shape (..., 3, m): frame 0's, or the tool's x and y."""
+        task, base = self.arm.task, self.arm.base[:3, :3]
+        if self.key == "rotation" and task.rotation == "approach":
+            return np.asarray(self.arm.fk(q)[..., :3, :2], dtype=np.float64)
+        if self.key == "rotation":
+            return np.array(base[:, 2:] if task.rotation == "phi" else np.eye(3))
+        return np.eye(3) if task.position == "xyz" else np.array(base[:, task.coordinates])
+
+    def rows(self, q: ArrayLike) -> Array:
+        """Return the block, shape (..., m, n), of configurations of shape (..., n)."""
+        J = self.arm.jacobian(q)
+        half = J[..., :3, :] if self.key == "translation" else J[..., 3:, :]
+        return np.asarray(np.swapaxes(self.axes(q), -1, -2) @ half)
+
+    def ellipsoid(self, q: ArrayLike) -> Ellipsoid:
+        """Return the ellipsoid of one configuration."""
+        return velocity_ellipsoid(self.rows(q), self.speeds)
+
+    @cached_property
+    def typical(self) -> float:
+        """The median of the longest half axis over configurations inside the limits; 1 where that is 0."""
+        limits = self.arm.limits
+        q = np.random.default_rng(0).uniform(limits[:, 0], limits[:, 1], (SAMPLES, self.arm.n))
+        rows = self.rows(q) if self.speeds is None else self.rows(q) * self.speeds
+        return float(np.median(np.linalg.norm(rows, ord=2, axis=(-2, -1)))) or 1.0
+
+    @cached_property
+    def drawn(self) -> float:
+        """Metres on screen for 1 m/s or 1 rad/s, from the series 1, 2, 5: the same in every configuration."""
+        wanted = DRAWN * 2.0 * self.arm.length_scale / self.typical
+        power = 10.0 ** math.floor(math.log10(wanted))
+        return max(step * power for step in (1.0, 2.0, 5.0) if step * power <= wanted * (1.0 + 1e-9))
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedEllipsoid:
+    """An ellipsoid in the scene.
+
+    Attributes
+    ----------
+    centre : ndarray, shape (3,)
+        The tool point in the world, metres.
+    axes : ndarray, shape (3, 3)
+        A rotation: the principal axes in the world, then what completes them where there are fewer than three.
+    sigma : ndarray, shape (3,)
+        Half axes in the unit of the block; 0 beyond its rows.
+    ellipsoid : Ellipsoid
+    """
+
+    centre: Array
+    axes: Array
+    sigma: Array
+    ellipsoid: Ellipsoid
+
+    @property
+    def lost(self) -> tuple[int, ...]:
+        """The axes, 0-based, along which there is no speed although the task controls them."""
+        return tuple(range(self.ellipsoid.rank, len(self.ellipsoid.sigma)))
+
+
+def placed(block: VelocityBlock, q: Array) -> PlacedEllipsoid:
+    """Return the ellipsoid of a configuration at the tool point."""
+    found = block.ellipsoid(q)
+    sigma = np.zeros(3)
+    sigma[: block.m] = found.sigma
+    return PlacedEllipsoid(
+        np.asarray(block.arm.position(q), dtype=np.float64), _completed(block.axes(q) @ found.axes), sigma, found
+    )
+
+
+def _completed(columns: Array) -> Array:
+    """Return a rotation whose first columns are given, or all of them with the last one reversed."""
+    m = columns.shape[1]
+    if m == 1:
+        z = columns[:, 0]
+        other = np.eye(3)[int(np.argmin(np.abs(z)))]
+        side = np.cross(z, other)
+        columns = np.column_stack([z, side / np.linalg.norm(side)])
+    x, y = columns[:, 0], columns[:, 1]
+    return np.column_stack([x, y, np.cross(x, y)])
+
+
+def blocks_of(arm: Arm) -> tuple[Block, ...]:
+    """Return what can be looked at: velocities that the arm's task controls."""
+    found: list[Block] = []
+    if arm.task.position:
+        found.append("translation")
+    if arm.task.rotation != "none":
+        found.append("rotation")
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class Manipulability(Part):
+    """Which velocities the ellipsoid is of.
+
+    Attributes
+    ----------
+    block : VelocityBlock
+    """
+
+    key: ClassVar[str] = "ellipsoid"
+    kept_by_undo: ClassVar[bool] = True
+
+    block: VelocityBlock
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return the translation, where the arm has one."""
+        return cls(VelocityBlock(robot.arm, blocks_of(robot.arm)[0]))
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Keep the choice where the arm has it."""
+        has = self.block.key in blocks_of(robot.arm)
+        return type(self)(VelocityBlock(robot.arm, self.block.key)) if has else self.initial(robot)
+
+    def to_json(self) -> Json:
+        """Write the choice."""
+        return self.block.key
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read the choice."""
+        return cls(VelocityBlock(robot.arm, _block_named(robot.arm, data)))
+
+
+PART = PartType(Manipulability, order=25)
+
+
+def present(state: State) -> PlacedEllipsoid:
+    """Return the ellipsoid of the present configuration."""
+    return placed(state[Manipulability].block, state[Joints].q)
+
+
+@dataclass(frozen=True)
+class LookAtBlock(Command):
+    """Look at translation or rotation."""
+
+    key: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        block = state[Manipulability].block
+        key = _block_named(block.arm, self.key)
+        return state if key == block.key else state.replace(Manipulability(VelocityBlock(block.arm, key)))
+
+
+def _block_named(arm: Arm, key: Json) -> Block:
+    known = blocks_of(arm)
+    if key not in known:
+        raise UnknownName("velocities", key, known)
+    return next(block for block in known if block == key)

@@ -1,0 +1,75 @@
+"""What is selected in a matrix on screen: an entry, a row or a column; the scene lights it up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from armlab.content.robots import Robot
+from armlab.errors import InputError
+from armlab.session.state import Command, Json, Part, PartType, State
+
+
+@dataclass(frozen=True)
+class Selection(Part):
+    """One selection at a time.
+
+    Attributes
+    ----------
+    matrix : str
+        Key of the matrix; empty when nothing is selected.
+    row, column : int or None
+        0-based. Both: an entry; one of them: a whole row or column.
+    """
+
+    key: ClassVar[str] = "selection"
+    kept_by_undo: ClassVar[bool] = True
+
+    matrix: str = ""
+    row: int | None = None
+    column: int | None = None
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return no selection."""
+        return cls()
+
+    def of(self, matrix: str) -> Selection:
+        """Return the selection if it is in this matrix, else none."""
+        return self if self.matrix == matrix else Selection()
+
+    def holds(self, row: int, column: int) -> bool:
+        """Return whether an entry is selected, by itself or with its row or column."""
+        return bool(self.matrix) and self.row in (None, row) and self.column in (None, column)
+
+    def to_json(self) -> Json:
+        """Write nothing: a selection is of the moment."""
+        return {}
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Return no selection."""
+        return cls()
+
+
+PART = PartType(Selection, order=80)
+
+
+@dataclass(frozen=True)
+class Select(Command):
+    """Select in a matrix; what is selected already is let go, and so is everything when nothing is named."""
+
+    matrix: str
+    row: int | None = None
+    column: int | None = None
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the selection."""
+        whole = not self.matrix or (self.row is None and self.column is None)
+        if any(index is not None and index < 0 for index in (self.row, self.column)):
+            raise InputError(f"selection: rows and columns count from 0, got {self.row}, {self.column}")
+        chosen = Selection() if whole else Selection(self.matrix, self.row, self.column)
+        if chosen == state[Selection]:
+            chosen = Selection()
+        return state if chosen == state[Selection] else state.replace(chosen)

@@ -1,0 +1,248 @@
+"""The timeline: which film or run is on, where it stands, and how fast it plays.
+
+What is played is a `Clip`, found by folder in `armlab.session.clips`; the same bar plays them all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import ClassVar, Self
+
+from armlab.content.robots import Robot
+from armlab.errors import InputError, UnknownName
+from armlab.plugins import discover
+from armlab.session.state import Command, Json, Part, PartType, State
+
+SLOWEST, FASTEST = 0.1, 4.0
+
+
+@dataclass(frozen=True)
+class Clip:
+    """The constant ``CLIP`` of a module in `armlab.session.clips`.
+
+    Parameters
+    ----------
+    key, title : str
+    duration : callable
+        Seconds at normal speed, of a state.
+    stops : callable
+        Times, rising, at which stepping stops; of a state.
+    at : callable
+        ``at(state, time) -> State``: what the clip changes besides the time, such as the joints. Pure.
+    """
+
+    key: str
+    title: str
+    duration: Callable[[State], float]
+    stops: Callable[[State], tuple[float, ...]]
+    at: Callable[[State, float], State]
+
+
+@cache
+def clips() -> dict[str, Clip]:
+    """Return all clips."""
+    from armlab.session import clips as folder
+
+    return discover(folder, "CLIP", Clip)
+
+
+@dataclass(frozen=True)
+class Timeline(Part):
+    """What is on.
+
+    Attributes
+    ----------
+    clip : str
+        Key of the clip; empty when none is open.
+    time : float
+        Seconds from its start, at normal speed.
+    playing : bool
+    speed : float
+    loop : bool
+    """
+
+    key: ClassVar[str] = "timeline"
+    kept_by_undo: ClassVar[bool] = True
+
+    clip: str = ""
+    time: float = 0.0
+    playing: bool = False
+    speed: float = 1.0
+    loop: bool = False
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return a timeline with nothing on."""
+        return cls()
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Keep clip, speed and loop; go back to the start."""
+        return replace(self, time=0.0, playing=False)
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Stay where it is: `after` moves what lies beyond the end."""
+        return replace(self, playing=False)
+
+    def after(self, before: State, now: State) -> Self:
+        """Stay inside the clip, whose duration may depend on what has changed."""
+        if not self.clip:
+            return self
+        end = clips()[self.clip].duration(now)
+        return replace(self, time=end) if self.time > end else self
+
+    def to_json(self) -> Json:
+        """Write everything but that it plays."""
+        return {"clip": self.clip, "time": self.time, "speed": self.speed, "loop": self.loop}
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read it back, paused."""
+        clip = data["clip"] if data["clip"] in clips() else ""
+        time, speed = float(data["time"]), float(data["speed"])
+        if not (math.isfinite(time) and time >= 0.0 and SLOWEST <= speed <= FASTEST):
+            raise InputError(f"timeline: not usable: {data}")
+        return cls(clip, time, False, speed, bool(data["loop"]))
+
+
+PART = PartType(Timeline, order=90)
+
+
+def duration(state: State) -> float:
+    """Return the seconds of the open clip, 0 when there is none."""
+    clip = state[Timeline].clip
+    return clips()[clip].duration(state) if clip else 0.0
+
+
+@dataclass(frozen=True)
+class OpenClip(Command):
+    """Put a clip on, at its start and paused; an empty key puts none on."""
+
+    key: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the clip at its start."""
+        if self.key and self.key not in clips():
+            raise UnknownName("clip", self.key, clips())
+        timeline = state[Timeline]
+        if timeline.clip == self.key:
+            return state
+        return _at(state.replace(replace(timeline, clip=self.key, playing=False)), 0.0)
+
+
+@dataclass(frozen=True)
+class Play(Command):
+    """Play or pause; at the end, play from the start."""
+
+    on: bool
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state playing or paused."""
+        timeline = state[Timeline]
+        if not timeline.clip or timeline.playing == self.on:
+            return state
+        playing = state.replace(replace(timeline, playing=self.on))
+        return _at(playing, 0.0) if self.on and timeline.time >= duration(state) else playing
+
+
+@dataclass(frozen=True)
+class Seek(Command):
+    """Go to a time: the hand on the bar; only the newest counts.
+
+    Parameters
+    ----------
+    time : float
+        Seconds; what lies outside the clip is its nearest end.
+    """
+
+    time: float
+    snapshot: ClassVar[bool] = True
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state at the time."""
+        if not state[Timeline].clip:
+            return state
+        if not math.isfinite(self.time):
+            raise InputError(f"time: expected seconds, got {self.time}")
+        return _at(state, min(max(self.time, 0.0), duration(state)))
+
+
+@dataclass(frozen=True)
+class Advance(Command):
+    """Show the next picture of the playback.
+
+    It has no effect when a hand has moved or stopped the timeline in the meantime: the hand is right.
+
+    Parameters
+    ----------
+    since : float
+        The time of the picture it follows.
+    time : float
+    ends : bool
+        Whether playing ends here.
+    """
+
+    since: float
+    time: float
+    ends: bool = False
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state at the time, playing or at the end."""
+        timeline = state[Timeline]
+        if not timeline.playing or timeline.time != self.since:
+            return state
+        if not math.isfinite(self.time):
+            raise InputError(f"time: expected seconds, got {self.time}")
+        goes_on = state.replace(replace(timeline, playing=False)) if self.ends else state
+        return _at(goes_on, min(max(self.time, 0.0), duration(state)))
+
+
+@dataclass(frozen=True)
+class Step(Command):
+    """Go to the next stop, or to the one before, and pause."""
+
+    forward: bool
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state at the neighbouring stop."""
+        timeline = state[Timeline]
+        if not timeline.clip:
+            return state
+        stops = (0.0, *clips()[timeline.clip].stops(state), duration(state))
+        near = 1e-6 * (1.0 + stops[-1])
+        later = [t for t in stops if t > timeline.time + near]
+        earlier = [t for t in stops if t < timeline.time - near]
+        paused = state.replace(replace(timeline, playing=False))
+        return _at(paused, (min(later, default=stops[-1])) if self.forward else max(earlier, default=0.0))
+
+
+@dataclass(frozen=True)
+class PlayLike(Command):
+    """Set the speed, or whether it begins again at the end; None leaves as it is."""
+
+    speed: float | None = None
+    loop: bool | None = None
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        timeline = state[Timeline]
+        speed = timeline.speed if self.speed is None else self.speed
+        if not SLOWEST <= speed <= FASTEST:
+            raise InputError(f"speed: expected {SLOWEST} to {FASTEST}, got {speed}")
+        loop = timeline.loop if self.loop is None else self.loop
+        changed = replace(timeline, speed=speed, loop=loop)
+        return state if changed == timeline else state.replace(changed)
+
+
+def _at(state: State, time: float) -> State:
+    timeline = state[Timeline]
+    moved = state if timeline.time == time else state.replace(replace(timeline, time=time))
+    return clips()[timeline.clip].at(moved, time) if timeline.clip else moved

@@ -1,0 +1,58 @@
+"""Mark the table of a person: each cell by itself, and the offsets along parallel axes by their sum."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from armlab.errors import InputError
+from armlab.kin.assignment import LENGTH_TOLERANCE, CellVerdict, judge_cell, judge_row
+from armlab.kin.dh import Row
+from armlab.kin.relations import is_parallel
+
+
+def judge_table(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]]) -> list[dict[str, CellVerdict]]:
+    """Return the verdicts on the cells of all rows; see `judge_row`.
+
+    The place of an origin along parallel axes is free (notes, section 4.1): where the sum of d over rows of parallel
+    axes is right, counted along the first of them, each d of these rows is right.
+
+    Raises
+    ------
+    InputError
+        Another number of rows, and as `judge_row`.
+    """
+    if len(got) != len(expected):
+        raise InputError(f"table: expected {len(expected)} rows, got {len(got)}")
+    verdicts = [judge_row(row, cells) for row, cells in zip(expected, got, strict=True)]
+    for run in parallel_runs(expected):
+        if _same_sum(expected, got, run):
+            free = CellVerdict(True, "", f"right: only the sum of d over rows {run[0] + 1} to {run[-1] + 1} is defined")
+            for i in run:
+                verdicts[i]["d"] = free
+                if verdicts[i]["a"].mistake == "swapped":
+                    verdicts[i]["a"] = judge_cell(expected[i].a, got[i].get("a"), "length")
+    return verdicts
+
+
+def parallel_runs(rows: Sequence[Row]) -> list[range]:
+    """Return the longest runs of two and more rows of a standard table, 0-based, whose joint axes are parallel."""
+    runs, start = [], 0
+    for i in range(len(rows)):
+        # What follows the last joint is no axis.
+        if i == len(rows) - 1 or not is_parallel(rows[i].alpha):
+            if i > start:
+                runs.append(range(start, i + 1))
+            start = i + 1
+    return runs
+
+
+def _same_sum(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], run: range) -> bool:
+    total, sense = 0.0, 1.0
+    for i in run:
+        value = got[i].get("d")
+        if value is None or not math.isfinite(value):
+            return False
+        total += sense * (value - expected[i].d)
+        sense *= math.copysign(1.0, math.cos(expected[i].alpha))
+    return abs(total) <= LENGTH_TOLERANCE

@@ -1,0 +1,189 @@
+"""What one layer draws: shown, hidden and removed as a whole, so that no layer has to care."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from typing import Any, cast
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from armlab.session.state import State
+from armlab.ui import adapter
+from armlab.ui.canvas import Canvas, PoseListener
+from armlab.ui.figure.drawn import Drawn
+from armlab.ui.plugin import Layer, Post, Show
+from armlab.ui.switches import SKELETON
+
+log = logging.getLogger(__name__)
+
+
+class LayerCanvas:
+    """What a layer draws on: the canvas it shares with the others, and a scene that remembers what it has added.
+
+    Attributes
+    ----------
+    scene : viser.SceneApi
+        Every node must be added through it.
+    client : viser.ClientHandle
+    drawn : Drawn
+        The arm's figure.
+    post : callable
+        Hands in a command.
+    size : float
+        Of the arm, in metres.
+    bare : bool
+        Whether the arm has to be drawn as a skeleton now.
+    """
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._canvas = canvas
+        self._nodes = _Remembered(canvas.client.scene)
+        self._on_hide: list[Callable[[], None]] = []
+        self.hidden = False
+        self.bare = False
+        self.client: viser.ClientHandle = canvas.client
+        self.drawn: Drawn = canvas.drawn
+        self.post: Post = canvas.post
+        self.size = canvas.size
+
+    @property
+    def scene(self) -> viser.SceneApi:
+        """The scene; what is added to it belongs to this layer."""
+        return cast(viser.SceneApi, self._nodes)
+
+    def path(self, name: str) -> str:
+        """Return the full name of a node of this canvas."""
+        return self._canvas.path(name)
+
+    def node(self, i: int) -> str:
+        """Return the name of the node of body i (0 is the base): what hangs under it moves with the body."""
+        return self._canvas.node(i)
+
+    def show_pose(self, q: NDArray[np.float64], at_once: bool = False) -> None:
+        """Show a configuration; see `Canvas.show_pose`."""
+        self._canvas.show_pose(q, at_once)
+
+    def on_pose(self, listener: PoseListener) -> None:
+        """Call back with every configuration that is shown, moves included, while the layer is not hidden."""
+        self._canvas.on_pose(lambda q: None if self.hidden else listener(q))
+
+    @property
+    def shown_pose(self) -> NDArray[np.float64]:
+        """The configuration on screen, which during a short move is not yet that of the state."""
+        return self._canvas.shown
+
+    def on_hide(self, listener: Callable[[], None]) -> None:
+        """Call back when the layer is switched off."""
+        self._on_hide.append(listener)
+
+    def hide(self) -> None:
+        """Make everything of the layer invisible."""
+        self.hidden = True
+        for listener in self._on_hide:
+            listener()
+        self._nodes.hide()
+
+    def reveal(self) -> None:
+        """Make visible again what was visible before."""
+        self.hidden = False
+        self._nodes.reveal()
+
+    def remove(self) -> None:
+        """Remove everything of the layer."""
+        self.hidden = True
+        self._nodes.remove()
+
+
+class _Remembered:
+    """A scene that remembers what was added through it."""
+
+    def __init__(self, scene: viser.SceneApi) -> None:
+        self._scene = scene
+        self._made: dict[str, Any] = {}
+        self._hidden: list[Any] = []
+
+    def __getattr__(self, name: str) -> Any:
+        attribute = getattr(self._scene, name)
+        if not name.startswith("add_"):
+            return attribute
+
+        def add(*arguments: Any, **options: Any) -> Any:
+            handle = attribute(*arguments, **options)
+            self._made[handle.name] = handle
+            return handle
+
+        return add
+
+    def _present(self) -> list[Any]:
+        self._made = {name: handle for name, handle in self._made.items() if not adapter.is_removed(handle)}
+        return list(self._made.values())
+
+    def hide(self) -> None:
+        self._hidden = [handle for handle in self._present() if handle.visible]
+        for handle in self._hidden:
+            handle.visible = False
+
+    def reveal(self) -> None:
+        for handle in self._hidden:
+            if not adapter.is_removed(handle):
+                handle.visible = True
+        self._hidden = []
+
+    def remove(self) -> None:
+        for handle in self._present():
+            if not adapter.is_removed(handle):  # a parent may have taken it along
+                handle.remove()
+        self._made.clear()
+
+
+class Drawing:
+    """One layer on one canvas: built when it is first wanted."""
+
+    def __init__(self, layer: Layer, canvas: Canvas) -> None:
+        self.layer, self.canvas = layer, LayerCanvas(canvas)
+        self._show: Show | None = None
+        self._built = False
+        self._shown: State | None = None
+
+    def show(self, state: State, open_panels: frozenset[str], bare: bool, hidden: frozenset[str]) -> None:
+        """Show a state if the layer is wanted, else hide it.
+
+        Parameters
+        ----------
+        state : State
+        open_panels : frozenset of str
+        bare : bool
+            Whether the arm has to be drawn as a skeleton.
+        hidden : frozenset of str
+            Keys of layers that are in the way of a panel.
+        """
+        if self.layer.key in hidden or not self._wanted(state, open_panels, bare):
+            if self._built and not self.canvas.hidden:
+                self.canvas.hide()
+            return
+        again = self.canvas.bare != bare or self.canvas.hidden or not self._built
+        self.canvas.bare = bare
+        if self.canvas.hidden:
+            self.canvas.reveal()
+        before, self._shown = self._shown, state
+        if not self._built:
+            self._built = True
+            self._show = self._guarded(self.layer.build, self.canvas, state)
+        if again or before is None or any(state[kind] is not before[kind] for kind in self.layer.watches):
+            self._guarded(self._show, state)
+
+    def _wanted(self, state: State, open_panels: frozenset[str], bare: bool) -> bool:
+        switch = self.layer.switch
+        on = switch is None or switch.on(state) or (switch is SKELETON and bare)
+        return on and (not self.layer.panel or self.layer.panel in open_panels)
+
+    def _guarded(self, call: Callable[..., Any] | None, *arguments: Any) -> Any:
+        """Return the result of a call, or None when it raised; a layer that fails must not stop the others."""
+        try:
+            return None if call is None else call(*arguments)
+        except Exception:
+            log.exception("layer %s failed", self.layer.key)
+            return None

@@ -1,0 +1,71 @@
+"""The dock of the lesson: there only while a lesson is open.
+
+It stands on the left. In a window with room for one dock beside the scene the style sheet puts it above the bench:
+viser tells the size of the picture in pixels of the screen, from which that of the window cannot be known here.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.state import State
+from armlab.ui._lesson_page import LessonPage
+from armlab.ui.plugin import Post
+from armlab.ui.widgets import Gui
+
+log = logging.getLogger(__name__)
+
+WIDTH = 280
+"""Pixels: leaves the scene 55 % of a window of 1400."""
+
+
+class LessonDock:
+    """The lesson in one browser.
+
+    Parameters
+    ----------
+    client : viser.ClientHandle
+    make_gui : callable
+        Returns a new maker of controls.
+    post : callable
+    """
+
+    def __init__(self, client: viser.ClientHandle, make_gui: Callable[[], Gui], post: Post) -> None:
+        self._client, self._make_gui, self._post = client, make_gui, post
+        self._panel: Any = None
+        self._page: LessonPage | None = None
+        self._open = ""
+        self._shown: State | None = None
+
+    def open(self, state: State) -> bool:
+        """Make or remove the dock as the state asks; return whether it is another lesson, or none any more."""
+        before, self._open = self._open, state[LessonPart].open
+        if self._open and self._panel is None:
+            self._make()
+        elif not self._open and self._panel is not None:
+            self._panel.remove()
+            self._panel = self._page = None
+        return self._open != before
+
+    def show(self, state: State) -> None:
+        """Show a state in the dock, if it is there."""
+        if self._page is not None and state[LessonPart].open and state is not self._shown:
+            self._shown = state
+            try:
+                self._page.show(state)
+            except Exception:
+                # A lesson that cannot be shown must not stop the benches.
+                log.exception("lesson %s cannot be shown", state[LessonPart].open)
+
+    def _make(self) -> None:
+        self._shown = None
+        self._panel = self._client.gui.add_panel()
+        with self._panel.add_tab("Lesson", viser.Icon.BOOK):
+            self._page = LessonPage(self._make_gui(), self._post)
+        self._panel.dock_left()
+        self._panel.set_width(WIDTH)

@@ -1,0 +1,75 @@
+"""What the table says: how neighbouring axes lie, what that leaves free, and which closed form the arm has."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from armlab.kin.arm import Arm
+from armlab.kin.relations import AxisRelation, axis_relations, end_freedoms
+from armlab.kin.structure import Structure, structure_of
+from armlab.ui.format import escaped, subscript
+from armlab.ui.units import Units
+
+SIGNS = {"parallel": "∥", "intersecting": "×", "coincident": "≡", "skew": "skew"}
+_INDEXED = re.compile(r"\b([a-zO]|α|θ)(\d{1,2})\b")
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What a table says, found once for each."""
+
+    relations: tuple[AxisRelation, ...]
+    ends: tuple[str, str]
+    structure: Structure
+
+
+def facts_of(arm: Arm) -> Facts:
+    """Return what the table of an arm says."""
+    return Facts(axis_relations(arm), end_freedoms(arm), structure_of(arm))
+
+
+def axes_section(facts: Facts, chosen: int, channel: str, units: Units) -> str:
+    """Return the chips of frame 0, of each pair of neighbouring axes and of frame n, and the freedom of the chosen."""
+    n = len(facts.relations) + 1
+    names = [("{0}", "frame 0")]
+    names += [
+        (f"{r.first} {SIGNS[r.kind]} {r.second}", f"axes {r.first} and {r.second}: {r.kind}") for r in facts.relations
+    ]
+    names.append((f"{{{n}}}", f"frame {n}"))
+    chosen = min(chosen, n)
+    chips = "".join(
+        f'<button class="chip" data-chan="{channel}" data-cell="axes-{k}" title="{title}"'
+        f' aria-pressed="{"true" if k == chosen else "false"}">{name}</button>'
+        for k, (name, title) in enumerate(names)
+    )
+    legend = "&ensp;".join(f"{sign}&nbsp;{kind}" for kind, sign in SIGNS.items() if sign != kind)
+    return (
+        f'<h3>Neighbouring axes, and what is free</h3><div class="bar">{chips}</div>'
+        f'<p>{_told(facts, chosen, units)}<br><small class="dim">{legend}</small></p>'
+    )
+
+
+def _told(facts: Facts, chosen: int, units: Units) -> str:
+    n = len(facts.relations) + 1
+    if chosen in (0, n):
+        return _subscripts(facts.ends[0 if chosen == 0 else 1])
+    relation = facts.relations[chosen - 1]
+    link = f"a = {units.length(relation.a)}, α = {units.angle(relation.alpha)}"
+    return f'{_subscripts(relation.freedom)} <span class="dim">{escaped(link)}</span>'
+
+
+def closed_form_card(structure: Structure) -> str:
+    """Return the closed form of the arm and why it has one, or that none is known."""
+    kind, sign, said = ("ok", "✓", "closed form") if structure.closed_form else ("warn", "◐", "no closed form known")
+    most = structure.most_solutions
+    count = "" if most is None else " One solution." if most == 1 else f" At most {most} solutions."
+    return (
+        f"<h3>Inverse kinematics</h3>"
+        f'<div class="verdict {kind}"><b>{sign} {escaped(structure.title)}: {said}</b>'
+        f"{_subscripts(structure.why)}{count}</div>"
+    )
+
+
+def _subscripts(text: str) -> str:
+    return _INDEXED.sub(lambda match: subscript(match[1], int(match[2])), escaped(text))

@@ -1,0 +1,121 @@
+"""Printed formulas as markup that a narrow panel can break, and the symbols they use."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from armlab.kin.arm import Arm
+from armlab.ui.format import MINUS, mathml, subscript
+from armlab.ui.units import Units
+
+LONGEST = 400
+"""Characters of LaTeX of a formula that is shown whole: about 10 lines of the panel, beyond which nobody reads."""
+
+DIGITS = 5
+"""Significant digits of numbers in formulas on screen and in LaTeX; Python keeps all of them."""
+
+_VARIABLE = re.compile(r"q_(?:(\d)|\{(\d+)\})")
+_NUMBER = re.compile(r"\d+\.\d+")
+_CONSTANT = re.compile(r"-?[\d.]+")
+_SHORT = re.compile(r"\b([cs])_(?:(\d)|\{(\d+)\})")
+
+
+@dataclass(frozen=True)
+class Written:
+    """A formula as it is shown.
+
+    Attributes
+    ----------
+    latex : str
+        The whole formula.
+    markup : str
+        The formula, or its beginning.
+    left_out : int
+        How many terms the markup lacks.
+    """
+
+    latex: str
+    markup: str
+    left_out: int
+
+    @property
+    def constant(self) -> bool:
+        """Whether it is a mere number."""
+        return _CONSTANT.fullmatch(self.latex) is not None
+
+
+def written(arm: Arm, units: Units, latex: str) -> Written:
+    """Return a printed formula in the names of the student."""
+    shown = _NUMBER.sub(lambda found: f"{float(found[0]):.{DIGITS}g}", latex)
+    if units.notation.variable != "q":
+        shown = _VARIABLE.sub(lambda found: _variable(arm, int(found[1] or found[2])), shown)
+    terms = _terms(shown)
+    kept, length = 0, 0
+    for _, term in terms:
+        length += len(term) + 3
+        if length > LONGEST and kept:
+            break
+        kept += 1
+    return Written(shown, _markup(terms[:kept]), len(terms) - kept)
+
+
+def has_numbers(latex: str) -> bool:
+    """Return whether lengths stand in a formula as numbers: those of the tool have no symbols."""
+    return _NUMBER.search(latex) is not None
+
+
+def _variable(arm: Arm, joint: int) -> str:
+    """Return the LaTeX of a joint variable as in the table; a slide with an offset has no letter for it there."""
+    row = arm.rows[joint - 1]
+    if not row.revolute and row.d != 0.0:
+        return f"q_{{{joint}}}"
+    return rf"\theta_{{{joint}}}" if row.revolute else f"d_{{{joint}}}"
+
+
+def _terms(latex: str) -> list[tuple[str, str]]:
+    """Return the parts between plus and minus signs, inside parentheses too, each with the sign before it.
+
+    Each becomes a formula of its own, so that lines can break there. What is in braces or under a function stays whole.
+    """
+    terms: list[tuple[str, str]] = []
+    sign, start, whole = "", 0, 0
+    depths: list[bool] = []
+    for at, letter in enumerate(latex):
+        if letter in "{(":
+            function = letter == "{" or re.search(r"\\(?:sin|cos)$", latex[:at]) is not None
+            depths.append(function)
+            whole += function
+        elif letter in "})":
+            whole -= depths.pop()
+        elif letter in "+-" and whole == 0 and latex[at - 1 : at] == " " and latex[at + 1 : at + 2] == " ":
+            terms.append((sign, latex[start : at - 1]))
+            sign, start = letter, at + 2
+    return [*terms, (sign, latex[start:])]
+
+
+def _markup(terms: Iterable[tuple[str, str]]) -> str:
+    signs = {"": "", "+": "+&nbsp;", "-": f"{MINUS}&nbsp;"}
+    return " ".join(f'<span class="term">{signs[sign]}{mathml(term)}</span>' for sign, term in terms)
+
+
+def short_forms(arm: Arm, units: Units, formulas: Iterable[str]) -> list[str]:
+    """Return what c and s with indices stand for, by examples that occur: one with one index, one with more."""
+    found: dict[bool, str] = {}
+    for formula in formulas:
+        for letter, one, more in _SHORT.findall(formula):
+            found.setdefault(bool(more), f"{letter}{one or more}")
+    texts = []
+    for several, name in sorted(found.items()):
+        function = {"c": "cos", "s": "sin"}[name[0]]
+        joints = [int(digit) for digit in name[1:]]
+        angles = " + ".join(units.variable(joint - 1, arm.rows[joint - 1].revolute) for joint in joints)
+        texts.append(f"{subscript(name[0], int(name[1:]))} = {function}{f'({angles})' if several else f' {angles}'}")
+    return texts
+
+
+def used_constants(formulas: Iterable[str]) -> list[str]:
+    """Return the names of the lengths and twists that occur in formulas of the text style, in order."""
+    names = {name for formula in formulas for name in re.findall(r"\b(?:a|d|alpha)\d+\b", formula)}
+    return sorted(names, key=lambda name: (name.rstrip("0123456789"), int(re.sub(r"\D", "", name))))

@@ -1,0 +1,111 @@
+"""Position and rotation of the tool as formulas in symbols, where they can be read, with their present values."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.symbolic import angle_offsets, constants, pose_formulas
+from armlab.kin.transforms import inverse
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+from armlab.ui.format import MINUS, escaped, mathml, number, subscript
+from armlab.ui.panels._pose_formulas import LONGEST, Written, has_numbers, short_forms, used_constants, written
+from armlab.ui.panels._pose_notation import symbol
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Gui, Html
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Write the formulas of the arm once; only the values follow its motion."""
+    del post
+    arm, units = state[Joints].arm, units_of(state)
+    python, latex = pose_formulas(arm), pose_formulas(arm, "latex")
+    formulas = {name: written(arm, units, latex[name]) for name in latex}
+    gui.html(_head(python, formulas))
+    values: dict[str, Html] = {}
+    for title, letter in (("Position p", "p"), ("Rotation R: row, column", "r")):
+        gui.heading(title)
+        fixed = {name: formula.latex for name, formula in formulas.items() if name[0] == letter and formula.constant}
+        if fixed:
+            gui.html(_constant(fixed))
+        for name, formula in formulas.items():
+            if name[0] == letter and not formula.constant:
+                values[name] = gui.html()
+                gui.html(_formula(formula, python[name]))
+    gui.html(_symbols(arm, units, python, formulas))
+
+    def show(state: State) -> None:
+        joints = state[Joints]
+        T = inverse(joints.arm.base) @ joints.tool_pose
+        for name, element in values.items():
+            element.show(_value(name, T, units))
+
+    return show
+
+
+def _head(python: dict[str, str], formulas: dict[str, Written]) -> str:
+    everything = {
+        "LaTeX": "\\begin{aligned}\n"
+        + " \\\\\n".join(f"{_symbol(name)} &= {formula.latex}" for name, formula in formulas.items())
+        + "\n\\end{aligned}",
+        "Python": "\n".join(f"{name} = {text}" for name, text in python.items()),
+    }
+    hidden = sum(formula.left_out > 0 for formula in formulas.values())
+    note = (
+        f'<p class="dim">{hidden} of {len(formulas)} formulas are too long to be read (over {LONGEST} characters of '
+        "LaTeX): only their beginning is shown. The copies have them whole.</p>"
+        if hidden
+        else ""
+    )
+    copies = "".join(_copy(kind, text) for kind, text in everything.items())
+    return f'<h3>Tool in frame 0 {mathml(symbol("0", "E"))}<span class="copies">{copies}</span></h3>{note}'
+
+
+def _constant(numbers: dict[str, str]) -> str:
+    """Return the entries that do not depend on the joints, in one line."""
+    entries = "".join(f"<span>{mathml(f'{_symbol(name)}={{{value}}}')}</span>" for name, value in numbers.items())
+    return f'<div class="where small">{entries}</div>'
+
+
+def _formula(formula: Written, python: str) -> str:
+    rest = f' <span class="dim">… and {formula.left_out} more terms</span>' if formula.left_out else ""
+    copies = _copy("LaTeX", formula.latex) + _copy("Python", python)
+    return f'<div class="formula">= {formula.markup}{rest}<span class="copies">{copies}</span></div>'
+
+
+def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str, Written]) -> str:
+    """Return what the letters stand for: short forms of sines and cosines, angles with an offset, constants."""
+    lines = short_forms(arm, units, (formula.latex for formula in formulas.values()))
+    for joint, offset in angle_offsets(arm).items():
+        sign = MINUS if offset < 0.0 else "+"
+        lines.append(f"{subscript('θ', joint)} = {subscript('q', joint)} {sign} {units.angle(abs(offset))}")
+    known = constants(arm)
+    for name in used_constants(python.values()):
+        letter, index = name.rstrip("0123456789"), int(name.lstrip("alphd"))
+        value = units.angle(known[name]) if letter == "alpha" else units.length(known[name])
+        lines.append(f"{subscript({'alpha': 'α'}.get(letter, letter), index)} = {value}")
+    if any(has_numbers(formula.latex) for name, formula in formulas.items() if name[0] == "p"):
+        lines.append("numbers in p are in m")
+    return f'<h3>Where</h3><div class="where">{"".join(f"<span>{line}</span>" for line in lines)}</div>'
+
+
+def _value(name: str, T: NDArray[np.floating], units: Units) -> str:
+    if name[0] == "p":
+        text = units.length(float(T["xyz".index(name[1]), 3]))
+    else:
+        text = number(float(T[int(name[1]) - 1, int(name[2]) - 1]), 3)
+    return f'<div class="value">{mathml(_symbol(name))} = {text}</div>'
+
+
+def _symbol(name: str) -> str:
+    return f"{name[0]}_{{{name[1:]}}}"
+
+
+def _copy(kind: str, text: str) -> str:
+    return f'<button class="copy" data-copy="{escaped(text)}" title="Copy as {kind}">{kind}</button>'
+
+
+PANEL = Panel("formulas", "Formulas", "MATH_FUNCTION", 27, (Joints,), build, tab="pose")

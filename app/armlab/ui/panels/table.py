@@ -1,0 +1,189 @@
+"""The live Denavit-Hartenberg table: every number typed, joints added, both conventions, what the axes say, files."""
+
+from __future__ import annotations
+
+from armlab.content.robots import Robot
+from armlab.errors import ArmlabError
+from armlab.kin.arm import Arm
+from armlab.kin.convert import Link
+from armlab.session.edits import Convert, PasteTable, RestoreTable
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.point import Point
+from armlab.session.parts.robot import RobotPart
+from armlab.session.session import Refuse
+from armlab.session.state import Command, State
+from armlab.ui.format import escaped, mathml
+from armlab.ui.panels._dh_editor import DhEditor
+from armlab.ui.panels._dh_ends import ends_fields, ends_typed, point_line
+from armlab.ui.panels._dh_facts import Facts, axes_section, closed_form_card, facts_of
+from armlab.ui.panels._dh_files import Files, PasteBox, save
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Fields, Gui, Html
+
+FORMULAS = {
+    "standard": r"{}^{i-1}T_i=R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)",
+    "modified": r"{}^{i-1}T_i=R_x(\alpha_{i-1})\,T_x(a_{i-1})\,R_z(\theta_i)\,T_z(d_i)",
+}
+CONVENTIONS = {"standard": "Standard (Siciliano, notes)", "modified": "Modified (Craig)"}
+HINT = "Write the same arm in the other convention"
+
+
+class TablePanel:
+    """What the panel shows; it stays while the table is edited, so that the cursor stays in its cell."""
+
+    def __init__(self, gui: Gui, state: State, post: Post) -> None:
+        self._gui, self._state, self._post, self._units = gui, state, post, units_of(state)
+        self._robot: Robot | None = None
+        self._facts: Facts | None = None
+        self._pair = 1
+        self._head = gui.fields(lambda cell, _: self._edit(RestoreTable() if cell == "restore" else Convert(cell)))
+        self._table = gui.fields(self._cell)
+        self._editor = DhEditor(self._table, self._units)
+        self._axes = gui.fields(self._choose_pair)
+        self._card: Html = gui.html()
+        self._ends: Fields = gui.fields(self._end)
+        self._point: Html = gui.html()
+        files = gui.fields(self._file)
+        self._files = Files(files, self._units)
+        with gui.folder("Paste a table"):
+            box = gui.fields(self._pasted)
+            self._box = PasteBox(box)
+
+    # -- what a person does --------------------------------------------------------------------------------------
+
+    def _cell(self, cell: str, text: str) -> None:
+        try:
+            command = self._editor.typed(self._arm, cell, text)
+        except ArmlabError as refusal:
+            self._refuse(refusal)
+        else:
+            self._edit(command)
+
+    def _end(self, cell: str, text: str) -> None:
+        try:
+            command = ends_typed(self._state, cell, text, self._units)
+        except ArmlabError as refusal:
+            self._refuse(refusal)
+        else:
+            self._edit(command)
+
+    def _choose_pair(self, cell: str, _: str) -> None:
+        self._pair = int(cell.removeprefix("axes-"))
+        self._show_axes()
+
+    def _file(self, cell: str, text: str) -> None:
+        if cell == "save":
+            save(self._gui, self._state[RobotPart].robot)
+        else:
+            self._post(PasteTable(text))
+
+    def _pasted(self, cell: str, text: str) -> None:
+        command = self._box.typed(cell, text)
+        if command is not None:
+            self._post(command)
+
+    def _edit(self, command: Command | None) -> None:
+        """Hand in a command. Where it changes nothing, or is refused, the old text comes back at once."""
+        try:
+            changes = command is not None and command.apply(self._state) is not self._state
+        except ArmlabError as refusal:
+            self._refuse(refusal)
+            return
+        if command is not None and changes:
+            self._post(command)
+        else:
+            self._show_fields()
+
+    def _refuse(self, refusal: ArmlabError) -> None:
+        self._post(Refuse(str(refusal)))
+        self._show_fields()
+
+    # -- showing -------------------------------------------------------------------------------------------------
+
+    @property
+    def _arm(self) -> Arm:
+        return self._state[RobotPart].robot.arm
+
+    def show(self, state: State) -> None:
+        """Show a state; what follows from the table is made anew only when that has changed."""
+        before, self._state, robot = self._state, state, state[RobotPart].robot
+        if robot is not self._robot or state[Point] is not before[Point]:
+            self._show_fields()
+        if robot is not self._robot:
+            self._robot, self._facts = robot, facts_of(robot.arm)
+            self._show_head()
+            self._show_axes()
+            self._card.show(closed_form_card(self._facts.structure))
+            self._files.show(robot)
+        self._point.show(point_line(state, self._units))
+
+    def _show_fields(self) -> None:
+        self._editor.show(self._arm)
+        self._ends.show(ends_fields(self._ends, self._state, self._units))
+
+    def _show_axes(self) -> None:
+        assert self._facts is not None
+        self._axes.show(axes_section(self._facts, self._pair, self._axes.channel_id, self._units))
+
+    def _show_head(self) -> None:
+        part, channel = self._state[RobotPart], self._head.channel_id
+        arm = part.robot.arm
+        back = ""
+        if part.own and part.origin:
+            back = f'<span class="copies"><button class="copy" data-chan="{channel}" data-cell="restore">'
+            back += "Back to the file's table</button></span>"
+        chips = "".join(
+            f'<button class="chip" data-chan="{channel}" data-cell="{key}" title="{HINT}"'
+            f' aria-pressed="{"true" if key == arm.convention else "false"}">{title}</button>'
+            for key, title in CONVENTIONS.items()
+        )
+        name = escaped(part.robot.name) + (", edited" if part.own and part.origin else "")
+        summary = f'<p class="dim">{escaped(part.robot.summary)}</p>' if part.own and not part.origin else ""
+        formula = f'<div class="eq small">{mathml(FORMULAS[arm.convention], block=True)}</div>'
+        self._head.show(
+            f'<h3>{name}{back}</h3>{summary}<div class="bar">{chips}</div>{formula}{moved_lines(part, self._units)}'
+        )
+
+
+def moved_lines(part: RobotPart, units: Units) -> str:
+    """Return what the change of convention has put into base and tool, where that was the last edit."""
+    if part.moved is None:
+        return ""
+    n, base, tool = part.robot.arm.n, part.moved.base, part.moved.tool
+    lines = []
+    if base.moves:
+        lines.append(f"base: {_moves(base, units)} moved here from row 1")
+    if tool.moves and part.robot.arm.convention == "modified":
+        lines.append(f"tool: {_moves(tool, units)} moved here from row {n}")
+    elif tool.moves:
+        lines.append(f"row {n}: {_moves(Link(0.0 - tool.a, 0.0 - tool.alpha), units)} moved here from the tool")
+    told = "; ".join(lines) or "base and tool stay as they are"
+    return f'<p class="dim">The same arm; {told}.</p>'
+
+
+def _moves(link: Link, units: Units) -> str:
+    moves = []
+    if link.a != 0.0:
+        moves.append(f"T<sub>x</sub>({units.length(link.a)})")
+    if link.alpha != 0.0:
+        moves.append(f"R<sub>x</sub>({units.angle(link.alpha)})")
+    return " ".join(moves)
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the table and what belongs to it."""
+    return TablePanel(gui, state, post).show
+
+
+PANEL = Panel(
+    "table",
+    "Table",
+    "TABLE",
+    11,
+    (RobotPart, Joints, Point),
+    build,
+    tab="robot",
+    rebuilds=(Notation,),
+)

@@ -1,0 +1,165 @@
+"""Plots: curves over time or any other quantity, with units, limit lines, a cursor and export."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.ui.colours import VERDICT, Rgb, css
+from armlab.ui.format import dot, escaped
+
+if TYPE_CHECKING:
+    from armlab.ui.widgets import Gui
+
+HEIGHT = 130
+MOST_POINTS = 500
+"""Points of a curve that are sent; more of them cannot be seen in a panel."""
+
+NOTHING = 1e-9
+"""A curve that stays below is shown as zero, not as its rounding errors."""
+
+TIME = "time"
+"""The cursor that follows the timeline."""
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One series.
+
+    Attributes
+    ----------
+    name : str
+        With its unit, such as ``"w, m²"``.
+    colour : (int, int, int)
+    """
+
+    name: str
+    colour: Rgb
+
+
+class Plot:
+    """One plot of a panel; several curves share the axes.
+
+    Parameters
+    ----------
+    gui : Gui
+    title : str
+        Markup of the heading: the quantity and its unit.
+    x : str
+        Name of the abscissa with its unit.
+    curves : sequence of Curve
+    limits : int
+        How many limit lines there will be at most.
+    file : str
+        Name of the exported file, without its ending.
+    height : int
+        Pixels.
+    from_zero : bool
+        Whether the ordinate begins at 0, which the curves must not be below.
+    """
+
+    def __init__(
+        self,
+        gui: Gui,
+        title: str,
+        x: str,
+        curves: Sequence[Curve],
+        file: str,
+        limits: int = 0,
+        height: int = HEIGHT,
+        from_zero: bool = False,
+    ) -> None:
+        self._from_zero = from_zero
+        self._x, self._curves, self._limits, self._file = x, tuple(curves), limits, file
+        self._table: tuple[NDArray[np.float64], ...] = ()
+        self._gui = gui
+        names = "".join(f"<span>{dot(css(curve.colour))}{escaped(curve.name)}</span>" for curve in self._curves)
+        head = gui.fields(lambda _cell, _text: gui.save(f"{file}.csv", self.csv()))
+        legend = f'<div class="legend">{names}</div>' if len(self._curves) > 1 else ""
+        head.show(
+            f'<h3>{title}<span class="copies"><button class="copy" data-chan="{head.channel_id}" data-cell="csv"'
+            f' title="Save the curves as a table">CSV</button></span></h3>{legend}'
+        )
+        empty = np.array([0.0, 1.0])
+        self._handle: Any = gui.uplot(
+            tuple([empty] * (1 + len(self._curves) + limits)),
+            (
+                {"label": x},
+                *({"label": c.name, "stroke": css(c.colour), "width": 1.6} for c in self._curves),
+                *({"label": "limit", "stroke": css(VERDICT["no"]), "width": 1, "dash": [5, 4]} for _ in range(limits)),
+            ),
+            x,
+            height,
+        )
+        self._cursor = gui.html()
+
+    def name_x(self, x: str) -> None:
+        """Give the abscissa another name and unit."""
+        if x == self._x:
+            return
+        self._x = x
+        first, *rest = self._handle.axes
+        self._handle.axes = ({**first, "label": x}, *rest)
+
+    def show(
+        self,
+        x: NDArray[np.floating],
+        curves: Sequence[NDArray[np.floating]],
+        limits: Sequence[float] = (),
+    ) -> None:
+        """Show other curves.
+
+        Parameters
+        ----------
+        x : ndarray, shape (N,)
+            Rising.
+        curves : sequence of ndarray, shape (N,)
+            One for each `Curve`; what is not finite leaves a gap.
+        limits : sequence of float
+            Heights of the limit lines.
+
+        Raises
+        ------
+        ValueError
+            Not as many curves as were announced, or more limits.
+        """
+        if len(curves) != len(self._curves) or len(limits) > self._limits:
+            raise ValueError(
+                f"plot: expected {len(self._curves)} curves and at most {self._limits} limits, "
+                f"got {len(curves)} and {len(limits)}"
+            )
+        self._table = (np.asarray(x, dtype=float), *(np.asarray(curve, dtype=float) for curve in curves))
+        pick = np.unique(np.linspace(0, len(x) - 1, min(len(x), MOST_POINTS)).round().astype(int))
+        shown = [column[pick] for column in self._table]
+        lines = [np.full(len(pick), level) for level in (*limits, *[np.nan] * (self._limits - len(limits)))]
+        if self._from_zero:
+            self._range(max((float(np.nanmax(c)) for c in (*shown[1:], *lines) if np.isfinite(c).any()), default=0.0))
+        self._handle.data = tuple(np.ascontiguousarray(column) for column in (*shown, *lines))
+
+    def _range(self, most: float) -> None:
+        scales = {"x": {"time": False}, "y": {"range": (0.0, 1.08 * most if most > NOTHING else 1.0)}}
+        if self._handle.scales != scales:
+            self._handle.scales = scales
+
+    def cursor(self, at: float | str | None) -> None:
+        """Put the cursor at a value of x, let it follow the timeline (`TIME`), or take it away (None, or outside)."""
+        mark = at if isinstance(at, str) else ""
+        if isinstance(at, (int, float)) and self._table and len(self._table[0]):
+            low, high = self._table[0][0], self._table[0][-1]
+            if high > low and low <= at <= high:
+                mark = f"{(at - low) / (high - low):.5f}"
+        self._cursor.show(f'<i hidden data-cursor="{mark}"></i>')
+
+    def csv(self) -> str:
+        """Return the curves as comma-separated values, all points, with names and units in the first line."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([self._x, *(curve.name for curve in self._curves)])
+        writer.writerows(zip(*(column.tolist() for column in self._table), strict=True))
+        return text.getvalue()

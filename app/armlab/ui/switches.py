@@ -1,0 +1,44 @@
+"""Switches of the picture: what can be shown or hidden, with key and hint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.session.parts.display import Display
+from armlab.session.state import State
+
+
+@dataclass(frozen=True)
+class Switch:
+    """One switch.
+
+    Parameters
+    ----------
+    name : str
+        Under which the state keeps it.
+    title, hint : str
+    key : str
+        The letter that toggles it; empty for none.
+    default : bool
+        How it stands when nobody has set it.
+    """
+
+    name: str
+    title: str
+    hint: str
+    key: str = ""
+    default: bool = False
+
+    def on(self, state: State) -> bool:
+        """Return whether it is on."""
+        return state[Display].switches.get(self.name, self.default)
+
+
+SKELETON = Switch("skeleton", "Skeleton", "Textbook symbols instead of bodies: cylinders turn, boxes slide.", "K")
+SHADOWS = Switch(
+    "shadows", "Shadows", "Without them the picture moves twice as fast on a weak graphics processor.", default=True
+)
+DARK = Switch("dark", "Dark theme", "Light on dark, for a dark room.", "L")
+
+GENERAL = (SHADOWS, DARK)
+"""Switches that are not about one layer."""

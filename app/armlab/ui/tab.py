@@ -1,0 +1,114 @@
+"""One tab of the dock: its pages, of which one is shown; built when first seen, refreshed only while seen."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from typing import Any
+
+from armlab.session.state import State
+from armlab.ui.format import escaped
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.widgets import Fields, Gui
+
+log = logging.getLogger(__name__)
+
+
+class Tab:
+    """A tab.
+
+    Parameters
+    ----------
+    pages : tuple of Panel
+        The first gives the tab its name.
+    container : viser tab handle
+    make_gui : callable
+        Returns a new maker of controls.
+    post : callable
+    on_page : callable
+        Called when a person has turned to another page.
+    """
+
+    def __init__(
+        self,
+        pages: tuple[Panel, ...],
+        container: Any,
+        make_gui: Callable[[], Gui],
+        post: Post,
+        on_page: Callable[[], None],
+    ) -> None:
+        self.pages, self.page = {page.key: page for page in pages}, pages[0].key
+        self._container, self._gui, self._post = container, make_gui(), post
+        self._head: Fields | None = None
+        self._show: Show | None = None
+        self._shown: State | None = None
+        self._built = ""
+        with container:
+            head = make_gui()
+            # The page's script tells by this mark which tabs are seen.
+            head.html(f'<i hidden data-tab="{pages[0].key}"></i>')
+            if len(pages) > 1:
+                self._head = head.fields(lambda key, _: self._turned(key, on_page))
+                self._show_head()
+
+    @property
+    def key(self) -> str:
+        """The key of the tab."""
+        return next(iter(self.pages))
+
+    def turn_to(self, key: str) -> None:
+        """Show another page with the next `show`."""
+        if key in self.pages and key != self.page:
+            self.page = key
+            self._show_head()
+
+    def _turned(self, key: str, on_page: Callable[[], None]) -> None:
+        self.turn_to(key)
+        on_page()
+
+    def _show_head(self) -> None:
+        if self._head is None:
+            return
+        chips = "".join(
+            f'<button class="page" role="tab" data-chan="{self._head.channel_id}" data-cell="{key}"'
+            f' aria-selected="{"true" if key == self.page else "false"}">{escaped(page.title)}</button>'
+            for key, page in self.pages.items()
+        )
+        self._head.show(f'<div class="pages" role="tablist">{chips}</div>')
+
+    def show(self, state: State) -> None:
+        """Show a state on the present page."""
+        panel = self.pages[self.page]
+        before, self._shown = self._shown, state
+        new = before is None or self._built != self.page or _differ(panel.rebuilds, state, before)
+        with self._container:
+            if new:
+                self._built = self.page
+                self._gui.clear()
+                self._show = self._try(panel.build, self._gui, state, self._post)
+            if self._show is not None and (new or before is None or _differ(panel.watches, state, before)):
+                self._try(_done(self._show), state)
+
+    def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:
+        """Return the result; a panel that fails is replaced by a line, and the rest lives on."""
+        try:
+            return call(*arguments)
+        except Exception:
+            log.exception("panel %s failed", self.page)
+        self._show = None
+        self._gui.clear()
+        title = self.pages[self.page].title
+        self._gui.html(f'<div class="verdict no"><b>✕ {escaped(title)} has failed</b>The rest works on.</div>')
+        return None
+
+
+def _differ(kinds: tuple[Any, ...], state: State, before: State) -> bool:
+    return any(state[kind] is not before[kind] for kind in kinds)
+
+
+def _done(show: Show) -> Callable[[State], bool]:
+    def call(state: State) -> bool:
+        show(state)
+        return True
+
+    return call

@@ -1,0 +1,118 @@
+"""The bar of the timeline over the scene: play, pause, scrub, step, loop, speed."""
+
+from __future__ import annotations
+
+import json
+import logging
+import math
+from collections.abc import Callable
+
+import viser
+
+from armlab.session.parts.timeline import OpenClip, Play, PlayLike, Seek, Step, Timeline, clips, duration
+from armlab.session.state import Command, State
+from armlab.ui.format import escaped
+from armlab.ui.widgets import Fields
+
+log = logging.getLogger(__name__)
+
+_SHAPES = {
+    "play": "M4 2v12l10-6z",
+    "pause": "M3 2h4v12H3zM9 2h4v12H9z",
+    "back": "M2 2h2.5v12H2zM14 2v12L5.5 8z",
+    "forward": "M11.5 2H14v12h-2.5zM2 2v12l8.5-6z",
+}
+"""Drawn, because not every machine has letters for them."""
+
+SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
+
+
+class TimelineBar:
+    """The bar in one browser; there when a clip is open.
+
+    The bar itself is rewritten only when something but the time has changed, or a hand on its thumb would lose it. The
+    time goes to the page in a mark of its own, and the page's script moves the thumb between two marks by its clock.
+    """
+
+    def __init__(self, client: viser.ClientHandle, post: Callable[[Command], None]) -> None:
+        self._post = post
+        self._bar = Fields(client.gui, self._pressed)
+        self._clock = Fields(client.gui, self._pressed)
+        self._state: State | None = None
+
+    def show(self, state: State) -> None:
+        """Show the timeline of a state."""
+        self._state = state
+        timeline = state[Timeline]
+        if not timeline.clip:
+            self._bar.show("")
+            self._clock.show("")
+            return
+        end = duration(state)
+        self._bar.show(self._markup(timeline, end, clips()[timeline.clip].stops(state)))
+        mark = {"time": timeline.time, "end": end, "rate": timeline.speed if timeline.playing else 0.0}
+        self._clock.show(f'<i id="al-clock" hidden data-clock="{escaped(json.dumps(mark))}"></i>')
+
+    def _pressed(self, cell: str, text: str) -> None:
+        command = None if self._state is None else _command(self._state, cell, text)
+        if command is None:
+            log.warning("a page that is not ours pressed the timeline")
+        else:
+            self._post(command)
+
+    def _markup(self, timeline: Timeline, end: float, stops: tuple[float, ...]) -> str:
+        channel = self._bar.channel_id
+
+        def button(cell: str, sign: str, title: str, key: str = "", pressed: bool | None = None) -> str:
+            hot = f' data-key="{key}"' if key else ""
+            state = "" if pressed is None else f' aria-pressed="{str(pressed).lower()}"'
+            return (
+                f'<button data-chan="{channel}" data-cell="{cell}" title="{title}" aria-label="{title}"{hot}{state}>'
+                f"{sign}</button>"
+            )
+
+        marks = "".join(f'<i style="left:{100.0 * t / end:.3f}%"></i>' for t in stops if 0.0 < t < end)
+        speeds = sorted({*SPEEDS, timeline.speed})
+        options = "".join(
+            f'<option value="{s:g}"{" selected" if s == timeline.speed else ""}>{s:g}×</option>' for s in speeds
+        )
+        play = ("pause", "Pause (space)") if timeline.playing else ("play", "Play (space)")
+        return (
+            '<div class="al-over al-time" role="group" aria-label="Timeline">'
+            f"<b>{escaped(clips()[timeline.clip].title)}</b>"
+            + button("back", _sign("back"), "One step back (comma)", "Comma")
+            + button("play", _sign(play[0]), play[1], "Space")
+            + button("forward", _sign("forward"), "One step forward (full stop)", "Period")
+            + f'<span class="track"><span class="stops">{marks}</span>'
+            f'<input type="range" min="0" max="1" step="any" aria-label="Time" data-chan="{channel}" data-cell="seek"'
+            ' data-live="1"></span>'
+            f'<span class="now"></span>'
+            + button("loop", "⟳", "Begin again at the end", pressed=timeline.loop)
+            + f'<select data-chan="{channel}" data-cell="speed" title="Speed" aria-label="Speed">{options}</select>'
+            + button("close", "✕", "Close")
+            + "</div>"
+        )
+
+
+def _sign(name: str) -> str:
+    return f'<svg viewBox="0 0 16 16" width="13" height="13" aria-hidden="true"><path d="{_SHAPES[name]}"/></svg>'
+
+
+def _command(state: State, cell: str, text: str) -> Command | None:
+    """Return what a person asked for at the bar, or None when no page of ours sends it."""
+    timeline = state[Timeline]
+    if cell in ("seek", "speed"):
+        try:
+            value = float(text)
+        except ValueError:
+            return None
+        if not math.isfinite(value):
+            return None
+        return Seek(value * duration(state)) if cell == "seek" else PlayLike(speed=value)
+    return {
+        "play": Play(not timeline.playing),
+        "back": Step(False),
+        "forward": Step(True),
+        "loop": PlayLike(loop=not timeline.loop),
+        "close": OpenClip(""),
+    }.get(cell)

@@ -1,0 +1,168 @@
+"""Units and names as the student has chosen them: whatever shows or takes a quantity asks here."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from armlab.content.arithmetic import evaluate
+from armlab.errors import InputError
+from armlab.kin.dh import Convention
+from armlab.session.parts.notation import Notation
+from armlab.session.state import State
+from armlab.ui.format import length, number, subscript, turn
+
+
+@dataclass(frozen=True)
+class Book:
+    """How a book names the columns of the table.
+
+    Attributes
+    ----------
+    title : str
+    order : tuple of str
+        Fields of a row, in the order of the columns.
+    symbols : dict
+        Field to its letter.
+    index : str
+        The letter that counts joints.
+    """
+
+    title: str
+    order: tuple[str, str, str, str]
+    symbols: dict[str, str]
+    index: str = "i"
+
+
+_LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
+
+BOOKS: dict[str, Book] = {
+    "notes": Book("Course notes", ("a", "alpha", "d", "theta"), _LETTERS),
+    "craig": Book("Craig", ("alpha", "a", "d", "theta"), _LETTERS),
+    "siciliano": Book("Siciliano", ("a", "alpha", "d", "theta"), {**_LETTERS, "theta": "ϑ"}),
+    "corke": Book("Corke", ("theta", "d", "a", "alpha"), _LETTERS, "j"),
+}
+
+NAMES = {"a": "link length", "alpha": "link twist", "d": "link offset", "theta": "joint angle"}
+"""Of the fields, in words, as all of these books have them."""
+
+
+@dataclass(frozen=True)
+class Units:
+    """Units and names of one student."""
+
+    notation: Notation
+
+    @property
+    def book(self) -> Book:
+        """Whose table this is."""
+        return BOOKS[self.notation.book]
+
+    @property
+    def in_degrees(self) -> bool:
+        """Whether angles are in degrees."""
+        return self.notation.angle == "deg"
+
+    @property
+    def angle_unit(self) -> str:
+        """The unit of angles."""
+        return "°" if self.in_degrees else "rad"
+
+    @property
+    def length_unit(self) -> str:
+        """The unit of lengths."""
+        return self.notation.length
+
+    def unit(self, revolute: bool) -> str:
+        """Return the unit of a joint variable."""
+        return self.angle_unit if revolute else self.length_unit
+
+    def factor(self, revolute: bool) -> float:
+        """Return what a joint variable on screen is multiplied by to give radians or metres."""
+        if revolute:
+            return math.pi / 180.0 if self.in_degrees else 1.0
+        return 1e-3 if self.notation.length == "mm" else 1.0
+
+    def decimals(self, revolute: bool) -> int:
+        """Return how many decimals a person needs: 0.1° or 0.001 rad, 0.1 mm or 0.0001 m."""
+        if revolute:
+            return 1 if self.in_degrees else 3
+        return 1 if self.notation.length == "mm" else 4
+
+    def value(self, value: float, revolute: bool) -> float:
+        """Return a joint variable as the number a slider shows."""
+        return round(value / self.factor(revolute), self.decimals(revolute)) + 0.0
+
+    def text(self, value: float, revolute: bool) -> str:
+        """Return an angle in radians or a length in metres as a number on screen, without its unit."""
+        return number(value / self.factor(revolute), self.decimals(revolute))
+
+    def angle(self, value: float) -> str:
+        """Return an angle with its unit."""
+        return f"{self.text(value, True)}{self.angle_unit if self.in_degrees else ' rad'}"
+
+    def turned(self, value: float) -> str:
+        """Return an angle without its unit, in the half-open turn around zero: what rounds to −180° is 180°."""
+        return turn(value) if self.in_degrees else self.text(value, True)
+
+    def length(self, value: float) -> str:
+        """Return a length with its unit."""
+        return f"{self.text(value, False)} {self.length_unit}"
+
+    def distance(self, value: float) -> str:
+        """Return a small or large length with its unit and as many decimals as it deserves."""
+        return length(value) if self.notation.length == "mm" else self.length(value)
+
+    def variable(self, i: int, revolute: bool) -> str:
+        """Return the symbol of joint variable i (0-based): q₁, or θ₁ and d₁ as in the table."""
+        if self.notation.variable == "q":
+            return subscript("q", i + 1)
+        return subscript(self.book.symbols["theta" if revolute else "d"], i + 1)
+
+    def column(self, field: str, convention: Convention) -> str:
+        """Return the head of a column of the table, with its unit."""
+        before = convention == "modified" and field in ("a", "alpha")
+        index = f"{self.book.index}−1" if before else self.book.index
+        unit = self.angle_unit if field in ("alpha", "theta") else self.length_unit
+        return f"{self.book.symbols[field]}<sub>{index}</sub>, {unit}"
+
+    def read(self, text: str, revolute: bool, where: str) -> float:
+        """Return radians or metres from what a person typed: a number in the unit on screen, or with π or a unit.
+
+        Raises
+        ------
+        InputError
+            Not a number.
+
+        Examples
+        --------
+        >>> units = Units(Notation())
+        >>> units.read("90", True, "angle") == units.read("pi/2", True, "angle")
+        True
+        >>> units.read("2 m", False, "length"), units.read("250", False, "length")
+        (2.0, 0.25)
+        """
+        plain = text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", ".")
+        factor = self.factor(revolute)
+        endings = _ANGLES if revolute else _LENGTHS
+        for ending, known in endings.items():
+            if plain.endswith(ending):
+                plain, factor = plain[: -len(ending)].rstrip(), known
+                break
+        else:
+            factor = 1.0 if revolute and "pi" in plain else factor
+        unit = "degrees" if revolute and self.in_degrees else self.unit(revolute)
+        try:
+            value = factor * evaluate(plain)
+        except InputError:
+            raise InputError(f"{where}: expected a number in {unit}, got {text.strip()[:40]!r}") from None
+        return value
+
+
+_ANGLES = {"deg": math.pi / 180.0, "°": math.pi / 180.0, "rad": 1.0}
+_LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
+
+
+def units_of(state: State) -> Units:
+    """Return the units of a student."""
+    return Units(state[Notation])

@@ -1,0 +1,54 @@
+"""The verdict of inverse kinematics in words, with numbers and units."""
+
+from __future__ import annotations
+
+import math
+
+from armlab.kin.ik import Verdict
+from armlab.ui.format import capitalised, escaped
+from armlab.ui.units import Units
+
+SIGNS = {"ok": "✓", "warn": "◐", "no": "✕"}
+
+
+def verdict_kind(verdict: Verdict) -> str:
+    """Return ``ok``, ``warn`` or ``no``."""
+    return {"reached": "ok", "moving": "warn"}.get(verdict.status, "no")
+
+
+def verdict_words(verdict: Verdict, units: Units) -> tuple[str, str]:
+    """Return the verdict in a word or two, and what there is to say about it with numbers and units."""
+    short = _shortfall(verdict, units)
+    if verdict.status == "reached":
+        return "reached", f"{units.distance(verdict.position_error)} {units.angle(verdict.rotation_error)}"
+    if verdict.status == "limit":
+        return verdict.reason, short
+    if verdict.status == "beyond":
+        return "out of reach", f"{short}; farther than all links in a line"
+    if verdict.status == "closest":
+        return "closest possible", short
+    return "on the way", short
+
+
+def _shortfall(verdict: Verdict, units: Units) -> str:
+    """Return how far away the target is, in the components that matter."""
+    said = []
+    if verdict.position_error >= 5e-5:
+        said.append(f"{units.distance(verdict.position_error)} short")
+    if verdict.rotation_error >= math.radians(0.05):
+        said.append(f"{units.angle(verdict.rotation_error)} turned away")
+    return ", ".join(said) or f"within {units.length(1e-4)} and {units.angle(math.radians(0.1))}"
+
+
+def verdict_card(verdict: Verdict, units: Units) -> str:
+    """Return the verdict as a coloured card with a sign and words."""
+    kind = verdict_kind(verdict)
+    head, body = verdict_words(verdict, units)
+    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {capitalised(escaped(head))}</b>{escaped(body)}</div>'
+
+
+def verdict_line(verdict: Verdict, units: Units) -> str:
+    """Return the verdict in one line."""
+    kind = verdict_kind(verdict)
+    head, body = verdict_words(verdict, units)
+    return f'<b class="{kind}">{SIGNS[kind]} {escaped(head)}</b> {escaped(body)}'

@@ -1,0 +1,65 @@
+"""Overlays in a real page: their switches, their keys, and where they are."""
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.kin.rotations import rotation_from_quaternion
+from armlab.kin.sweeps import sweeps
+from armlab.ui.commands import shortcuts
+
+pytestmark = pytest.mark.browser
+PUMA = catalogue()["puma560"]
+KEYS = {"Joint angles": "g", "Lengths and twists": "i", "Projections": "p", "Swept curves": "u", "Joint types": "j"}
+
+
+def test_overlays_come_by_key_and_go_by_switch(visit):
+    lab = visit()
+    lab.open_tab("View")
+    for title, key in KEYS.items():
+        box = lab.page.get_by_role("checkbox", name=title)
+        assert not box.is_checked()
+        before = set(lab.nodes())
+        lab.page.keyboard.press(key)
+        lab.rest()
+        assert box.is_checked()
+        made = set(lab.nodes()) - before
+        assert len(made) > 5, title
+        box.click()
+        lab.rest()
+        assert not box.is_checked()
+        visible = "names => names.filter(name => window.__viserMutable.nodeRefFromName[name]?.visible)"
+        still = lab.page.evaluate(visible, sorted(name for name in made if not name.endswith("label")))
+        assert len(still) < len(made), title
+    assert {entry.key for entry in shortcuts()} >= {key.upper() for key in KEYS.values()}
+
+
+def test_the_swept_curve_of_a_joint_is_round_its_axis(visit):
+    lab = visit()
+    lab.page.keyboard.press("u")
+    lab.rest()
+    pose = "name => { const p = window.__viserMutable.nodePoseData[name]; return [p.position, p.wxyz]; }"
+    for move in (None, (2, 0.4)):
+        if move:
+            lab.drag_slider(*move)
+            lab.rest()
+        q = np.radians(lab.slider_values(6))
+        for i, expected in enumerate(sweeps(PUMA.arm, q).centre[:5]):
+            centre, wxyz = lab.page.evaluate(pose, lab.node(f"/swept/{i + 1}"))
+            np.testing.assert_allclose(centre, expected, atol=3e-3)
+            # The axis of the circle is that of the joint, and the tool is as far from its centre as it is wide.
+            axis = rotation_from_quaternion(np.array(wxyz))[:, 2]
+            assert axis @ (PUMA.arm.position(q) - np.array(centre)) == pytest.approx(0.0, abs=3e-3)
+
+
+def test_all_switches_fit_into_the_panel(visit):
+    for size in ((1400, 850), (1024, 700)):
+        lab = visit(size=size)
+        lab.open_tab("View")
+        cut = """() => [...document.querySelectorAll('.switch')].filter(b => {
+            const box = b.getBoundingClientRect();
+            return b.scrollWidth > b.clientWidth || box.right > innerWidth || box.bottom > innerHeight;
+        }).map(b => b.textContent)"""
+        assert lab.page.evaluate(cut) == []
+        assert lab.page.locator(".switch").count() >= 10
+        lab.page.close()

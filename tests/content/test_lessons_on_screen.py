@@ -1,0 +1,25 @@
+"""What lessons name of the screen is there: panels and switches of the picture. (The content layer knows neither.)"""
+
+import pytest
+
+from armlab.content.lessons import lessons
+from armlab.ui.plugin import panels, switches
+
+
+@pytest.fixture(params=list(lessons().lessons))
+def given(request):
+    return lessons()[request.param]
+
+
+def test_its_panel_is_there(given):
+    assert given.panel in ("", *panels())
+
+
+def test_its_overlays_are_switches_of_the_picture(given):
+    assert set(given.overlays) <= {switch.name for switch in switches()}
+
+
+def test_every_lesson_has_a_link(given):
+    from armlab.front.front import NAME
+
+    assert NAME.match(given.key)

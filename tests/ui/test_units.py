@@ -1,0 +1,106 @@
+"""Units and names as the student has chosen them."""
+
+import math
+
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.errors import InputError, UnknownName
+from armlab.kin.ik import Verdict
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.notation import OPTIONS, Label, Notation
+from armlab.session.session import Session, Undo
+from armlab.session.state import State, apply
+from armlab.ui import verdicts
+from armlab.ui.units import BOOKS, Units, units_of
+
+DEGREES, RADIANS = Units(Notation()), Units(Notation(angle="rad", length="m", variable="theta", book="corke"))
+
+
+def test_quantities_bear_the_chosen_unit():
+    assert DEGREES.angle(math.pi / 6) == "30.0°"
+    assert RADIANS.angle(math.pi / 6) == "0.524 rad"
+    assert DEGREES.length(-0.4318) == "−431.8 mm"
+    assert RADIANS.length(-0.4318) == "−0.4318 m"
+
+
+def test_variables_bear_the_chosen_name():
+    assert [DEGREES.variable(2, revolute) for revolute in (True, False)] == ["q₃", "q₃"]
+    assert [RADIANS.variable(2, revolute) for revolute in (True, False)] == ["θ₃", "d₃"]
+
+
+def test_columns_are_those_of_the_book():
+    assert set(BOOKS) == set(OPTIONS["book"])
+    assert all(sorted(book.order) == ["a", "alpha", "d", "theta"] for book in BOOKS.values())
+    assert RADIANS.column("alpha", "modified") == "α<sub>j−1</sub>, rad"
+    assert DEGREES.column("d", "modified") == "d<sub>i</sub>, mm"
+
+
+@pytest.mark.parametrize("units", [DEGREES, RADIANS])
+@pytest.mark.parametrize("revolute", [True, False])
+@pytest.mark.parametrize("value", [0.0, 0.123456, -2.5, 3.14159])
+def test_what_is_shown_is_read_back(units, revolute, value):
+    step = 0.51 * 10.0 ** -units.decimals(revolute) * units.factor(revolute)
+    assert units.read(units.text(value, revolute), revolute, "q") == pytest.approx(value, abs=step)
+
+
+@pytest.mark.parametrize(
+    ("text", "revolute", "value"),
+    [
+        ("90", True, math.pi / 2),
+        ("pi/2", True, math.pi / 2),
+        ("−π/4", True, -math.pi / 4),
+        ("1.5 rad", True, 1.5),
+        ("45°", True, math.pi / 4),
+        ("12,5", False, 0.0125),
+        ("0.3 m", False, 0.3),
+        ("4 cm", False, 0.04),
+    ],
+)
+def test_units_may_be_typed(text, revolute, value):
+    assert DEGREES.read(text, revolute, "x") == pytest.approx(value)
+
+
+def test_what_is_no_number_is_refused_with_the_unit_expected():
+    with pytest.raises(InputError, match="x: expected a number in mm, got 'six'"):
+        DEGREES.read("six", False, "x")
+    with pytest.raises(InputError, match="yaw: expected a number in degrees, got ''"):
+        DEGREES.read(" ", True, "yaw")
+
+
+def test_labels_change_nothing_but_labels_and_are_no_step():
+    session = Session.fresh("token", catalogue()["puma560"])
+    before = session.state
+    session.apply(Label("angle", "rad"), 0.0)
+    assert units_of(session.state).angle_unit == "rad"
+    assert session.state[Joints] is before[Joints]
+    session.apply(Undo(), 1.0)
+    assert units_of(session.state).angle_unit == "rad"
+    for wrong in (Label("colour", "red"), Label("angle", "grad")):
+        with pytest.raises(UnknownName, match="Available"):
+            apply(session.state, wrong)
+
+
+def test_a_damaged_choice_is_left_out_when_read_back():
+    robot = catalogue()["puma560"]
+    assert Notation.from_json({"angle": "rad", "length": "feet"}, robot) == Notation(angle="rad")
+    assert State.initial(robot)[Notation].to_json() == Notation().to_json()
+
+
+@pytest.mark.parametrize(
+    ("verdict", "kind", "line"),
+    [
+        (Verdict("reached", 1e-9, 0.0, ()), "ok", "✓ reached</b> 0.0 mm 0.0°"),
+        (Verdict("limit", 0.043, 0.0, (2,)), "no", "✕ limit on joint 3</b> 43.0 mm short"),
+        (Verdict("limit", 0.0, 0.1, (0, 4)), "no", "✕ limit on joints 1 and 5</b> 5.7° turned away"),
+        (Verdict("closest", 0.143, 0.02, ()), "no", "✕ closest possible</b> 143 mm short, 1.1° turned away"),
+        (Verdict("beyond", 1.2, 0.0, ()), "no", "✕ out of reach</b> 1200 mm short; farther than all links in a line"),
+        (Verdict("moving", 0.01, 0.0, ()), "warn", "◐ on the way</b> 10.0 mm short"),
+        (Verdict("closest", 1e-5, 0.0, ()), "no", "✕ closest possible</b> within 0.1 mm and 0.1°"),
+    ],
+)
+def test_verdicts_have_a_sign_a_word_and_numbers(verdict, kind, line):
+    units = Units(Notation())
+    assert verdicts.verdict_kind(verdict) == kind
+    assert line in verdicts.verdict_line(verdict, units)
+    assert f'class="verdict {kind}"' in verdicts.verdict_card(verdict, units)
