@@ -6,7 +6,6 @@ both in TOML. What is written before the first step introduces the lesson.
 
 from __future__ import annotations
 
-import logging
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -21,13 +20,12 @@ from numpy.typing import NDArray
 from armlab import resources
 from armlab.content import robots
 from armlab.content.check import Check, read_check
+from armlab.content.folder import Folder
 from armlab.content.markdown import render, to_html, tokens_of
 from armlab.content.questions import Question, read_question
 from armlab.content.reader import Table, joint_values, shown
 from armlab.content.robots import KEY, Robot, read_pose
 from armlab.errors import ContentError, UnknownName, suggestion
-
-log = logging.getLogger(__name__)
 
 BLOCKS = ("check", "question")
 CODE = ("", "python", "text", "toml")
@@ -236,57 +234,28 @@ def _block(file: str, where: str, token: Token, first_line: int) -> Table:
     return table
 
 
-@dataclass(frozen=True)
-class Lessons:
-    """All lesson files: those that can be used, by chapter, and what is wrong with the others."""
+class Lessons(Folder[Lesson]):
+    """All lesson files."""
 
-    lessons: dict[str, Lesson]
-    problems: tuple[ContentError, ...]
+    kind = "lesson"
+    ending = ".md"
 
-    def __getitem__(self, key: str) -> Lesson:
-        """Return a lesson by key; the error lists what is available, or says what is wrong with its file."""
-        if key in self.lessons:
-            return self.lessons[key]
-        for problem in self.problems:
-            if problem.file == f"{key}.md":
-                raise problem
-        raise UnknownName("lesson", key, self.lessons)
+    @property
+    def lessons(self) -> dict[str, Lesson]:
+        """The lessons by key, in the order of their chapters."""
+        return self.found
 
 
 def read_lessons(files: Iterable[Traversable]) -> Lessons:
     """Read lesson files; a broken one is reported and disturbs nothing else."""
-    found, problems = [], []
-    for file in files:
-        if file.name == _README:
-            continue
-        try:
-            found.append(_read_lesson(file))
-        except ContentError as error:
-            problems.append(error)
-    found.sort(key=lambda lesson: (_numbers(lesson.chapter), lesson.chapter, lesson.key))
-    return Lessons({lesson.key: lesson for lesson in found}, tuple(problems))
+    wanted = (file for file in files if file.name != _README)
+    return Lessons.read(wanted, parse_lesson, lambda lesson: (_numbers(lesson.chapter), lesson.chapter, lesson.key))
 
 
 def _numbers(chapter: str) -> list[int]:
     """Return the number a chapter begins with, so that 10 comes after 9."""
     number = re.match(r"[\d.]*", chapter)
     return [int(part) for part in re.findall(r"\d{1,9}", number[0] if number else "")]
-
-
-def _read_lesson(file: Traversable) -> Lesson:
-    """Read one file; whatever goes wrong is a `ContentError`."""
-    try:
-        return parse_lesson(file.name.removesuffix(".md"), file.read_text(encoding="utf-8"), file.name)
-    except ContentError:
-        raise
-    except UnicodeDecodeError as error:
-        raise ContentError(file.name, "", f"not a text in UTF-8: {error.reason}") from None
-    except OSError as error:
-        raise ContentError(file.name, "", f"cannot be read: {error.strerror}") from error
-    except Exception as error:
-        # A mistake in our reading: it belongs into the log, and the class still gets its other lessons.
-        log.exception("%s cannot be read", file.name)
-        raise ContentError(file.name, "", f"cannot be used: {error!r}") from error
 
 
 @cache

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -13,15 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab import resources
+from armlab.content.folder import Folder
 from armlab.content.reader import Table, joint_values
-from armlab.errors import ContentError, InputError, UnknownName
+from armlab.errors import ContentError, InputError
 from armlab.kin.arm import MAX_JOINTS, Arm
 from armlab.kin.dh import CONVENTIONS, Row, common_normals
 from armlab.kin.rotations import is_rotation, rotation_from_sequence
 from armlab.kin.task import NAMED
 from armlab.kin.transforms import transform
-
-log = logging.getLogger(__name__)
 
 KEY = re.compile(r"[a-z0-9][a-z0-9_]{0,63}\Z")
 """What stands in links, in lower case for people to say and type."""
@@ -305,49 +303,21 @@ def family_of(arm: Arm) -> str:
     return planar if all(abs(np.sin(alpha)) < 1e-9 for _, alpha in between) else spatial
 
 
-@dataclass(frozen=True)
-class Catalogue:
-    """All robot files: those that can be used, and what is wrong with the others."""
+class Catalogue(Folder[Robot]):
+    """All robot files."""
 
-    robots: dict[str, Robot]
-    problems: tuple[ContentError, ...]
+    kind = "robot"
+    ending = ".toml"
 
-    def __getitem__(self, key: str) -> Robot:
-        """Return a robot by key; the error lists what is available, or says what is wrong with its file."""
-        if key in self.robots:
-            return self.robots[key]
-        for problem in self.problems:
-            if problem.file == f"{key}.toml":
-                raise problem
-        raise UnknownName("robot", key, self.robots)
+    @property
+    def robots(self) -> dict[str, Robot]:
+        """The robots by key: by family, then by number of joints."""
+        return self.found
 
 
 def read_catalogue(files: Iterable[Traversable]) -> Catalogue:
     """Read robot files; a broken one is reported and disturbs nothing else."""
-    robots, problems = [], []
-    for file in files:
-        try:
-            robots.append(_read_robot(file))
-        except ContentError as error:
-            problems.append(error)
-    robots.sort(key=lambda robot: (FAMILIES.index(robot.family), robot.arm.n, robot.key))
-    return Catalogue({robot.key: robot for robot in robots}, tuple(problems))
-
-
-def _read_robot(file: Traversable) -> Robot:
-    """Read one file; whatever goes wrong is a `ContentError`."""
-    try:
-        return parse_robot(file.name.removesuffix(".toml"), file.read_text(encoding="utf-8"), file.name)
-    except ContentError:
-        raise
-    except UnicodeDecodeError as error:
-        raise ContentError(file.name, "", f"not a text in UTF-8: {error.reason}") from None
-    except OSError as error:
-        raise ContentError(file.name, "", f"cannot be read: {error.strerror}") from error
-    except Exception as error:
-        # A mistake in our reading: it belongs into the log, and the class still gets its other arms.
-        log.exception("%s cannot be read", file.name)
-        raise ContentError(file.name, "", f"cannot be used: {error!r}") from error
+    return Catalogue.read(files, parse_robot, lambda robot: (FAMILIES.index(robot.family), robot.arm.n, robot.key))
 
 
 @cache
