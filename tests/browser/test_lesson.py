@@ -40,7 +40,7 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     assert (right - left) / 1400 > 0.54
     assert shown(lab, "Step 1 of 3")
     assert lab.page.locator(".lesson-text math").count() > 3
-    assert "2.105 m away" in lab.page.locator(".verdict.todo").inner_text()
+    assert "2105.1 mm away" in lab.page.locator(".verdict.todo").inner_text()
     assert lab.page.locator('button[data-cell="lesson-next"]').inner_text() == "Skip ›"
     lab.press("stretched")
     lab.until(lambda: shown(lab, "✓ Done"))

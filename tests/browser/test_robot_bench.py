@@ -73,6 +73,18 @@ def test_the_cursor_goes_on_to_the_next_cell(visit):
     assert (value(lab, "dh-1-d"), value(lab, "dh-1-theta")) == ("700", "+45")
 
 
+def test_enter_goes_down_the_column_and_undo_reaches_the_lab_from_a_field(visit):
+    lab = at_the_table(visit())
+    field = lab.page.locator('input[data-cell="dh-1-d"]')
+    field.fill("700")
+    field.press("Enter")
+    lab.rest()
+    assert lab.page.evaluate("() => document.activeElement.dataset.cell") == "dh-2-d"
+    assert value(lab, "dh-1-d") == "700"
+    lab.page.keyboard.press("Control+z")
+    lab.until(lambda: value(lab, "dh-1-d") == "671.83")
+
+
 def test_the_other_convention_keeps_the_tool(visit):
     lab = at_the_table(visit("robot/planar_2r"))
     before = lab.target()

@@ -198,16 +198,22 @@ def test_moves_of_the_lab_are_shown_on_the_way(visit):
     lab = visit()
     node = lab.node("/arm/1/2")
     angle = "n => 2 * Math.acos(Math.abs(window.__viserMutable.nodeRefFromName[n].quaternion.w)) * 180 / Math.PI"
-    start = lab.page.evaluate(angle, node)
-    record = """([node, count]) => new Promise(done => {
+    record = """([node, cell, count]) => new Promise(done => {
       const angle = ANGLE, seen = [];
-      document.querySelector('button[data-cell="zero"]').click();
+      document.querySelector(`button[data-cell="${cell}"]`).click();
       const watch = setInterval(() => {
         seen.push(angle(node));
         if (seen.length === count) { clearInterval(watch); done(seen); }
       }, 10);
     })""".replace("ANGLE", angle)
-    seen = lab.page.evaluate(record, [node, 150])
-    end = seen[-1]
-    between = [a for a in seen if min(start, end) + 5 < a < max(start, end) - 5]
-    assert len(between) >= 2
+    shown = 0
+    # A machine that is busy elsewhere may draw no picture at all in the half second a move takes.
+    for cell in ("zero", "home", "zero", "home"):
+        start = lab.page.evaluate(angle, node)
+        seen = lab.page.evaluate(record, [node, cell, 150])
+        assert abs(seen[-1] - start) > 20.0
+        shown = max(shown, sum(min(start, seen[-1]) + 5 < a < max(start, seen[-1]) - 5 for a in seen))
+        lab.rest()
+        if shown >= 2:
+            break
+    assert shown >= 2

@@ -12,6 +12,7 @@ from armlab.kin.arm import Arm
 from support.arms import random_arm
 
 H = math.pi / 2
+AS_STANDARD = "Read as standard (Siciliano): switch if your book is Craig's."
 
 
 def numbers(rows):
@@ -220,7 +221,7 @@ def test_a_flange_is_no_joint_and_it_is_said():
     text = "Joint | a (m) | d (m) | α (rad) | θ (rad)\nJoint 1 | 0 | 0.333 | 0 | θ1\nFlange | 0 | 0.107 | 0 | 0"
     pasted = parse_table(text)
     same(pasted, [("R", 0, 0, 0.333, 0)])
-    assert pasted.notes == ("Not read, because it is no joint: Flange 0 0.107 0 0.",)
+    assert pasted.notes == ("Not read, because it is no joint: Flange 0 0.107 0 0.", AS_STANDARD)
 
 
 @pytest.mark.parametrize("text", ["[[0, pi/2, 0.4, q1],\n [1, 0, 0, q2]]", "[0 pi/2 0.4 q1; 1 0 0 q2]"])
@@ -241,7 +242,7 @@ def test_large_angles_are_degrees_and_large_lengths_millimetres():
 def test_small_angles_are_radians_and_it_is_said():
     pasted = parse_table("a,alpha,d,theta\n1,1.5,0,q1")
     same(pasted, [("R", 1, 1.5, 0, 0)])
-    assert pasted.notes == ("Angles without a unit are taken as radians.",)
+    assert pasted.notes == (AS_STANDARD, "Angles without a unit are taken as radians.")
 
 
 def test_one_marked_angle_makes_the_others_degrees():
@@ -258,8 +259,9 @@ def test_nothing_marked_is_revolute_and_it_is_said():
     pasted = parse_table("a,alpha,d,theta\n1,0,0,pi/2")
     same(pasted, [("R", 1, 0, 0, H)])
     assert pasted.notes == (
+        AS_STANDARD,
         "No joint variable is marked in row 1: taken as revolute, with theta its offset.",
-    )  # fmt: skip
+    )
 
 
 # --- Our own

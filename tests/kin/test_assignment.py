@@ -15,6 +15,7 @@ from armlab.kin.assignment import (
     judge_cell,
     judge_frames,
     judge_row,
+    length_tolerance,
     own_choices,
 )
 from armlab.kin.convert import converted
@@ -251,6 +252,28 @@ def test_mistakes_in_a_cell_have_names(expected, got, kind, mistake):
     verdict = judge_cell(expected, got, kind)
     assert (verdict.ok, verdict.mistake) == (mistake == "", mistake)
     assert verdict.text
+
+
+def test_lengths_of_a_small_arm_are_judged_by_its_size():
+    small = Arm.from_dh([("R", 0.02, 0, 0, 0), ("R", 0.01, 0, 0, 0)])
+    assert length_tolerance(small) == pytest.approx(3e-5)
+    assert length_tolerance(PLANAR) == 5e-4
+    assert length_tolerance(Arm.from_dh([("R", 0, 0, 0, 0)])) == 5e-4
+    assert not judge_cell(0.02, 0.0204, "length", length_tolerance(small)).ok
+    assert not judge_row(small.rows[0], {"a": 0.0204}, length_tolerance(small))["a"].ok
+    assert judge_cell(0.02, 0.02002, "length", length_tolerance(small)).ok
+
+
+def test_what_is_lawful_for_a_slide_drawn_elsewhere_is_not_called_against_the_rules():
+    arm, q = catalogue()["scara"].arm, np.zeros(4)
+    choices = list(own_choices(arm, q))
+    choices[2] = Choice(choices[2].z, np.cross(choices[2].z, choices[2].x))
+    verdict = judge_frames(arm, q, choices)[2]
+    assert "must" not in verdict.text
+    assert verdict.text == (
+        "joint 3 slides and its axis is taken where it is drawn: with it, x2 lies along the common normal of the axes "
+        "of joints 2 and 3, 90° away"
+    )
 
 
 def test_a_cell_of_another_kind_is_refused():

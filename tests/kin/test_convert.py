@@ -7,7 +7,7 @@ import pytest
 
 from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
-from armlab.kin.convert import Link, converted, remainders
+from armlab.kin.convert import Link, converted, remainders, task_kept
 from armlab.kin.dh import common_normals
 from support.arms import random_arm, random_pose, random_q
 
@@ -126,7 +126,8 @@ def test_a_tool_taken_into_the_last_row_left_the_tool():
         ("xy phi", math.pi, True),
         ("xy", 0.3, False),
         ("xyz phi", 0.3, False),
-        ("z", -H, False),
+        ("z phi", -H, False),
+        ("phi", H, False),
     ],
 )
 def test_the_task_stays_where_it_means_the_same(task, twist, kept):
@@ -135,6 +136,29 @@ def test_the_task_stays_where_it_means_the_same(task, twist, kept):
     after = converted(arm, "standard").task
     # All axes are parallel, and in the frame 0 that results their common direction is z.
     assert after.key == (task if kept else "xy phi")
+    assert task_kept(arm, converted(arm, "standard")) == (kept or task == "xy phi")
+
+
+@pytest.mark.parametrize("twist", [H, -H])
+@pytest.mark.parametrize(
+    ("task", "turned"),
+    [("xz", "xy"), ("xy", "xz"), ("z", "y"), ("yz", "yz"), ("xyz approach", "xyz approach"), ("pose", "pose")],
+)
+def test_a_quarter_turn_of_frame_0_exchanges_y_and_z_in_the_task(task, turned, twist, rng):
+    rows = [("R", 0.1, twist, 0, 0), ("R", 0.5, 0.3, 0, 0), ("R", 0.4, 0.8, 0.1, 0)]
+    arm = Arm.from_dh(rows, "modified", tool=Link(0.2, 0.0).matrix, task=task)
+    other = converted(arm, "standard")
+    assert other.task.key == turned
+    assert task_kept(arm, other)
+    for q in random_q(arm, rng, 3):
+        assert other.manipulability(q) == pytest.approx(arm.manipulability(q), abs=1e-12)
+
+
+def test_a_vertical_planar_arm_keeps_its_task():
+    arm = Arm.from_dh([("R", 0, H, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)], "modified")
+    assert (arm.task.key, converted(arm, "standard").task.key) == ("xz", "xy")
+    lost = Arm.from_dh(arm.rows, "modified", task="xz phi")
+    assert not task_kept(lost, converted(lost, "standard"))
 
 
 def test_the_task_of_a_standard_arm_always_stays(rng):

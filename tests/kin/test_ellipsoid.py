@@ -5,7 +5,7 @@ import pytest
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.ellipsoid import RANK_TOLERANCE, measures, velocity_ellipsoid
+from armlab.kin.ellipsoid import RANK_TOLERANCE, measures, singular_places, velocity_ellipsoid
 from armlab.kin.rotations import rotation_about
 from support.arms import random_q
 
@@ -200,3 +200,43 @@ def test_a_block_that_is_not_finite_gives_nan_and_leaves_the_others(rng):
 def test_wrong_input_is_named(call, text):
     with pytest.raises(InputError, match=text):
         call()
+
+
+def course(*zeros, floor=0.0):
+    """Return a Jacobian diag(1, f) whose f has these zeros, and a least size otherwise."""
+
+    def jacobian(values):
+        product = np.prod([np.sin(0.5 * (values - zero)) for zero in zeros], axis=0)
+        J = np.zeros((len(values), 2, 2))
+        J[:, 0, 0], J[:, 1, 1] = 1.0, np.hypot(product, floor)
+        return J
+
+    return jacobian
+
+
+@pytest.mark.parametrize(
+    "zeros", [(0.3,), (-3.14, 3.14), (-3.139, 1.0, 1.02), (2.0, 2.03, 2.06), (0.5, 0.5), (3.1399999,), (-3.14, 0.1)]
+)
+def test_all_singular_places_are_found(zeros):
+    found = singular_places(course(*zeros), -3.14, 3.14)
+    np.testing.assert_allclose(found.places, sorted(set(zeros)), atol=2e-4 if zeros[0] == 0.5 else 2e-5)
+    assert not found.everywhere
+
+
+def test_random_singular_places_are_found(rng):
+    for _ in range(100):
+        zeros = np.sort(rng.uniform(-3.0, 3.0, rng.integers(1, 4)))
+        if len(zeros) == 1 or np.diff(zeros).min() > 1e-2:
+            np.testing.assert_allclose(singular_places(course(*zeros), -3.0, 3.0).places, zeros, atol=1e-5)
+
+
+def test_what_only_comes_near_is_not_singular():
+    found = singular_places(course(0.3, floor=1e-3), -3.14, 3.14)
+    assert (found.places, found.everywhere) == ((), False)
+    assert found.samples > 121
+
+
+def test_what_is_singular_everywhere_has_no_places():
+    assert singular_places(lambda values: np.zeros((len(values), 2, 2)), 0.0, 1.0).everywhere
+    assert singular_places(course(0.3), 0.3, 0.3) == ((), True, 1)
+    assert singular_places(course(0.3), 0.4, 0.4) == ((), False, 1)

@@ -111,6 +111,30 @@ def test_the_place_of_a_slide_is_free(first, second, named):
     assert "x1 is then any direction perpendicular" in freedom([(first, 0.2, 0, 0, 0), (second, 0, 0, 0, 0)])
 
 
+def test_a_parallel_slide_can_lie_on_one_of_its_neighbours_only():
+    relations = axis_relations(catalogue()["scara"].arm)
+    assert "a2 may be chosen 0, which fixes a3;" in relations[1].freedom
+    assert "a3 may be chosen 0, which fixes a2;" in relations[2].freedom
+    assert "which fixes" not in freedom([("R", 0.2, 0, 0, 0), ("P", 0, 0, 0, 0)])
+
+
+@pytest.mark.parametrize(("a", "sign_of_a"), [(0.0, 1.0), (0.2, -1.0)])
+def test_the_other_sense_of_x_changes_what_is_told(a, sign_of_a, rng):
+    rows = [("R", a, 0.7, 0.3, 0.4), ("R", 0.4, 0.2, 0.1, 0.1)]
+    told = freedom(rows)
+    assert "sign" in told
+    assert "turns θ1 and θ2 by 180°" in told
+    other = [("R", sign_of_a * a, -0.7, 0.3, 0.4 + math.pi), ("R", 0.4, 0.2, 0.1, 0.1 + math.pi)]
+    q = rng.uniform(-3, 3, 2)
+    np.testing.assert_allclose(Arm.from_dh(other).fk(q), Arm.from_dh(rows).fk(q), rtol=0, atol=1e-12)
+
+
+def test_of_a_slide_at_an_end_only_the_direction_is_told():
+    arm = Arm.from_dh([("P", 0.1, H, 0, 0), ("R", 0.1, H, 0, 0), ("P", 0, 0, 0, 0)])
+    assert "joint 1 slides, so z0 is parallel to it" in end_freedoms(arm)[0]
+    assert "joint 3 slides, so z3 is parallel to it" in end_freedoms(converted(arm, "modified"))[1]
+
+
 def test_two_slides_are_named_together():
     assert freedom([("P", 0, H, 0, 0), ("P", 0, 0, 0, 0)]).startswith("Joints 1 and 2 slide:")
 

@@ -1,13 +1,14 @@
 """Formulas in symbols: they read like the book and they are right."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 from armlab.kin.arm import Arm
-from armlab.kin.symbolic import angle_offsets, constants, pose_formulas
-from support.arms import random_q
+from armlab.kin.symbolic import PoseFormulas, angle_offsets, constants, pose_formulas
+from support.arms import random_arm, random_q
 
 H = math.pi / 2
 ELBOW = Arm.from_dh([("R", 0, H, 0.6, 0), ("R", 0.8, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
@@ -72,3 +73,22 @@ def test_formulas_with_offsets_evaluate_to_forward_kinematics(offset, rng):
             for k, axis in enumerate("xyz"):
                 assert eval(formulas[f"p{axis}"], {}, names) == pytest.approx(T[k, 3], abs=1e-12)
                 assert eval(formulas[f"r1{k + 1}"], {}, names) == pytest.approx(T[0, k], abs=1e-12)
+
+
+def test_terms_are_counted_as_they_are_printed(robot, rng):
+    arms = [robot.arm] + [random_arm(rng, int(rng.integers(1, 6)), special=bool(i % 2)) for i in range(6)]
+    for arm in arms:
+        terms = PoseFormulas(arm).terms
+        for name, formula in pose_formulas(arm, "latex").items():
+            outside = re.sub(r"\\(?:sin|cos)\([^()]*\)", "", formula)
+            assert terms[name] == len(re.findall(r" [+-] ", outside)) + 1, (name, formula)
+
+
+def test_entries_with_too_many_terms_are_not_printed():
+    pose = PoseFormulas(Arm.from_dh([("R", 0.1, 0.6, 0.1, 0.0)] * 12))
+    assert min(pose.terms.values()) > 10_000
+    assert pose.printed("latex", 100) == {}
+    few = PoseFormulas(Arm.from_dh([("R", 0.1, 0.6, 0.1, 0.0)] * 4))
+    kept = few.printed("text", few.terms["r13"])
+    assert kept.keys() == {name for name, count in few.terms.items() if count <= few.terms["r13"]}
+    assert 0 < len(kept) < 12

@@ -81,6 +81,7 @@ def test_arms_that_slide_are_measured_by_their_limits():
     block = VelocityBlock(arm, "translation")
     np.testing.assert_array_equal(block.speeds, arm.speed_limits)
     assert VelocityBlock(catalogue()["puma560"].arm, "translation").speeds is None
+    assert VelocityBlock(catalogue()["cartesian_3p"].arm, "translation").speeds is None
     unknown = Arm.from_dh([Row("R", a=1.0), Row("P", alpha=0.5)])
     np.testing.assert_array_equal(VelocityBlock(unknown, "translation").speeds, [1.0, 1.0])
 

@@ -17,6 +17,7 @@ from armlab.session.parts.lines import (
     SNAP_DISTANCE,
     DragLine,
     HandleLines,
+    KeepLines,
     Lines,
     PlaceLines,
     TakeAxes,
@@ -128,6 +129,15 @@ def test_axes_follow_the_arm_until_a_line_is_dragged(state):
     assert own[Lines].pair is None
     assert table_entry(own) is None
     assert apply(own, MoveJoint(0, 0.1))[Lines] is own[Lines]
+
+
+def test_lines_of_ones_own_stay_where_the_axes_were(state):
+    taken = apply(state, TakeAxes(1))
+    own = apply(taken, KeepLines())
+    assert own[Lines].pair is None
+    assert own[Lines].second is taken[Lines].second
+    assert apply(own, MoveJoint(0, 0.1))[Lines] is own[Lines]
+    assert apply(own, KeepLines()) is own
 
 
 def test_what_cannot_be_is_refused(state):

@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.session.edits import SetCell
 from armlab.session.history import PAUSE
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.session import Redo, Refuse, Session, StartFresh, Undo
 from armlab.session.state import Command, State
 from armlab.session.store import Store
@@ -358,3 +360,31 @@ def test_a_writing_that_fails_leaves_no_file(tmp_path):
     store.get("a student").state = HalfWritten({})
     assert store.save() == 0
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_refused_or_changes_nothing_is_counted_for_the_pages(session):
+    for count, command in enumerate((Refuse("no"), LockJoint(0, False), TakePose("nowhere"), Undo()), start=1):
+        session.apply(command, float(count))
+        assert session.untaken == count
+    session.apply(TakePose("zero"), 9.0)
+    assert session.untaken == 4
+
+
+def test_undo_of_an_edit_leaves_the_timeline_where_it_is(session):
+    session.apply(OpenClip("film"), 0.0)
+    session.apply(Seek(12.0), 1.0)
+    session.apply(SetCell(1, "a", 0.5), 2.0)
+    session.apply(Undo(), 3.0)
+    assert session.robot is PUMA
+    assert session.state[Timeline].time == 12.0
+    session.apply(Redo(), 4.0)
+    assert session.state[Timeline].time == 12.0
+
+
+def test_undo_to_another_arm_begins_its_film_anew(session):
+    session.apply(ChooseRobot("scara"), 0.0)
+    session.apply(OpenClip("film"), 1.0)
+    session.apply(Seek(5.0), 2.0)
+    session.apply(Undo(), 3.0)
+    assert session.robot is PUMA
+    assert (session.state[Timeline].clip, session.state[Timeline].time) == ("film", 0.0)

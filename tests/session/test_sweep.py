@@ -7,10 +7,15 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.clips.sweep import CLIP, SECONDS
-from armlab.session.parts.ellipsoid import LookAtBlock, Manipulability
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Row
+from armlab.session.clips.sweep import CLIP
+from armlab.session.edits import RemoveJoint, SetCell, SetKind
+from armlab.session.parts import sweep
+from armlab.session.parts.ellipsoid import LookAtBlock, Manipulability, VelocityBlock, blocks_of
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
-from armlab.session.parts.sweep import Sweep, SweepJoint, curves
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.sweep import SECONDS, Sweep, SweepJoint, curves, put_back, singularities
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline
 from armlab.session.state import State, apply
 
@@ -66,7 +71,7 @@ def test_curves_are_those_of_the_notes_for_the_2r_arm():
     found = curves(opened("planar_2r"))
     np.testing.assert_allclose(found.w, np.abs(np.sin(found.values)), atol=1e-12)
     assert found.inverse_condition.max() <= 1.0
-    np.testing.assert_allclose(found.singular, [-math.pi, 0.0, math.pi], atol=1e-6)
+    np.testing.assert_allclose(singularities(opened("planar_2r")).places, [-math.pi, 0.0, math.pi], atol=1e-6)
 
 
 def test_curves_do_not_depend_on_where_the_joint_stands_but_on_the_others():
@@ -82,7 +87,41 @@ def test_where_it_always_is_singular_no_place_is_named():
     state = apply(opened("elbow_3r", 1), MoveJoint(2, 0.0))
     found = curves(state)
     assert not found.inverse_condition.any()
-    assert found.singular == ()
+    assert singularities(state).everywhere
+    assert singularities(state).places == ()
+
+
+def test_singularities_close_to_a_limit_are_found():
+    state = opened("youbot", 2)
+    low, high = state[Joints].arm.limits[2]
+    places = np.array(singularities(state).places)
+    np.testing.assert_allclose(np.degrees(places), [-31.2458, 145.8836], atol=1e-3)
+    assert low < places[0]
+    assert places[1] < high
+    q = state[Joints].q.copy()
+    for place in places:
+        q[2] = place
+        assert state[Manipulability].block.ellipsoid(q).inverse_condition < 1e-6
+    assert any(apply(state, Seek(t))[Joints].q[2] == pytest.approx(places[1], abs=1e-6) for t in CLIP.stops(state))
+
+
+@pytest.mark.parametrize("low", [-0.1, -0.001, -2.0])
+def test_a_singularity_in_the_first_interval_is_found(low):
+    limits = [[-math.pi, math.pi], [math.radians(low), math.radians(150.0)]]
+    arm = Arm.from_dh([Row("R", a=0.5), Row("R", a=0.4)], limits=limits, task="xy")
+    swept = (VelocityBlock(arm, "translation"), 1, np.zeros(2).tobytes())
+    np.testing.assert_allclose(sweep._singularities(swept).places, [0.0], atol=1e-6)
+
+
+def test_the_fitted_rows_are_those_of_the_arm(robot, rng):
+    """Along one joint the Jacobian is a short sum of sines and cosines, or affine."""
+    arm = robot.arm
+    for key in blocks_of(arm):
+        q = rng.uniform(arm.limits[:, 0], arm.limits[:, 1])
+        for joint in range(arm.n):
+            swept = (VelocityBlock(arm, key), joint, q.tobytes())
+            values = rng.uniform(*arm.limits[joint], 7)
+            np.testing.assert_allclose(sweep._fitted(swept)(values), sweep._scaled_rows(swept, values), atol=1e-9)
 
 
 def test_the_value_on_the_curve_is_that_of_the_arm():
@@ -106,10 +145,46 @@ def test_closing_forgets_the_start():
     assert again[Sweep].start == state[Joints].q[1]
 
 
+def test_the_joint_goes_back_unless_a_hand_has_moved_it():
+    before = State.initial(catalogue()["puma560"])[Joints].q
+    state = apply(opened(), Seek(3.0))
+    assert state[Joints].q[1] != before[1]
+    np.testing.assert_array_equal(put_back(state)[Joints].q, before)
+    by_hand = apply(state, MoveJoint(1, 0.1))
+    assert put_back(by_hand) is by_hand
+    other = apply(state, MoveJoint(3, 0.1))
+    assert put_back(other)[Joints].q[1] == before[1]
+    assert put_back(other)[Joints].q[3] == 0.1
+    closed = State.initial(catalogue()["puma560"])
+    assert put_back(closed) is closed
+
+
+def test_another_joint_lets_the_one_before_go_back():
+    before = State.initial(catalogue()["puma560"])[Joints].q
+    np.testing.assert_array_equal(apply(apply(opened(), Seek(3.0)), SweepJoint(2))[Joints].q, before)
+
+
+def test_an_edit_of_the_table_does_not_make_the_joint_jump():
+    state = apply(opened("elbow_3r", 1), Seek(3.0))
+    start, value = state[Sweep].start, state[Joints].q[1]
+    edited = apply(state, SetCell(0, "d", 0.5))
+    assert edited[RobotPart].robot is not state[RobotPart].robot
+    assert edited[Sweep].start == start
+    assert apply(edited, Seek(3.0))[Joints].q[1] == pytest.approx(value, abs=1e-12)
+    gone = apply(state, RemoveJoint(0))
+    assert gone[Sweep].joint == 0
+    assert gone[Sweep].start == start
+
+
+def test_a_joint_of_another_kind_begins_anew():
+    state = apply(opened("elbow_3r", 1), Seek(3.0))
+    assert apply(state, SetKind(1, "P"))[Sweep].start is None
+
+
 def test_a_held_joint_is_not_swept():
     state = apply(State.initial(catalogue()["puma560"]), LockJoint(1, True))
     with pytest.raises(InputError, match="joint 2 is held"):
-        apply(state, OpenClip("sweep"))
+        apply(state, OpenClip("sweep", play=True))
     with pytest.raises(InputError, match="expected 1 to 6, got 7"):
         apply(state, SweepJoint(6))
 
@@ -121,3 +196,14 @@ def test_it_is_written_and_read_and_damage_is_noticed():
     for damaged in ({"joint": 6, "start": None}, {"joint": 0, "start": math.inf}):
         with pytest.raises(InputError):
             Sweep.from_json(damaged, robot)
+
+
+def test_closing_the_bar_in_mid_sweep_puts_the_joint_back():
+    state = State.initial(catalogue()["puma560"])
+    q = state[Joints].q
+    swept = apply(apply(apply(state, SweepJoint(3)), OpenClip("sweep", play=True)), Seek(3.0))
+    assert abs(swept[Joints].q[3] - q[3]) > 0.1
+    closed = apply(swept, OpenClip(""))
+    np.testing.assert_array_equal(closed[Joints].q, q)
+    by_hand = apply(apply(swept, MoveJoint(3, 0.5)), OpenClip(""))
+    assert by_hand[Joints].q[3] == 0.5

@@ -188,3 +188,21 @@ def test_a_refusal_in_a_callback_stays_where_it_is(bare, caplog):
 
     bare.run(work)
     assert "an event was refused: no such thing" in caplog.text
+
+
+def test_a_mistake_in_a_callback_is_logged_and_later_events_arrive(bare, caplog):
+    def fail(_event):
+        raise ZeroDivisionError
+
+    async def work(browser, do):
+        await do(lambda: adapter.on_event(bare.slider, "on_update", fail))
+        await browser.set_value(browser.control("Joint"), 0.3)
+        for _ in range(200):
+            if bare.heard == [0.3] and "ZeroDivisionError" in caplog.text:
+                break
+            await asyncio.sleep(0.01)
+        assert bare.heard == [0.3]
+
+    bare.run(work)
+    assert "an event failed" in caplog.text
+    assert "ZeroDivisionError" in caplog.text

@@ -200,3 +200,18 @@ def test_symbols_have_the_height_the_skeleton_counts_on(robot):
         # Half a step of sizes: a symbol may be one made for an arm of nearly this size.
         assert high[2] - low[2] == pytest.approx(height, rel=0.51 * SYMBOL_STEP)
         np.testing.assert_allclose(low + high, 0.0, rtol=0, atol=1e-6)
+
+
+def test_what_a_rail_carries_sideways_is_drawn():
+    """A slide with a link across it: the next joint must not float in the air."""
+    arm = Arm.from_dh([("P", 1.0, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
+    parts = build_figure(arm).parts[1]
+    low, high = np.min([mesh.bounds[0] for _, mesh in parts], axis=0), np.max([m.bounds[1] for _, m in parts], axis=0)
+    assert high[0] >= 1.0
+    assert low[0] < 0.1
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-12, 1e-7])
+def test_an_arm_without_length_still_has_a_size(length):
+    arm = Arm.from_dh([("R", 0.0, 0.0, length, 0.0)])
+    assert anatomy_of(arm).size == 1.0

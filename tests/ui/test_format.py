@@ -38,6 +38,11 @@ def test_text_cannot_become_markup():
     assert fmt.escaped('<img src=x onerror="x">') == "&lt;img src=x onerror=&quot;x&quot;&gt;"
 
 
+def test_formulas_are_kept_but_not_for_ever():
+    assert fmt.mathml("q_1") is fmt.mathml("q_1")
+    assert fmt.mathml.cache_info().maxsize == 4096
+
+
 def test_formulas_become_mathml():
     assert fmt.mathml("q_1").startswith("<math")
     assert 'display="block"' in fmt.mathml("q_1", block=True)

@@ -42,7 +42,7 @@ def test_a_link_opens_the_lesson_with_text_formulas_and_what_is_missing(url):
         assert "Step 1 of 3" in html
         assert "<math" in html.split("lesson-text")[1].split("</div>")[0]
         assert "◐ Not there yet" in html
-        assert "away from (2.000, 0.000, 0.000) m" in html
+        assert "away from (2000.0, 0.0, 0.0) mm" in html
         assert "/lesson/first_arm" in html  # the address bar is told
         assert "Lesson" in docks(browser)
         assert browser.slider(2)["value"] == 55.0
@@ -60,7 +60,7 @@ def test_the_check_the_question_and_the_way_through(url):
         await browser.until(lambda: "✓ Done" in browser.html())
         await browser.press("lesson-next")
         await browser.until(lambda: "Step 2 of 3" in browser.html())
-        assert "From the introduction" in browser.html()
+        assert "About this lesson" in browser.html()
         await browser.press("right angle")
         await browser.until(lambda: "✓ Done" in browser.html())
         await browser.press("lesson-next")

@@ -119,7 +119,7 @@ def test_the_curves_of_the_ellipsoid_are_shown_when_its_tab_is_open(url):
         browser = await student(url, path="/robot/planar_2r")
         assert not [c for c in browser.controls.values() if c["type"] == "GuiUplotMessage"]
         await browser.open("ellipsoid")
-        await browser.until(lambda: "Far from a singularity" in browser.html())
+        await browser.until(lambda: "Well conditioned" in browser.html())
         assert len([c for c in browser.controls.values() if c["type"] == "GuiUplotMessage"]) == 3
         assert "singular at −180.0°, 0.0°, 180.0°" in browser.html()
         await browser.set_value(browser.slider(2), 0.0)

@@ -30,6 +30,7 @@ class FieldsWithoutPage:
     """Stands for the fields of a page: keeps the markup."""
 
     channel_id = "channel"
+    stale = False
 
     def field(self, cell, value, label, disabled=False, below=""):
         return f'<input data-cell="{cell}" value="{value}" aria-label="{label}">'

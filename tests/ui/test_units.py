@@ -24,6 +24,14 @@ def test_quantities_bear_the_chosen_unit():
     assert RADIANS.length(-0.4318) == "−0.4318 m"
 
 
+def test_turned_angles_are_in_one_turn_in_both_units():
+    for units, half, quarter in ((DEGREES, "180.0", "−90.0"), (RADIANS, "3.142", "−1.571")):
+        assert units.turned(math.pi) == units.turned(-math.pi) == units.turned(-math.pi + 1e-5) == half
+        assert units.turned(3.0 * math.pi + 1e-12) == half
+        assert units.turned(1.5 * math.pi) == units.turned(-0.5 * math.pi) == quarter
+        assert units.turned(-1e-9) in ("0.0", "0.000")
+
+
 def test_variables_bear_the_chosen_name():
     assert [DEGREES.variable(2, revolute) for revolute in (True, False)] == ["q₃", "q₃"]
     assert [RADIANS.variable(2, revolute) for revolute in (True, False)] == ["θ₃", "d₃"]

@@ -15,6 +15,36 @@ from armlab.content.robots import Robot
 from armlab.plugins import discover
 
 
+def signed(value: float, decimals: int) -> str:
+    """Return a number with a true minus sign and fixed decimals; never minus zero.
+
+    >>> signed(-0.25, 2), signed(-0.0001, 2)
+    ('−0.25', '0.00')
+    """
+    return f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "\u2212")
+
+
+def metres(value: float) -> str:
+    """Return a length with three decimals and its unit."""
+    return f"{signed(value, 3)} m"
+
+
+def degrees(value: float) -> str:
+    """Return an angle given in radians in degrees with one decimal."""
+    return f"{signed(math.degrees(value), 1)}°"
+
+
+@dataclass(frozen=True)
+class Words:
+    """How quantities are written: functions from metres and from radians to text with its unit."""
+
+    length: Callable[[float], str] = metres
+    angle: Callable[[float], str] = degrees
+
+
+PLAIN = Words()
+
+
 class Check(Protocol):
     """One check of one step."""
 
@@ -22,7 +52,7 @@ class Check(Protocol):
         """Whether the arm is as the step asks."""
         ...
 
-    def says(self, observation: Observation) -> str:
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return the sentence for a check that is not met: what is, what is asked, and the mistake if one is seen."""
         ...
 
@@ -72,25 +102,6 @@ def tolerance(table: Table, key: str, default: float | None = None) -> float:
     if value <= 0:
         raise table.fail(key, f"expected a positive number, got {value:g}")
     return value
-
-
-def signed(value: float, decimals: int) -> str:
-    """Return a number with a true minus sign and fixed decimals; never minus zero.
-
-    >>> signed(-0.25, 2), signed(-0.0001, 2)
-    ('−0.25', '0.00')
-    """
-    return f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "\u2212")
-
-
-def metres(value: float) -> str:
-    """Return a length with three decimals and its unit."""
-    return f"{signed(value, 3)} m"
-
-
-def degrees(value: float) -> str:
-    """Return an angle given in radians in degrees with one decimal."""
-    return f"{signed(math.degrees(value), 1)}°"
 
 
 def turn_between(angle: float, other: float) -> float:

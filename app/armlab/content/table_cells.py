@@ -9,6 +9,9 @@ from armlab.content.arithmetic import evaluate, plain_symbols
 from armlab.errors import InputError
 
 ANGLES = ("deg", "rad")
+MOST_DECIMALS = 15
+"""Of a number that was rounded when it was written; those with more are what a program had."""
+
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 
 _GREEK = {"θ": "theta", "ϑ": "theta", "⍺": "alpha", "α": "alpha", "σ": "sigma", "Θ": "theta"}
@@ -30,9 +33,10 @@ _UNIT_NAMES = {
 _INDEX = re.compile(r"([_^])\{([^{}\\]*)\}")
 _NAMES = re.compile(r"\\(?:var)?(theta|alpha|pi|sigma)(?![a-zA-Z])")
 _VARIABLE = re.compile(
-    r"(?<![a-z])(?P<name>q|theta|th|d|var(?:iable)?)_?\{?(?P<index>[0-9]{1,2}|[ijkn])?\}?"
+    r"(?<![a-z])(?P<name>q|theta|th|d|r|var(?:iable)?)_?\{?(?P<index>[0-9]{1,2}|[ijkn])?\}?"
     r"(?P<mark>\s*\*(?!\s*[\d(a-z])|\^\{?\*\}?|\(t\)|')?(?![a-z0-9])"
 )
+_DECIMAL = re.compile(r"(\d*\.(\d+))(?:e([-+]?\d+))?")
 _UNIT = re.compile(r"(?<=[\d.)i])\s*(deg(?:rees?)?|°|rad(?:ians?)?|mm|cm|m)(?![a-z])")
 
 
@@ -50,12 +54,15 @@ class Cell:
         The symbol of the joint variable, such as ``theta``; empty in a cell that is a plain number.
     starred : bool
         Whether the variable is marked as one, as in ``theta_1*``.
+    rounding : float
+        By how much the value may be off because its only decimal number was rounded when it was written; else 0.
     """
 
     value: float
     unit: str = ""
     variable: str = ""
     starred: bool = False
+    rounding: float = 0.0
 
 
 def plain(text: str) -> str:
@@ -126,18 +133,36 @@ def read_cell(text: str, decimal_comma: bool = False) -> Cell:
     unit = units.pop() if units else "rad" if re.search(r"(?<![a-z])pi(?![a-z])", bare) else ""
     try:
         if not found:
-            return Cell(evaluate(bare.strip("{}") if "{" in bare else bare), unit)
+            bare = bare.strip("{}") if "{" in bare else bare
+            return Cell(evaluate(bare), unit, rounding=_rounding(bare))
         name, mark = found[0]["name"], found[0]["mark"]
-        offset, one_more = (evaluate(_VARIABLE.sub(value, bare)) for value in ("(0)", "(1)"))
+        offset, *more = (evaluate(_VARIABLE.sub(value, bare)) for value in ("(0)", "(1)", "(2)"))
     except InputError:
         constant = "; write the value of this constant" if re.fullmatch(r"-?[a-z]_?\d*", lowered) else ""
         raise InputError(
             "expected a number such as 90, -pi/2 or 0.4, or a joint variable such as q1 or theta1 + 90, "
             f"got {text!r}{constant}"
         ) from None
-    if abs(one_more - offset - 1.0) > 1e-9 * max(1.0, abs(offset)):
+    if any(abs(value - offset - step) > 1e-9 * max(1.0, abs(offset)) for step, value in enumerate(more, start=1)):
         raise InputError(f"expected the joint variable plus a number, got {text!r}; the variable counts once, with +")
-    return Cell(offset, unit, "theta" if name == "th" else name, bool(mark and "*" in mark))
+    rounding = _rounding(_VARIABLE.sub("(0)", bare))
+    return Cell(offset, unit, "theta" if name == "th" else name, bool(mark and "*" in mark), rounding)
+
+
+def _rounding(text: str) -> float:
+    """Return the change of an expression when its only decimal number grows by half a unit of its last digit."""
+    found = list(_DECIMAL.finditer(text))
+    if len(found) != 1:
+        return 0.0
+    number, decimals, exponent = found[0].groups()
+    power = int(exponent or 0)
+    if abs(power) > MOST_DECIMALS or len(decimals) > MOST_DECIMALS:
+        return 0.0
+    grown = (float(number) + 0.5 * 10.0 ** -len(decimals)) * 10.0**power
+    try:
+        return abs(evaluate(f"{text[: found[0].start()]}{grown!r}{text[found[0].end() :]}") - evaluate(text))
+    except InputError:  # the root of a difference that has become negative
+        return 0.0
 
 
 def unit_named(text: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from armlab.errors import InputError
 
@@ -20,7 +20,12 @@ _LATEX_RULES = re.compile(
 )
 _OWN_PRINT = re.compile(r"^\s*joint\s+a(\(i-1\))?, m\s", re.MULTILINE)
 _AFTER_OWN_PRINT = re.compile(r"(base|tool|task): ")
-_SAID = re.compile(r"\b(standard|modified)\s+(?:DH|convention|Denavit)", re.IGNORECASE)
+_WORDS = {
+    "standard": ("standard", "classic", "classical", "distal"),
+    "modified": ("modified", "proximal"),
+}
+_BOOKS = {"standard": r"siciliano|spong|sdh", "modified": r"craig|khalil|mdh"}
+_SUBJECT = r"(?:DH|D[-\u2013]H|Denavit|convention)\b"
 
 
 @dataclass(frozen=True)
@@ -35,6 +40,8 @@ class Grid:
         Whether a comma may be a decimal one because something else separates the cells.
     said : str
         ``"standard"`` or ``"modified"`` when a title says so, else empty.
+    named : str
+        The same when the text names a book of that convention, else empty.
     left_out : str
         What stood beside the table and is not read, in words.
     """
@@ -43,6 +50,19 @@ class Grid:
     decimal_comma: bool = False
     said: str = ""
     left_out: str = ""
+    named: str = ""
+
+
+def _conventions(text: str) -> tuple[str, str]:
+    """Return the convention a text says and that of the books it names; of two that differ none."""
+    said, named = set(), set()
+    for convention, words in _WORDS.items():
+        word = rf"\b(?:{'|'.join(words)})"
+        if re.search(rf"{word}\s+{_SUBJECT}|{_SUBJECT}\s*[:,(]\s*{word}\b", text, re.IGNORECASE):
+            said.add(convention)
+        if re.search(rf"\b(?:{_BOOKS[convention]})\b", text, re.IGNORECASE):
+            named.add(convention)
+    return (said.pop() if len(said) == 1 else ""), (named.pop() if len(named) == 1 else "")
 
 
 def read_grid(text: str) -> Grid:
@@ -58,21 +78,24 @@ def read_grid(text: str) -> Grid:
     text = text.replace("\r\n", "\n").replace("\r", "\n").strip("\n\ufeff ")
     if not text.strip():
         raise InputError("the table: expected one row for each joint, got nothing")
-    found = _SAID.search(text)
-    said = found[1].lower() if found else ""
+    said, named = _conventions(text)
+    return replace(_cells(text), said=said, named=named)
+
+
+def _cells(text: str) -> Grid:
     if _ENVIRONMENT.search(text) or ("&" in text and "\\\\" in text):
-        return Grid(_latex(text), True, said)
+        return Grid(_latex(text), True)
     if _OWN_PRINT.search(text):
-        return _own_print(text, said)
+        return _own_print(text)
     if text.startswith("["):  # a list of lists of Python, or a matrix of MATLAB
         text = re.sub(r"\]\s*,?|;", "\n", text).replace("[", "")
     content = [line for line in text.split("\n") if line.strip() and not line.lstrip().startswith(("#", "%"))]
     if sum(len(_BARS.findall(line)) >= 2 for line in content) >= 2 or any(line.count("|") >= 3 for line in content):
-        return Grid(_bars(text), True, said)
+        return Grid(_bars(text), True)
     for separator in ("\t", ";", ","):
         if sum(separator in line for line in content) > len(content) / 2:
-            return Grid(_separated(content, separator), separator != ",", said)
-    return Grid(tuple(_spaced(line) for line in content if not _RULE.fullmatch(line)), True, said)
+            return Grid(_separated(content, separator), separator != ",")
+    return Grid(tuple(_spaced(line) for line in content if not _RULE.fullmatch(line)), True)
 
 
 def _bars(text: str) -> tuple[tuple[str, ...], ...]:
@@ -106,7 +129,7 @@ def _spaced(line: str) -> tuple[str, ...]:
     return tuple(cells if len(cells) > 1 else line.split())
 
 
-def _own_print(text: str, said: str) -> Grid:
+def _own_print(text: str) -> Grid:
     """Split what ``print(arm)`` writes."""
     lines = text.split("\n")
     first = next(i for i, line in enumerate(lines) if _OWN_PRINT.match(line + " "))
@@ -117,7 +140,7 @@ def _own_print(text: str, said: str) -> Grid:
             after.append(name[1])
         elif line.strip():
             rows.append(_spaced(line))
-    return Grid(tuple(rows), False, said, " and ".join(name for name in after if name != "task"))
+    return Grid(tuple(rows), False, left_out=" and ".join(name for name in after if name != "task"))
 
 
 def _latex(text: str) -> tuple[tuple[str, ...], ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from armlab.content.table_cells import plain, unit_named
 from armlab.errors import InputError
@@ -29,12 +29,13 @@ _UNIT = re.compile(r"(?:[\[(,/_ ]|\bin )\s*(deg(?:rees?)?|°|rad(?:ians?)?|mm|cm
 
 @dataclass(frozen=True)
 class Column:
-    """One column: its role, its unit (or none), the index of its symbol such as ``i-1`` (or none), what was written."""
+    """One column: role, unit (or none), index of its symbol such as ``i-1`` (or none), what was written, its name."""
 
     role: str
     unit: str
     index: str
     written: str
+    name: str = ""
 
 
 def read_header(cells: Sequence[str]) -> tuple[Column, ...] | None:
@@ -42,6 +43,7 @@ def read_header(cells: Sequence[str]) -> tuple[Column, ...] | None:
     columns = tuple(_column(cell) for cell in cells)
     if len({column.role for column in columns if column.role in DH}) < 2:
         return None
+    columns = _with_r(columns)
     for role in DH:
         same = [column.written for column in columns if column.role == role]
         if len(same) != 1:
@@ -56,20 +58,52 @@ def _column(cell: str) -> Column:
     unit = _UNIT.search(text)
     bare = re.sub(r"[\s_{}()\[\],:*/\\.'\"]", "", text[: unit.start()] if unit else text)
     for role, names in _NAMES.items():
-        match = re.fullmatch(f"(?:{names}){_INDEX}", bare)
+        match = re.fullmatch(f"(?P<name>{names}){_INDEX}", bare)
         if match:
-            return Column(role, unit_named(unit[1]) if unit else "", match["index"] or "", cell)
+            return Column(role, unit_named(unit[1]) if unit else "", match["index"] or "", cell, match["name"])
     return Column("", "", "", cell)
+
+
+def _with_r(columns: tuple[Column, ...]) -> tuple[Column, ...]:
+    """Return the columns of a header with d and r in their roles: in Khalil's book d is a, and r is d.
+
+    There d stands beside alpha and r beside theta; where it is the other way round, as in some encyclopaedias, r is a.
+    With a column sigma it is Khalil's, and a(j) is no length but the link before.
+    """
+    names = [column.name for column in columns]
+    sigma = "sigma" in names
+    if "d" not in names or "r" not in names or ("a" in names and not sigma):
+        return columns
+    order = [column.role if column.role in ("alpha", "theta") else column.name for column in columns]
+    pairs = "".join(name[0] if name != "alpha" else "x" for name in order if name in ("alpha", "theta", "d", "r"))
+    if not sigma and {"".join(sorted(pairs[:2])), "".join(sorted(pairs[2:]))} == {"dt", "rx"}:
+        return columns
+    roles = {"d": "a", "r": "d", "a": ""}
+    return tuple(replace(column, role=roles.get(column.name, column.role)) for column in columns)
+
+
+def is_khalil(columns: Sequence[Column]) -> bool:
+    """Return whether the column r is the length along z, as in Khalil's book."""
+    return any((column.role, column.name) == ("d", "r") for column in columns)
+
+
+def in_order_of_craig(columns: Sequence[Column]) -> bool:
+    """Return whether the columns stand as in Craig's book."""
+    return tuple(column.role for column in columns if column.role in DH) == ("alpha", "a", "d", "theta")
 
 
 def convention_of(columns: Sequence[Column]) -> str:
     """Return ``"modified"`` for a(i-1) and alpha(i-1), ``"standard"`` for a_i and alpha_i, empty without an index.
+
+    Khalil's tables are modified, with any index.
 
     Raises
     ------
     InputError
         One of them has i-1 and the other i.
     """
+    if is_khalil(columns):
+        return "modified"
     found = {column.role: column.index for column in columns if column.role in ("a", "alpha")}
     before = [role for role, index in found.items() if index.endswith("-1")]
     at = [role for role, index in found.items() if index and not index.endswith("-1")]

@@ -14,6 +14,9 @@ from armlab.kin.dh import Kind
 LARGEST_RADIANS = 6.3
 """An angle beyond a full turn without a unit is taken for degrees."""
 
+LARGEST_ROUNDING = 2e-3
+"""Radians between an angle and the quarter turn it was written for: 3.14 is meant to be pi."""
+
 LARGEST_METRES = 20.0
 """A length beyond it without a unit is taken for millimetres."""
 
@@ -21,6 +24,27 @@ _PRISMATIC = re.compile(r"\b(p|pris\w*|sliding|linear|transl\w*|p ?\d+)\b")
 _REVOLUTE = re.compile(r"\b(r|rev\w*|rotary|rotation\w*|turning|r ?\d+)\b")
 _NUMBERED = re.compile(r"(?:joint|link|j|l|axis|frame|q)?[ _.]*\d+\.?(?: ?(?:to|->|-) ?\d+)?|")
 _KIND_OF_UNIT = {**dict.fromkeys(ANGLES, "an angle"), **dict.fromkeys(LENGTHS, "a length")}
+
+
+EXACT = 1e-12
+"""Radians below which an angle has not been changed."""
+
+
+def _quarter_turn(cell: Cell) -> float:
+    """Return an angle in radians, or the multiple of a quarter turn it was rounded from."""
+    nearest = round(cell.value / (math.pi / 2)) * (math.pi / 2)
+    return nearest if abs(nearest - cell.value) <= min(cell.rounding, LARGEST_ROUNDING) else cell.value
+
+
+def _in_quarters(value: float) -> str:
+    """Return a multiple of a quarter turn with pi.
+
+    >>> _in_quarters(-3 * math.pi / 2), _in_quarters(math.pi)
+    ('-3π/2', 'π')
+    """
+    quarters = round(value / (math.pi / 2))
+    times, over = (quarters // 2, "") if quarters % 2 == 0 else (quarters, "/2")
+    return f"{'-' if times < 0 else ''}{abs(times) if abs(times) != 1 else ''}π{over}"
 
 
 class PastedCells:
@@ -75,10 +99,16 @@ class PastedCells:
         if mixed:
             notes.append(f"The header says degrees, but values with pi are taken as radians: {'; '.join(mixed)}.")
         values = {role: [0.0] * len(kinds) for role in ("alpha", "theta")}
+        meant: dict[str, str] = {}
         for i, role, cell in cells:
             unit = self._checked(i, role, cell, ANGLES) or self._column_unit(role, ANGLES) or default
-            target = "theta" if role == "offset" else role
-            values[target][i] += math.radians(cell.value) if unit == "deg" else cell.value
+            value = math.radians(cell.value) if unit == "deg" else _quarter_turn(cell)
+            if unit == "rad" and abs(value - cell.value) > EXACT:
+                meant.setdefault(plain(self._written[i][role]), _in_quarters(value))
+            values["theta" if role == "offset" else role][i] += value
+        if meant:
+            pairs = ", ".join(f"{written} ({exact})" for written, exact in meant.items())
+            notes.append(f"Rounded angles are taken as quarter turns: {pairs}.")
         return values
 
     def in_metres(self, kinds: Sequence[Kind], notes: list[str]) -> dict[str, list[float]]:
@@ -116,8 +146,9 @@ class PastedCells:
         for role in ("a", "alpha", "offset"):
             if role in cells and cells[role].variable:
                 raise self._fail(i, role, "expected a number; the joint variable is in theta or d")
-        for role, wrong in (("theta", "d"), ("d", "theta")):
-            if cells[role].variable == wrong:
+        other = "d" if self._columns["d"].name == "r" else "r"
+        for role, wrong in (("theta", ("d", "r")), ("d", ("theta", other))):
+            if cells[role].variable in wrong:
                 raise self._fail(i, role, "expected a number or the joint variable of this column")
         said = self._said(i)
         marked = [role for role in ("theta", "d") if cells[role].variable]

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import cast
 
 from armlab.content.table_cells import plain
-from armlab.content.table_grid import read_grid
-from armlab.content.table_header import DH, SHOWN, Column, convention_of, read_header
+from armlab.content.table_grid import Grid, read_grid
+from armlab.content.table_header import DH, SHOWN, Column, convention_of, in_order_of_craig, is_khalil, read_header
 from armlab.content.table_values import PastedCells
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import MAX_JOINTS
@@ -17,6 +17,9 @@ from armlab.kin.dh import CONVENTIONS, Convention, Row
 
 MOST_TITLES = 4
 """Lines among which the header is looked for: some tables have a name and a number above it."""
+
+BOOKS = {"standard": ("Siciliano", "Craig's"), "modified": ("Craig", "Siciliano's")}
+"""A book with each convention, and whose it is when it is the other."""
 
 _FIXED = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector|base|world")
 
@@ -47,7 +50,7 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     text : str
         The first table in it counts.
     default_convention : "standard" or "modified"
-        Used where neither a title nor headers such as a(i-1) say which.
+        Used where neither a title nor headers such as a(i-1) nor the name of a book say which.
     order : sequence of str
         The columns a, alpha, d, theta in the order of a table without a header; a joint number or R/P may precede.
 
@@ -81,7 +84,7 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     lines = _joints(grid.lines[at + 1 :], columns, notes) if columns else grid.lines
     if not 1 <= len(lines) <= MAX_JOINTS:
         raise InputError(f"the table: expected 1 to {MAX_JOINTS} rows, one for each joint, got {len(lines)}")
-    convention = _convention(columns or (), grid.said, default_convention, notes)
+    convention = _convention(columns or (), grid, default_convention, notes)
     if columns is None:
         columns = _columns_without_header(grid.lines, order)
         notes.append(f"There is no header; the columns are taken as {', '.join(order)}.")
@@ -107,14 +110,35 @@ def _joints(lines: Sequence[tuple[str, ...]], columns: Sequence[Column], notes: 
     return [line for line in lines if line not in fixed]
 
 
-def _convention(columns: Sequence[Column], said: str, default: str, notes: list[str]) -> Convention:
-    by_header = convention_of(columns)
-    if said and by_header and said != by_header:
-        raise InputError(f"the table: its title says {said}, but its headers are of the {by_header} convention")
-    found = said or by_header
-    if by_header == "modified" and not said:
-        notes.append("The headers a(i-1) and alpha(i-1) mean the modified convention (Craig).")
-    return cast(Convention, found or default)
+def _convention(columns: Sequence[Column], grid: Grid, default: str, notes: list[str]) -> Convention:
+    """Return the convention, with a note unless the text says it: title before header, books and the default."""
+    by_header, r = convention_of(columns), next((column.role for column in columns if column.name == "r"), "")
+    if is_khalil(columns):
+        notes.append("Columns d and r as in Khalil's book: d is read as a(i-1), r as d.")
+    elif r and any(column.name == "d" for column in columns):
+        notes.append("The column r is read as a, the length along x.")
+    if grid.said and by_header and grid.said != by_header:
+        raise InputError(f"the table: its title says {grid.said}, but its headers are of the {by_header} convention")
+    found = grid.said or by_header or grid.named or default
+    if not grid.said:
+        notes.append(_concluded(found, columns, by_header, grid.named))
+    return cast(Convention, found)
+
+
+def _concluded(convention: str, columns: Sequence[Column], by_header: str, named: str) -> str:
+    """Return in a sentence why a table is read in a convention that its title does not say."""
+    if is_khalil(columns):
+        return "Khalil's tables are of the modified convention."
+    if by_header:
+        index = "(i-1)" if by_header == "modified" else "(i)"
+        also = f", though the text names a book with the {named} one" if named not in ("", by_header) else ""
+        return f"The headers a{index} or alpha{index} mean the {by_header} convention ({BOOKS[by_header][0]}){also}."
+    if named:
+        return f"Read as {convention}, because the text names a book with this convention."
+    own, other = BOOKS[convention]
+    if convention == "standard" and in_order_of_craig(columns):
+        return "Read as standard (Siciliano), but the columns stand in Craig's order: switch if it is Craig's."
+    return f"Read as {convention} ({own}): switch if your book is {other}."
 
 
 def _columns_without_header(lines: Sequence[Sequence[str]], order: Sequence[str]) -> tuple[Column, ...]:

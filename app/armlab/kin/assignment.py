@@ -21,19 +21,19 @@ from armlab.kin.checks import finite_floats, wrong
 from armlab.kin.convert import converted
 from armlab.kin.dh import Row
 from armlab.kin.graph.walker import SNAP
-from armlab.kin.relations import AxisRelation, axis_relations
+from armlab.kin.relations import axis_relations
 from armlab.kin.transforms import as_pose, inverse, transform
 
 Vector = NDArray[np.float64]
 
-DIRECTION_TOLERANCE = 1e-3
-"""Radians: a direction written with three decimals is meant exactly."""
-
-ANGLE_TOLERANCE = 1e-3
-"""Radians, 0.06 degrees: an angle in a cell is right within it."""
+ANGLE_TOLERANCE = DIRECTION_TOLERANCE = 1e-3
+"""Radians, 0.06 degrees: an angle in a cell is right within it, a direction with three decimals is meant exactly."""
 
 LENGTH_TOLERANCE = 5e-4
 """Metres: a length in a cell is right when it is right to the millimetre."""
+
+REACH_TOLERANCE = 1e-3
+"""Of the reach, for lengths of a small arm."""
 
 SCALE_TOLERANCE = 0.01
 """Relative: a value in the wrong unit is recognised to two digits."""
@@ -144,9 +144,8 @@ def judge_frames(arm: Arm, q: ArrayLike, choices: Sequence[Choice]) -> tuple[Fra
         Another number of choices, or a direction that is not three finite numbers or has no length.
     """
     standard = converted(arm, "standard")
-    frames, relations = _frames(standard, q), axis_relations(standard)
-    directions = _directions(choices, arm.n)
-    return tuple(_judge_frame(i, frames, relations, *directions[i]) for i in range(arm.n + 1))
+    frames, directions = _frames(standard, q), _directions(choices, arm.n)
+    return tuple(_judge_frame(i, standard, frames, *directions[i]) for i in range(arm.n + 1))
 
 
 def expected_table(arm: Arm, q: ArrayLike, choices: Sequence[Choice]) -> Assignment:
@@ -181,7 +180,12 @@ def expected_table(arm: Arm, q: ArrayLike, choices: Sequence[Choice]) -> Assignm
     return Assignment(rows, as_pose(base, "base"), as_pose(tool, "tool"), against, frames)
 
 
-def judge_cell(expected: float, got: float | None, kind: Quantity) -> CellVerdict:
+def length_tolerance(arm: Arm) -> float:
+    """Return how far, in metres, a length in a cell of this arm may be off: at most half a millimetre."""
+    return min(LENGTH_TOLERANCE, REACH_TOLERANCE * 2.0 * arm.length_scale)
+
+
+def judge_cell(expected: float, got: float | None, kind: Quantity, tolerance: float = LENGTH_TOLERANCE) -> CellVerdict:
     """Return whether a cell is right, or the name of the mistake.
 
     Parameters
@@ -192,15 +196,17 @@ def judge_cell(expected: float, got: float | None, kind: Quantity) -> CellVerdic
         Radians or metres; None or not finite where no number was given.
     kind : "angle" or "length"
         Angles may differ by a full turn.
+    tolerance : float
+        Metres, of lengths; see `length_tolerance`.
     """
     if kind not in ("angle", "length"):
         raise UnknownName("kind", kind, ("angle", "length"))
     if got is None or not math.isfinite(got):
         return CellVerdict(False, "not a number", "a number is missing here")
-    if _same(expected, got, kind):
+    if _same(expected, got, kind, tolerance):
         return CellVerdict(True, "", "right")
     for mistake, value, text in _shifted(expected, kind):
-        if _same(value, got, kind):
+        if _same(value, got, kind, tolerance):
             return CellVerdict(False, mistake, text)
     for mistake, value, text in _scaled(expected, kind):
         if value != 0.0 and abs(got / value - 1.0) <= SCALE_TOLERANCE:
@@ -208,8 +214,12 @@ def judge_cell(expected: float, got: float | None, kind: Quantity) -> CellVerdic
     return CellVerdict(False, "wrong", "not the value that belongs to these frames")
 
 
-def judge_row(expected: Row, got: Mapping[str, float | None]) -> dict[str, CellVerdict]:
+def judge_row(
+    expected: Row, got: Mapping[str, float | None], tolerance: float = LENGTH_TOLERANCE
+) -> dict[str, CellVerdict]:
     """Return the verdicts on the cells a, alpha, d and theta of a row; values in swapped cells are recognised.
+
+    The tolerance of lengths is in metres.
 
     Raises
     ------
@@ -219,19 +229,21 @@ def judge_row(expected: Row, got: Mapping[str, float | None]) -> dict[str, CellV
     for name in got:
         if name not in CELLS:
             raise UnknownName("cell", name, CELLS)
-    verdicts = {name: judge_cell(getattr(expected, name), got.get(name), kind) for name, kind in CELLS.items()}
+    verdicts = {
+        name: judge_cell(getattr(expected, name), got.get(name), kind, tolerance) for name, kind in CELLS.items()
+    }
     for first, second in SWAPS:
-        crossed = judge_cell(getattr(expected, first), got.get(second), CELLS[first])
-        other = judge_cell(getattr(expected, second), got.get(first), CELLS[second])
+        crossed = judge_cell(getattr(expected, first), got.get(second), CELLS[first], tolerance)
+        other = judge_cell(getattr(expected, second), got.get(first), CELLS[second], tolerance)
         if crossed.ok and other.ok and not (verdicts[first].ok and verdicts[second].ok):
             swapped = CellVerdict(False, "swapped", f"{first} and {second} have changed places")
             verdicts |= {first: swapped, second: swapped}
     return verdicts
 
 
-def _same(expected: float, got: float, kind: Quantity) -> bool:
+def _same(expected: float, got: float, kind: Quantity, tolerance: float) -> bool:
     if kind == "length":
-        return abs(got - expected) <= LENGTH_TOLERANCE
+        return abs(got - expected) <= tolerance
     # One turn, not any number of them: 90 (degrees) is 2.04 rad and fourteen turns, and means something else.
     return min(abs(got - expected - turn) for turn in (0.0, math.tau, -math.tau)) <= ANGLE_TOLERANCE
 
@@ -278,9 +290,9 @@ def _unit(direction: ArrayLike, where: str) -> Vector:
     return vector / length
 
 
-def _judge_frame(i: int, frames: Vector, relations: Sequence[AxisRelation], z: Vector, x: Vector) -> FrameVerdict:
+def _judge_frame(i: int, standard: Arm, frames: Vector, z: Vector, x: Vector) -> FrameVerdict:
     """Judge one frame against the axes of joints i and i+1, which are z_{i-1} and z_i of the arm's own frames."""
-    n = len(frames) - 1
+    n, relations = standard.n, axis_relations(standard)
     if i < n and (angle := _from_line(z, frames[i, :3, 2])) > DIRECTION_TOLERANCE:
         return FrameVerdict(i, False, f"z{i} must lie along the axis of joint {i + 1}: it is {_degrees(angle)} away")
     crooked = _crooked(i, i, x, z) or (_crooked(i, i - 1, x, frames[i - 1, :3, 2]) if i else "")
@@ -291,6 +303,12 @@ def _judge_frame(i: int, frames: Vector, relations: Sequence[AxisRelation], z: V
     angle = _from_line(x, frames[i, :3, 0])
     if angle > DIRECTION_TOLERANCE:
         normal = f"the common normal of the axes of joints {i} and {i + 1}"
+        slides = [j for j in (i, i + 1) if not standard.rows[j - 1].revolute]
+        if relations[i - 1].kind == "parallel" and slides:  # lawful for another place of the slide's axis
+            text = (
+                f"joint {slides[-1]} slides and its axis is taken where it is drawn: with it, x{i} lies along {normal}"
+            )
+            return FrameVerdict(i, False, f"{text}, {_degrees(angle)} away")
         return FrameVerdict(i, False, f"x{i} must lie along {normal}: it is {_degrees(angle)} away")
     where = f"parallel to z{i - 1} × z{i}" if relations[i - 1].kind == "intersecting" else "along the common normal"
     return FrameVerdict(i, True, f"z{i} lies along the axis of joint {i + 1} and x{i} {where}")

@@ -57,7 +57,8 @@ def converted(arm: Arm, convention: Convention) -> Arm:
 
     Joint values, limits, speeds and name stay, and so do all joint axes and the tool. Standard frame i is modified
     frame i followed by Tx(a_i) Rx(alpha_i), so frame 0 turns when a modified table begins with a twist. The task stays
-    where it controls the same things in the axes of the frame 0 that results; otherwise the arm gets its default task.
+    where it controls the same things in the axes of the frame 0 that results; a quarter turn of frame 0 exchanges y
+    and z in it. Where neither will do the arm gets its default task (`task_kept`).
 
     To the modified convention: row 1 gets a = alpha = 0, row i the a and alpha of standard row i-1, and those of the
     last row go in front of the tool. To the standard one: those of row 1 go behind the base and every row gets those of
@@ -104,6 +105,12 @@ def remainders(before: Arm, after: Arm) -> Remainders:
     return Remainders(_links(before)[0], Link(0.0 - taken.a, 0.0 - taken.alpha))
 
 
+def task_kept(before: Arm, after: Arm) -> bool:
+    """Return whether an arm made by `converted` still controls what it did, maybe under other letters."""
+    turned = after.convention == "standard" and before.convention == "modified"
+    return after.task == (_turned_task(before.task, _links(before)[0].alpha) if turned else before.task)
+
+
 def _links(arm: Arm) -> list[Link]:
     return [Link(a, alpha) for a, alpha in common_normals(arm.rows, arm.convention)]
 
@@ -127,14 +134,14 @@ def _to_standard(arm: Arm) -> Arm:
     taken = _as_link(arm.tool)
     rows = _with_links(arm.rows, [*links[1:-1], taken or Link(0.0, 0.0)])
     tool = arm.tool if taken is None else as_pose(np.eye(4), "tool")
-    keeps = _means_the_same(arm.task, links[0].alpha)
+    task = _turned_task(arm.task, links[0].alpha)
     return replace(
         arm,
         rows=rows,
         convention="standard",
         base=_product(arm.base, links[0].matrix, "base"),
         tool=tool,
-        task=arm.task if keeps else default_task(rows, "standard", tool),
+        task=task or default_task(rows, "standard", tool),
     )
 
 
@@ -158,11 +165,17 @@ def _as_link(pose: NDArray[np.float64]) -> Link | None:
     return link if np.all(np.abs(link.matrix - pose) < SNAP) else None
 
 
-def _means_the_same(task: Task, twist: float) -> bool:
-    """Return whether a task controls the same when frame 0 is turned about its x axis by a twist.
+def _turned_task(task: Task, twist: float) -> Task | None:
+    """Return the task that controls the same after frame 0 is turned about its x axis by a twist; None without one.
 
-    Half a turn only reverses y and z. Any other leaves x, the plane of y and z, and directions in space.
+    Half a turn only reverses y and z, a quarter turn exchanges them. Any other leaves x, the plane of y and z, and
+    directions in space. The angle about z is kept by half turns only.
     """
     if exact(math.sin(twist)) == 0.0:
-        return True
-    return set(task.position) in (set(), {"x"}, {"y", "z"}, {"x", "y", "z"}) and task.rotation != "phi"
+        return task
+    if task.rotation == "phi":
+        return None
+    if exact(math.cos(twist)) == 0.0:
+        exchanged = task.position.translate(str.maketrans("yz", "zy"))
+        return replace(task, position="".join(sorted(exchanged)))
+    return task if set(task.position) in (set(), {"x"}, {"y", "z"}, {"x", "y", "z"}) else None

@@ -8,6 +8,7 @@ that turn and joints that slide are made comparable by a scale, such as their sp
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -25,6 +26,24 @@ RANK_TOLERANCE = 1e-9
 EQUAL_COMPONENTS = 1e-9
 """Components of a unit vector this close count as equal: the first of them then decides its sign."""
 
+SINGULAR = 1e-5
+"""Largest inverse condition at a minimum that counts as a singularity; the narrowing leaves less than 1e-6."""
+
+COARSE, REFINEMENTS, MOST_REFINED = 121, 4, 128
+"""First samples of a motion; how often the intervals that may hold a singularity are halved, and how many at most."""
+
+ZOOMS, ZOOM_POINTS = 4, 33
+"""A minimum is narrowed down so many times, each time among so many points."""
+
+MOST_PLACES = 24
+"""Minima that are narrowed down at most."""
+
+SAME_PLACE = 1e-6
+"""Minima closer than this, in lengths of the motion, are one."""
+
+STEEPER = 1.05
+"""Between two samples the Jacobian changes at most this much faster than from the one to the other."""
+
 
 @dataclass(frozen=True, eq=False)
 class Ellipsoid:
@@ -41,8 +60,9 @@ class Ellipsoid:
     joint_directions : ndarray, shape (n, k), k = min(m, n)
         Columns v_i: unit vectors of scaled joint speeds with J diag(scale) v_i = sigma_i u_i.
 
-    All measures are of the first k half axes, so that w is that of `Arm.manipulability` also for fewer joints than
-    rows, where sqrt(det(J J^T)) of 5.144 is always 0.
+    All measures are of the first k half axes: with fewer joints than rows w is sqrt(det(J^T J)), because
+    sqrt(det(J J^T)) of 5.144 is always 0. w is that of `Arm.manipulability` only where the rows are all of the arm's
+    task, which then has one unit, and no scale is given.
     """
 
     axes: Array
@@ -158,6 +178,112 @@ def measures(J: ArrayLike, scale: ArrayLike | None = None) -> Measures:
     full = smallest > RANK_TOLERANCE * largest
     inverse = np.where(full, smallest / np.where(full, largest, 1.0), 0.0)
     return Measures(*(np.where(given, value, np.nan) for value in (sigma.prod(axis=-1), inverse, smallest)))
+
+
+class SingularPlaces(NamedTuple):
+    """Where a motion is singular.
+
+    Attributes
+    ----------
+    places : tuple of float
+        Rising; empty where the motion is singular everywhere.
+    everywhere : bool
+    samples : int
+        How many places were looked at before the minima were narrowed down: none found is no proof that there is none.
+    """
+
+    places: tuple[float, ...]
+    everywhere: bool
+    samples: int
+
+
+def singular_places(jacobian: Callable[[Array], Array], low: float, high: float) -> SingularPlaces:
+    """Return where, from one value of a joint to another, the velocity in some direction is lost.
+
+    A singular value changes no faster than the matrix: between two samples whose shortest half axes are long enough
+    there is no singularity; the other intervals are halved, then the minima left over are narrowed down. Two places
+    closer than a 2000th of the motion may be found as one.
+
+    Parameters
+    ----------
+    jacobian : callable
+        Blocks of shape (N, m, n), one to three rows of one unit, scaled if need be, of values of shape (N,).
+    low, high : float
+        Both are looked at too.
+
+    References
+    ----------
+    Weyl's inequality for singular values: Horn and Johnson, *Topics in Matrix Analysis*, 1991, theorem 3.3.16.
+    """
+    values = np.linspace(low, high, COARSE if high > low else 1)
+    blocks = jacobian(values)
+    smallest = _smallest(blocks)
+    doubtful = float(smallest.max()) <= 1e-6 * float(np.abs(blocks).max())
+    if doubtful and not measures(blocks).inverse_condition.any():
+        return SingularPlaces((), True, len(values))
+    if len(values) == 1:
+        return SingularPlaces((), False, 1)
+    change = np.linalg.norm(np.diff(blocks, axis=0), axis=(-2, -1)) / np.diff(values)
+    steepest = STEEPER * float(change.max())
+    values, smallest = _refined(jacobian, values, smallest, steepest)
+    low_ends, high_ends = _minima(values, smallest, steepest)
+    places = _narrowed(jacobian, low_ends, high_ends, SAME_PLACE * (high - low))
+    return SingularPlaces(places, False, len(values))
+
+
+def _smallest(blocks: Array) -> Array:
+    """Return the shortest half axes, exact to 1e-8 of the longest: quicker than singular values."""
+    turned = np.swapaxes(blocks, -1, -2)
+    products = blocks @ turned if blocks.shape[-2] <= blocks.shape[-1] else turned @ blocks
+    return np.asarray(np.sqrt(np.maximum(np.linalg.eigvalsh(products)[..., 0], 0.0)))
+
+
+def _refined(
+    jacobian: Callable[[Array], Array], values: Array, smallest: Array, steepest: float
+) -> tuple[Array, Array]:
+    """Return more samples where there may be a zero."""
+    for _ in range(REFINEMENTS):
+        room = steepest * np.diff(values) - (smallest[:-1] + smallest[1:])
+        open_ones = np.flatnonzero(room >= 0.0)
+        if len(open_ones) == 0:
+            break
+        if len(open_ones) > MOST_REFINED:
+            open_ones = np.sort(open_ones[np.argsort(-room[open_ones], kind="stable")[:MOST_REFINED]])
+        between = 0.5 * (values[open_ones] + values[open_ones + 1])
+        values = np.insert(values, open_ones + 1, between)
+        at = open_ones + np.arange(1, len(open_ones) + 1)
+        more = np.empty(len(values))
+        more[at] = _smallest(jacobian(between))
+        more[np.delete(np.arange(len(values)), at)] = smallest
+        smallest = more
+    return values, smallest
+
+
+def _minima(values: Array, smallest: Array, steepest: float) -> tuple[Array, Array]:
+    """Return the intervals around the samples, ends included, that are minima and near enough to a zero."""
+    walled = np.concatenate([[np.inf], smallest, [np.inf]])
+    below, above = np.concatenate([values[:1], values[:-1]]), np.concatenate([values[1:], values[-1:]])
+    near = smallest <= steepest * np.maximum(values - below, above - values)
+    dips = np.flatnonzero((smallest <= walled[:-2]) & (smallest <= walled[2:]) & near)
+    dips = dips[np.argsort(smallest[dips], kind="stable")[:MOST_PLACES]]
+    return below[dips], above[dips]
+
+
+def _narrowed(jacobian: Callable[[Array], Array], low: Array, high: Array, same: float) -> tuple[float, ...]:
+    """Return where in these intervals the inverse condition falls to zero."""
+    if len(low) == 0:
+        return ()
+    each = np.arange(len(low))
+    for _ in range(ZOOMS):
+        values = np.linspace(low, high, ZOOM_POINTS, axis=1)
+        inverse = measures(jacobian(values.ravel())).inverse_condition.reshape(values.shape)
+        best = np.argmin(inverse, axis=1)
+        low, high = values[each, np.maximum(best - 1, 0)], values[each, np.minimum(best + 1, ZOOM_POINTS - 1)]
+    found: list[float] = []
+    for value in np.sort(values[each, best][inverse[each, best] < SINGULAR]).tolist():
+        if not found or value - found[-1] > same:
+            found.append(value)
+    return tuple(found)
 
 
 def _scaled(J: ArrayLike, scale: ArrayLike | None) -> Array:

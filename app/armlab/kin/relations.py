@@ -125,11 +125,15 @@ class Axes:
 
         It is one when all revolute axes are parallel and every slide is parallel or perpendicular to them.
         """
-        turning = [i + 1 for i, kind in enumerate(self.kinds) if kind == "R"]
+        return self.lifts(1, self.arm.n)
+
+    def lifts(self, first: int, last: int) -> list[int] | None:
+        """Return the same of joints ``first`` to ``last``; None where they are not a plane with lifts."""
+        turning = [i for i in range(first, last + 1) if self.kinds[i - 1] == "R"]
         if not turning:
             return None
         lifts = []
-        for j in range(1, self.arm.n + 1):
+        for j in range(first, last + 1):
             before = [i for i in turning if i < j]
             if not before and j == turning[0]:
                 continue
@@ -172,7 +176,10 @@ def end_freedoms(arm: Arm) -> tuple[str, str]:
     if arm.convention == "standard":
         return (
             "Frame 0: z0 lies on the axis of joint 1; the direction of x0 around it and the place of O0 along it are "
-            "free.",
+            "free."
+            if arm.rows[0].revolute
+            else "Frame 0: joint 1 slides, so z0 is parallel to it; the direction of x0 around z0 and the place of O0 "
+            "are free.",
             f"Frame {n}: no joint follows, so z{n} is free; x{n} must meet z{n - 1}, the axis of joint {n}, at a right "
             "angle.",
         )
@@ -180,7 +187,10 @@ def end_freedoms(arm: Arm) -> tuple[str, str]:
     return (
         f"Frame 0: nothing moves it, so all of it is free; it is usually laid on frame 1 at q1 = 0, so that {zero}.",
         f"Frame {n}: z{n} lies on the axis of joint {n}; no axis follows, so the direction of x{n} around it and the "
-        f"place of O{n} along it are free.",
+        f"place of O{n} along it are free."
+        if arm.rows[-1].revolute
+        else f"Frame {n}: joint {n} slides, so z{n} is parallel to it; no axis follows, so the direction of x{n} "
+        f"around z{n} and the place of O{n} are free.",
     )
 
 
@@ -199,7 +209,7 @@ def _freedom(arm: Arm, i: int, kind: Relation, alpha: float) -> str:
     first, second = (f"z{i - 1}", f"z{i}") if arm.convention == "standard" else (f"z{i}", f"z{i + 1}")
     sliding = [j for j in (i, i + 1) if not arm.rows[j - 1].revolute]
     if sliding:
-        return _beside_a_slide(i, kind, first, second, sliding)
+        return _beside_a_slide(arm, i, kind, first, second, sliding)
     if kind == "parallel":
         return (
             f"{first} and {second} are parallel: they have infinitely many common normals, so the place of x{i} along "
@@ -208,7 +218,7 @@ def _freedom(arm: Arm, i: int, kind: Relation, alpha: float) -> str:
     if kind == "intersecting":
         return (
             f"{first} and {second} meet: a{i} = 0 and x{i} is parallel to {first} × {second} in either sense; the "
-            f"other sense changes the sign of α{i}."
+            f"other sense changes the sign of α{i} and turns θ{i} and θ{i + 1} by 180°."
         )
     if kind == "coincident":
         what = "sums" if math.cos(alpha) > 0.0 else "differences"
@@ -218,15 +228,20 @@ def _freedom(arm: Arm, i: int, kind: Relation, alpha: float) -> str:
         )
     return (
         f"{first} and {second} are skew: they have exactly one common normal and x{i} lies along it in either sense; "
-        f"the other sense changes the signs of a{i} and α{i}."
+        f"the other sense changes the signs of a{i} and α{i} and turns θ{i} and θ{i + 1} by 180°."
     )
 
 
-def _beside_a_slide(i: int, kind: Relation, first: str, second: str, sliding: list[int]) -> str:
+def _beside_a_slide(arm: Arm, i: int, kind: Relation, first: str, second: str, sliding: list[int]) -> str:
     if len(sliding) == 2:
         who = f"Joints {i} and {i + 1} slide: only the directions of their axes matter, their places are free"
     else:
         who = f"Joint {sliding[0]} slides: only the direction of its axis matters, its place is free"
     if kind in ("parallel", "coincident"):
-        return f"{who}, so a{i} may be chosen 0, and x{i} is then any direction perpendicular to {first} and {second}."
+        # The slide's axis then lies on its neighbour's, so its distance from the axis on the other side is given.
+        beyond = 2 * sliding[0] - 1 - i
+        fixed = f", which fixes a{beyond}" if len(sliding) == 1 and 0 < beyond < arm.n else ""
+        return (
+            f"{who}, so a{i} may be chosen 0{fixed}; x{i} is then any direction perpendicular to {first} and {second}."
+        )
     return f"{who}, so a{i} may be chosen 0; x{i} is parallel to {first} × {second} in either sense."

@@ -14,10 +14,17 @@ nothing free. They are upper bounds, with these reasons:
     quadric, 4 and 2; two slides a plane, 2 and 1. Pieper 1968; notes 4.66-4.105 for RRP and 3R.
 *   Three turns about axes through one point: an orientation in at most 2 ways. The point where they meet is placed by
     the other three joints alone, wherever in the chain the three are, so the numbers multiply (Pieper 1968).
-*   Axes 2, 3, 4 parallel, 5 perpendicular to them and meeting 6: the component of the point of axes 5 and 6 along the
-    parallel axes gives q1 (2), the angle between axis 6 and them q5 (2), then q6 (1) and a planar 3R (2): 8 (notes,
-    figure 4.8). Mirrored the same for 3, 4, 5.
-*   Three slides of six joints: the turns alone make the orientation (2), then everything is linear (1).
+*   Three neighbouring parallel axes of a 6R: 8. Undoing the joints behind the three and those before them, the other
+    three turns R1, R2, R3 must carry the direction e behind the parallel axes into the direction u before them and
+    give one point its height along u. With w = R1^T u and v = R3 e this is R2 v = w; it needs w.z2 = v.z2, and the
+    height is const + w.p1 + v.p2, p1 and p2 being the constant ways from axis to axis: R2 falls out, as R2^T w = v.
+    Both equations are linear in (cos q1, sin q1, cos q3, sin q3), so two circles become two conics in a plane, which
+    cut in 4 points; each gives one q2, and the planar 3R that is left has 2 solutions. The notes' UR (figure 4.8) is
+    the case in which q1 stands alone.
+*   A planar part with slides: as above. Of the turns outside it two make its direction (2) where a third joint, a
+    slide inside or outside, makes the height (1); three turns and the height 4. Times the ways of the planar part.
+*   Three slides: the turns alone make the orientation (three: 2, two: 2 for a direction, one: 1), then everything is
+    linear (1).
 *   General 6R: 16. Lee and Liang 1988, Raghavan and Roth 1990; Manseur and Doty 1989 show an arm that has them.
 """
 
@@ -25,18 +32,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
-from armlab.kin.relations import Axes
-
-SAMPLES = 8
-"""Random configurations, one seed, that stand for the generic one."""
-
-RANK_TOLERANCE = 1e-9
-"""Singular values of the task Jacobian, lengths over the arm's length scale, below this are zero."""
+from armlab.kin.lines import PARALLEL_ANGLE
+from armlab.kin.relations import Axes, is_zero_length
+from armlab.kin.spare import spare_joints
 
 MOST_6R = 16
 
@@ -49,8 +52,8 @@ class Structure:
     ----------
     key, title : str
     closed_form : bool
-        Whether a closed form follows from the geometry; where joints are left over, for the hand's other components
-        given. False says only that none of the known sufficient conditions holds.
+        Whether a closed form follows from the geometry; where joints are left over, with as many of them fixed.
+        False says only that none of the sufficient conditions known here holds.
     why : str
         Sentences that name the axes, 1-based.
     most_solutions : int or None
@@ -84,29 +87,45 @@ def structure_of(arm: Arm) -> Structure:
     2
     """
     axes = Axes(arm)
-    found = next(structure for find in _FINDERS if (structure := find(axes)) is not None)
-    free = _free(arm)
-    if not free:
+    found = _found(axes)
+    spare = spare_joints(arm)
+    if not spare.free:
         return found
-    spare = f"The task, {arm.task.title}, leaves {free} of {arm.n} joints free: a {free}-parameter family of solutions."
-    return replace(found, why=f"{found.why} {spare}", most_solutions=None, free=free)
+    number = _NUMBERS.get(spare.free, str(spare.free))
+    family = (
+        f"The task, {arm.task.title}, leaves {spare.free} of {arm.n} joints free: "
+        f"a {number}-parameter family, infinitely many solutions."
+    )
+    sentences, closed = [found.why, family], found.closed_form
+    if not closed:
+        rests = ((fixed, _found(Axes(left))) for fixed, left in spare.with_fixed())
+        known = next(((fixed, rest) for fixed, rest in rests if rest.closed_form), None)
+        closed = known is not None
+        general = found.key in ("general", "general_6r")
+        last = _with_fixed(*known, arm.n) if known else f"With {number} fixed, {_NONE[0].lower()}{_NONE[1:]}"
+        sentences = [*([] if general else [found.why]), family, last]
+    why = " ".join(sentence for sentence in sentences if sentence)
+    return replace(found, why=why, closed_form=closed, most_solutions=None, free=spare.free)
 
 
-def _free(arm: Arm) -> int:
-    """Return the joints the task leaves over: n minus the rank of the task Jacobian in a generic configuration."""
-    rng = np.random.default_rng(0)
-    samples = rng.uniform(-3.0, 3.0, (SAMPLES, arm.n))
-    return arm.n - max(int(np.linalg.matrix_rank(_task_jacobian(arm, q), tol=RANK_TOLERANCE)) for q in samples)
+_NUMBERS = {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
+
+_NONE = (
+    "None of the sufficient conditions known to this lab was found: three turns through one point, a planar part of "
+    "three joints, three slides."
+)
 
 
-def _task_jacobian(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the rows the task controls, in the axes of frame 0, lengths over the length scale; shape (m, n)."""
-    turn = arm.base[:3, :3].T
-    J = arm.jacobian(q)
-    linear, angular = turn @ J[:3] / arm.length_scale, turn @ J[3:]
-    tool = turn @ arm.fk(q)[:3, :3]
-    rotation = {"none": np.eye(3)[:0], "phi": np.eye(3)[2:], "approach": tool[:, :2].T, "full": np.eye(3)}
-    return np.vstack([linear[arm.task.coordinates], rotation[arm.task.rotation] @ angular])
+def _found(axes: Axes) -> Structure:
+    return next(structure for find in _FINDERS if (structure := find(axes)) is not None)
+
+
+def _with_fixed(fixed: tuple[int, ...], rest: Structure, n: int) -> str:
+    """Return the sentence on the structure that is left of an arm of n joints; ``rest`` counts without the fixed."""
+    kept = [k for k in range(1, n + 1) if k not in fixed]
+    named = [kept[k - 1] for k in rest.joints]
+    where = f" ({'joint' if len(named) == 1 else 'joints'} {_listed(named)})" if named else ""
+    return f"With {'joint' if len(fixed) == 1 else 'joints'} {_listed(fixed)} fixed: {rest.title}{where}."
 
 
 def _single(axes: Axes) -> Structure | None:
@@ -115,7 +134,11 @@ def _single(axes: Axes) -> Structure | None:
     if axes.kinds == "P":
         return Structure("single", "One slide", True, "The position is linear in the joint value.", 1, (1,))
     turned = axes.arm.task.rotation in ("phi", "full")
-    why = "The angle is the joint value." if turned else "The tool point moves on a circle."
+    why = (
+        "The angle gives the joint value, but for its sense and a constant."
+        if turned
+        else "The tool point moves on a circle."
+    )
     return Structure("single", "One turn", True, why, 1 if turned else 2, (1,))
 
 
@@ -205,9 +228,8 @@ def _seven_and_more(axes: Axes) -> Structure | None:
     triple, fact = axes.last_triple(axes.meet), "meet in one point"
     if triple is None:
         triple, fact = axes.last_triple(axes.three_parallel), "are parallel"
-    facts = f"{_axes(_three(triple))} {fact}, but " if triple else ""
-    why = f"{facts}{axes.arm.n} joints are more than the six components of a pose."
-    return Structure("redundant", "Redundant arm", False, _capital(why), None, _three(triple) if triple else ())
+    why = _capital(f"{_axes(_three(triple))} {fact}.") if triple else ""
+    return Structure("redundant", "Redundant arm", False, why, None, _three(triple) if triple else ())
 
 
 def _meeting(axes: Axes) -> Structure | None:
@@ -229,35 +251,83 @@ def _parallel(axes: Axes) -> Structure | None:
     if i is None:
         return None
     why = f"{_axes(_three(i))} are parallel: they form a planar 3R, and the other joints separate from it (Pieper)."
-    proven = axes.turns(1, 6) and axes.arm.n == 6 and axes.arm.task.key == "pose" and _like_ur(axes, i)
-    return Structure("three_parallel", "Three parallel axes", True, _capital(why), 8 if proven else None, _three(i))
+    most = _ways_around(axes, list(_three(i)), [])
+    return Structure("three_parallel", "Three parallel axes", True, _capital(why), most, _three(i))
 
 
-def _like_ur(axes: Axes, i: int) -> bool:
-    """Return whether the count of 8 in the module's text applies."""
-    beside = {2: (4, 5), 3: (2, 1)}.get(i)
-    if beside is None or axes.parallel(1) or axes.parallel(5):
-        return False
-    crossing, meeting = beside
-    return axes.perpendicular(crossing) and axes.touching(meeting)
+def _ways_around(axes: Axes, run: list[int], lifts: list[int]) -> int | None:
+    """Return how many solutions a pose has at most with a planar part in the run; None where no bound is known."""
+    if axes.arm.n != 6 or axes.arm.task.key != "pose":
+        return None
+    slides = sum(axes.kinds[j - 1] == "P" for j in _joints(axes) if j not in run)
+    across = sum(axes.kinds[j - 1] == "P" for j in run if j not in lifts)
+    outside = {(0, 0): 4, (0, 1): 2, (1, 0): 2}.get((len(lifts), slides))
+    return None if outside is None else outside * (1 if across == 2 else 2)
 
 
 def _three_slides(axes: Axes) -> Structure | None:
-    if axes.arm.n != 6 or axes.kinds.count("P") != 3:
+    n = axes.arm.n
+    if n not in (4, 5, 6) or axes.kinds.count("P") != 3:
         return None
     sliding = [i for i in _joints(axes) if axes.kinds[i - 1] == "P"]
-    why = f"{_capital(_slides(sliding))}: the three turns alone make the orientation, then the position is linear."
-    most = 2 if axes.arm.task.key == "pose" else None
+    alone = "turn alone makes the angle" if n == 4 else f"{_NUMBERS[n - 3]} turns alone make the orientation"
+    why = f"{_capital(_slides(sliding))}: the {alone}, then the position is linear."
+    most = {(4, "xyz phi"): 1, (5, "xyz approach"): 2, (6, "pose"): 2}.get((n, axes.arm.task.key))
+    if n == 4 and not _about_z(axes, axes.kinds.index("R") + 1):
+        most = None
     return Structure("three_slides", "Three slides", True, why, most, tuple(sliding))
+
+
+def _about_z(axes: Axes, i: int) -> bool:
+    """Return whether the axis of joint i, with slides before it only, is parallel to z of frame 0."""
+    whole = axes.arm.frames(np.zeros(axes.arm.n))
+    turned = whole[i - 1 if axes.arm.convention == "standard" else i, :3, 2]
+    return bool(np.linalg.norm(np.cross(turned, whole[0, :3, 2])) <= PARALLEL_ANGLE)
+
+
+def _planar_part(axes: Axes) -> Structure | None:
+    """Find three neighbouring joints that move a plane in itself, maybe with a lift among them, and slides in them."""
+    for size in (4, 3):
+        for i in range(axes.arm.n - size + 1, 0, -1):
+            run = list(range(i, i + size))
+            lifts = axes.lifts(i, i + size - 1)
+            if lifts is not None and len(lifts) == size - 3 and _apart(axes, run, lifts):
+                return _with_planar_part(axes, run, lifts)
+    return None
+
+
+def _apart(axes: Axes, run: list[int], lifts: list[int]) -> bool:
+    """Return whether no two turns that follow each other, but for a lift between them, have one axis."""
+    flat = [j for j in run if j not in lifts]
+    for j, k in pairwise(flat):
+        if axes.kinds[j - 1] + axes.kinds[k - 1] != "RR":
+            continue
+        # The second link is turned against the first by the constant angle of the lift between them.
+        way: complex = axes.links[j][0]
+        if k == j + 2:
+            way += axes.links[j + 1][0] * np.exp(1j * axes.arm.rows[j].theta)
+        if is_zero_length(abs(way), axes.arm):
+            return False
+    return True
+
+
+def _with_planar_part(axes: Axes, run: list[int], lifts: list[int]) -> Structure:
+    flat = [j for j in run if j not in lifts]
+    kinds = "".join(axes.kinds[j - 1] for j in flat)
+    planar = "3R" if kinds == "RRR" else kinds
+    why = f"joints {_listed(flat)} are a planar {planar}"
+    why += f" and {_slides(lifts)} at a right angle to its plane" if lifts else ""
+    why = f"{_capital(why)}: the other joints separate from it."
+    return Structure("planar_part", f"Planar {planar} inside", True, why, _ways_around(axes, run, lifts), tuple(run))
 
 
 def _general(axes: Axes) -> Structure:
     n = axes.arm.n
-    none = "No three neighbouring axes meet in one point or are parallel: the conditions for a closed form do not hold."
     if axes.kinds == "RRRRRR":
         most = MOST_6R if axes.arm.task.key == "pose" else None
-        return Structure("general_6r", "General 6R", False, f"{none} A polynomial of degree 16 remains.", most, ())
-    return Structure("general", f"General arm of {n} joints", False, none, None, ())
+        why = f"{_NONE} A polynomial of degree at most {MOST_6R} remains."
+        return Structure("general_6r", "General 6R", False, why, most, ())
+    return Structure("general", f"General arm of {n} joints", False, _NONE, None, ())
 
 
 _FINDERS: tuple[Callable[[Axes], Structure | None], ...] = (
@@ -271,6 +341,7 @@ _FINDERS: tuple[Callable[[Axes], Structure | None], ...] = (
     _meeting,
     _parallel,
     _three_slides,
+    _planar_part,
     _general,
 )
 """From the special to the general; the last one always finds."""

@@ -10,15 +10,15 @@ import numpy as np
 
 from armlab.kin.arm import Arm
 from armlab.kin.dh import common_normals
-from armlab.kin.graph.expression import Graph, Number
-from armlab.kin.graph.printing import Printer, Style
+from armlab.kin.graph.expression import Expression, Graph, Number
+from armlab.kin.graph.printing import Printer, Style, term_counts
 
 QUARTER = 1e-9
 """Radians from a multiple of a quarter turn within which an angle counts as one."""
 
 
 def pose_formulas(arm: Arm, style: Style = "text") -> dict[str, str]:
-    """Return the printed formulas of the tool's pose in frame 0.
+    """Return the printed formulas of the tool's pose in frame 0, however long they are; see `PoseFormulas`.
 
     Parameters
     ----------
@@ -40,18 +40,55 @@ def pose_formulas(arm: Arm, style: Style = "text") -> dict[str, str]:
     >>> pose_formulas(arm)["px"]
     'a1*cos(q1) + a2*cos(q1 + q2)'
     """
-    graph = Graph()
-    offsets = angle_offsets(arm)
-    rows = tuple(replace(row, theta=0.0) if i + 1 in offsets else row for i, row in enumerate(arm.rows))
-    chain = replace(arm.description, rows=rows).chain(graph, lambda name, _value: graph.parameter(name))
-    _, walker = chain.axes()
-    if not np.array_equal(arm.tool, np.eye(4)):
-        walker.place(arm.tool.tolist())
-    x, y, z, p = walker.frame()
-    show = Printer(graph, style)
-    entries: dict[str, Number] = {f"p{axis}": p[k] for k, axis in enumerate("xyz")}
-    entries |= {f"r{i + 1}{j + 1}": axis[i] for i in range(3) for j, axis in enumerate((x, y, z))}
-    return {name: _with_offsets(show(value), offsets, style) for name, value in entries.items()}
+    return PoseFormulas(arm).printed(style)
+
+
+class PoseFormulas:
+    """The formulas of the tool's pose in frame 0 before they are printed.
+
+    Parameters
+    ----------
+    arm : Arm
+
+    Attributes
+    ----------
+    terms : dict of int
+        How many terms each entry has when it is printed. Each general twist triples them: all entries of an arm with
+        twelve have together a hundred million characters.
+
+    Examples
+    --------
+    >>> PoseFormulas(Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0), ("R", 0.8, 0.0, 0.0, 0.0)])).terms["px"]
+    2
+    """
+
+    def __init__(self, arm: Arm) -> None:
+        self._graph, self._offsets = Graph(), angle_offsets(arm)
+        self._entries = self._pose(arm)
+        counts = term_counts(self._graph)
+        self.terms = {
+            name: counts[value.node] if isinstance(value, Expression) else 1 for name, value in self._entries.items()
+        }
+
+    def printed(self, style: Style = "text", most_terms: float = math.inf) -> dict[str, str]:
+        """Return the printed entries without those that have more terms."""
+        show = Printer(self._graph, style)
+        return {
+            name: _with_offsets(show(value), self._offsets, style)
+            for name, value in self._entries.items()
+            if self.terms[name] <= most_terms
+        }
+
+    def _pose(self, arm: Arm) -> dict[str, Number]:
+        graph = self._graph
+        rows = tuple(replace(row, theta=0.0) if i + 1 in self._offsets else row for i, row in enumerate(arm.rows))
+        chain = replace(arm.description, rows=rows).chain(graph, lambda name, _value: graph.parameter(name))
+        _, walker = chain.axes()
+        if not np.array_equal(arm.tool, np.eye(4)):
+            walker.place(arm.tool.tolist())
+        x, y, z, p = walker.frame()
+        entries: dict[str, Number] = {f"p{axis}": p[k] for k, axis in enumerate("xyz")}
+        return entries | {f"r{i + 1}{j + 1}": axis[i] for i in range(3) for j, axis in enumerate((x, y, z))}
 
 
 def angle_offsets(arm: Arm) -> dict[int, float]:

@@ -23,7 +23,8 @@ def default_task(rows: Sequence[Row], convention: Convention, tool: NDArray[np.f
     Axes all parallel to z0: the coordinates that can change, and the angle about z when a joint is left for it
     (2R: x, y; 3R: x, y, phi; SCARA: x, y, z, phi). Otherwise the pose from six joints on, position and approach
     direction with five that can do it (an arm whose hand only pitches and rolls cannot), and else the coordinates that
-    can change.
+    can change. Where a modified table begins with a twist and all axes are parallel, but not to z0, the angle about
+    them has no name in the axes of frame 0: only the coordinates remain.
     """
     arm = formulas.Description(tuple(rows), convention, np.eye(4), tool, task_named("pose"))
     J = _sampled_jacobians(arm)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -19,17 +18,8 @@ from armlab.kin.convert import converted, remainders
 from armlab.kin.dh import CONVENTIONS, Kind, Row
 from armlab.kin.task_choice import default_task
 from armlab.session.parts.robot import RobotPart
+from armlab.session.sizes import ANGLES, LENGTHS, LONGEST, check_limits, check_size, check_sizes
 from armlab.session.state import Command, State
-
-LENGTHS, ANGLES = ("a", "d"), ("alpha", "theta")
-LONGEST = 100.0
-"""Metres; a longer link is a slip of the pen."""
-
-MOST_TURNED = 20.0 * math.pi
-"""Radians: ten turns; more is one, too."""
-
-LEAST_RANGE = {"R": 0.01, "P": 0.001}
-"""Radians and metres a joint can move at least: a slider needs some room."""
 
 EXACT = 1e-12
 """Entries of a rotation this close to 0 or ±1 are meant to be that: quarter turns are exact."""
@@ -38,7 +28,7 @@ PASTED = "Pasted arm"
 MOST_TEXT = 50_000
 """Characters of a pasted table or a file."""
 
-FILE = re.compile(r"^\s*(\[\[\s*joints\s*\]\]|joints\s*=|convention\s*=)", re.MULTILINE)
+FILE = re.compile(r"^[ \t]*(\[\[[ \t]*joints[ \t]*\]\]|joints[ \t]*=|convention[ \t]*=)", re.MULTILINE)
 """What tells a robot file from a table."""
 
 Limits = tuple[float, float]
@@ -76,7 +66,7 @@ class SetCell(Command):
         if getattr(row, self.field) == self.value:
             return state
         # Kept from becoming part of an arm before anything is computed with it.
-        _check_size(f"row {self.row + 1}, {self.field}", self.value, self.field in ANGLES)
+        check_size(f"row {self.row + 1}, {self.field}", self.value, self.field in ANGLES)
         rows = _replaced(arm.rows, self.row, replace(row, **cast(Any, {self.field: self.value})))
         return _edited(state, _changed(arm, rows=rows), _same(arm))
 
@@ -115,7 +105,7 @@ class SetLimits(Command):
         row = _row(arm, self.row)
         if tuple(arm.limits[self.row]) == (self.low, self.high):
             return state
-        _check_limits(self.row, row, self.low, self.high)
+        check_limits(self.row, row, self.low, self.high)
         limits = np.array(arm.limits)
         limits[self.row] = self.low, self.high
         return _edited(state, _changed(arm, limits=limits), _same(arm))
@@ -197,7 +187,7 @@ class SetEnd(Command):
         if np.array_equal(pose, getattr(arm, self.end)):
             return state
         for axis, value in zip("xyz", pose[:3, 3].tolist(), strict=True):
-            _check_size(f"{self.end}, {axis}", value, False)
+            check_size(f"{self.end}, {axis}", value, False)
         return _edited(state, _changed(arm, **{self.end: pose}), _same(arm))
 
 
@@ -244,7 +234,7 @@ class PasteTable(Command):
             pasted = parse_table(self.text)
             robot = own_robot(Arm.from_dh(pasted.rows, pasted.convention, name=PASTED), PASTED, None)
             robot = replace(robot, summary=" ".join(pasted.notes) or robot.summary)
-        _check(robot.arm)
+        check_sizes(robot.arm)
         return state.with_robot(robot)
 
 
@@ -311,38 +301,6 @@ def _changed(arm: Arm, **fields: object) -> Arm:
 
 
 def _edited(state: State, arm: Arm, origin: Sequence[int | None]) -> State:
-    _check(arm)
+    check_sizes(arm)
     present = state[RobotPart].robot
     return state.with_edited(own_robot(arm, present.name, present), tuple(origin))
-
-
-def _check(arm: Arm) -> None:
-    """Refuse an arm with sizes that cannot be meant."""
-    for i, row in enumerate(arm.rows):
-        for field in LENGTHS + ANGLES:
-            _check_size(f"row {i + 1}, {field}", getattr(row, field), field in ANGLES)
-        _check_limits(i, row, *arm.limits[i].tolist())
-    for end, pose in (("base", arm.base), ("tool", arm.tool)):
-        for axis, value in zip("xyz", pose[:3, 3].tolist(), strict=True):
-            _check_size(f"{end}, {axis}", value, False)
-
-
-def _check_size(where: str, value: float, turns: bool) -> None:
-    most = MOST_TURNED if turns else LONGEST
-    if not abs(value) <= most:
-        raise InputError(f"{where}: expected at most {_said(most, turns)}, got {_said(value, turns)}")
-
-
-def _check_limits(i: int, row: Row, low: float, high: float) -> None:
-    where, turns = f"limits of joint {i + 1}", row.revolute
-    for value in (low, high):
-        _check_size(where, value, turns)
-    got = f"got {_said(low, turns)} to {_said(high, turns)}"
-    if low > high:
-        raise InputError(f"{where}: the smaller comes first, {got}")
-    if high - low < LEAST_RANGE[row.kind]:
-        raise InputError(f"{where}: expected at least {_said(LEAST_RANGE[row.kind], turns)} between them, {got}")
-
-
-def _said(value: float, turns: bool) -> str:
-    return f"{math.degrees(value):.6g}°" if turns else f"{value:.6g} m"

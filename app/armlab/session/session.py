@@ -6,6 +6,8 @@ import logging
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+import numpy as np
+
 from armlab.content.robots import Robot
 from armlab.errors import ArmlabError, InputError
 from armlab.session.history import History
@@ -67,6 +69,10 @@ class Session:
         What the student has to be told.
     notice_seen : int
         Number of the last notice that some page has shown; a page that opens later shows only newer ones.
+    front : str
+        Key of the panel last opened; a page that opens later begins there.
+    untaken : int
+        How many commands were refused or changed nothing: pages then show again what holds.
     """
 
     token: str
@@ -76,6 +82,8 @@ class Session:
     mailbox: Mailbox = field(default_factory=Mailbox)
     notice: Notice | None = None
     notice_seen: int = 0
+    front: str = ""
+    untaken: int = 0
 
     @classmethod
     def fresh(cls, token: str, opening: Robot) -> Session:
@@ -96,6 +104,7 @@ class Session:
         at : float
             Seconds of any steady clock; strokes with a pause between them are steps of their own.
         """
+        before = self.state
         try:
             if isinstance(command, Undo):
                 self.state = _with_kept(self.history.undo(self.state), self.state)
@@ -114,6 +123,8 @@ class Session:
         except Exception:
             log.exception("%s failed", command)
             self.tell(f"{type(command).__name__} failed inside the lab; nothing was changed.")
+        if self.state is before:
+            self.untaken += 1
 
     def tell(self, text: str) -> None:
         """Leave a notice for the student."""
@@ -122,7 +133,17 @@ class Session:
 
 def _with_kept(restored: State, present: State) -> State:
     """Return a restored state with the present parts that undo leaves alone."""
-    same_arm = restored[RobotPart].robot is present[RobotPart].robot
-    kept = [part if same_arm else part.for_robot(restored[RobotPart].robot) for part in present if part.kept_by_undo]
+    robot = restored[RobotPart].robot
+    kept = [part for part in present if part.kept_by_undo]
+    if _same_table(restored[RobotPart], present[RobotPart]):
+        kept = [part.for_edited(robot, tuple(range(robot.arm.n))) for part in kept]
+    elif robot is not present[RobotPart].robot:
+        kept = [part.for_robot(robot) for part in kept]
     changed = [part for part in kept if part is not restored[type(part)]]
     return restored.replace(*changed) if changed else restored
+
+
+def _same_table(one: RobotPart, other: RobotPart) -> bool:
+    """Return whether two arms are states of one table under edit, with the same joints."""
+    edited = one.robot is not other.robot and one.origin == other.origin and (one.own or other.own)
+    return edited and np.array_equal(one.robot.arm.revolute, other.robot.arm.revolute)

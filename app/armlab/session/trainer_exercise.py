@@ -70,6 +70,13 @@ class Exercise:
         assert self.q is not None
         return self.q
 
+    def same_as(self, other: Exercise) -> bool:
+        """Return whether the same answers are right: rows in the standard convention, directions of frame 0, pose."""
+        mine, theirs = (converted(exercise.robot.arm, "standard") for exercise in (self, other))
+        if mine.rows != theirs.rows or not np.array_equal(mine.base[:3, :3], theirs.base[:3, :3]):
+            return False
+        return self.usable and other.usable and np.array_equal(self.pose, other.pose)
+
     @cached_property
     def solution(self) -> tuple[Axes, ...]:
         """Legal axes: those of the arm's own table where they lie along the world's."""

@@ -11,11 +11,15 @@ from armlab.kin.dh import Row
 from armlab.kin.relations import is_parallel
 
 
-def judge_table(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]]) -> list[dict[str, CellVerdict]]:
+def judge_table(
+    expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], tolerance: float = LENGTH_TOLERANCE
+) -> list[dict[str, CellVerdict]]:
     """Return the verdicts on the cells of all rows; see `judge_row`.
 
     The place of an origin along parallel axes is free (notes, section 4.1): where the sum of d over rows of parallel
     axes is right, counted along the first of them, each d of these rows is right.
+
+    The tolerance of lengths is in metres.
 
     Raises
     ------
@@ -24,14 +28,14 @@ def judge_table(expected: Sequence[Row], got: Sequence[Mapping[str, float | None
     """
     if len(got) != len(expected):
         raise InputError(f"table: expected {len(expected)} rows, got {len(got)}")
-    verdicts = [judge_row(row, cells) for row, cells in zip(expected, got, strict=True)]
+    verdicts = [judge_row(row, cells, tolerance) for row, cells in zip(expected, got, strict=True)]
     for run in parallel_runs(expected):
-        if _same_sum(expected, got, run):
+        if _same_sum(expected, got, run, tolerance):
             free = CellVerdict(True, "", f"right: only the sum of d over rows {run[0] + 1} to {run[-1] + 1} is defined")
             for i in run:
                 verdicts[i]["d"] = free
                 if verdicts[i]["a"].mistake == "swapped":
-                    verdicts[i]["a"] = judge_cell(expected[i].a, got[i].get("a"), "length")
+                    verdicts[i]["a"] = judge_cell(expected[i].a, got[i].get("a"), "length", tolerance)
     return verdicts
 
 
@@ -47,7 +51,7 @@ def parallel_runs(rows: Sequence[Row]) -> list[range]:
     return runs
 
 
-def _same_sum(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], run: range) -> bool:
+def _same_sum(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], run: range, tolerance: float) -> bool:
     total, sense = 0.0, 1.0
     for i in run:
         value = got[i].get("d")
@@ -55,4 +59,4 @@ def _same_sum(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]]
             return False
         total += sense * (value - expected[i].d)
         sense *= math.copysign(1.0, math.cos(expected[i].alpha))
-    return abs(total) <= LENGTH_TOLERANCE
+    return abs(total) <= tolerance

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from itertools import groupby
 
+from armlab.content.check import Words
 from armlab.content.lessons import Lesson, lessons
 from armlab.content.questions import Question
 from armlab.content.robots import catalogue
@@ -22,6 +23,7 @@ from armlab.session.parts.lesson import (
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped
 from armlab.ui.plugin import Post
+from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
@@ -143,11 +145,11 @@ def _strips(lesson: Lesson, progress: Progress, channel: str) -> str:
 def _text(lesson: Lesson, i: int) -> str:
     step = lesson.steps[i]
     intro = lesson.intro_html
-    if intro and i > 0:
-        intro = f"<details><summary>From the introduction</summary>{intro}</details>"
+    if intro:
+        intro = f"<details><summary>About this lesson</summary>{intro}</details>"
     count = f'<div class="dim">Step {i + 1} of {len(lesson.steps)}</div>'
-    first = "" if i else f"<h2>{escaped(lesson.title)}</h2>{intro}"
-    return f'<div class="lesson-text">{first}{count}<h2>{escaped(step.title)}</h2>{step.html}{intro if i else ""}</div>'
+    title = "" if i else f"<h2>{escaped(lesson.title)}</h2>"
+    return f'<div class="lesson-text">{title}{intro}{count}<h2>{escaped(step.title)}</h2>{step.html}</div>'
 
 
 def _task(state: State, lesson: Lesson, channel: str) -> str:
@@ -161,7 +163,8 @@ def _task(state: State, lesson: Lesson, channel: str) -> str:
     step = state[LessonPart].step
     if step is None or step.check is None:
         return ""
-    met, says = check_line(state)
+    units = units_of(state)
+    met, says = check_line(state, Words(units.length, units.angle))
     if met:
         return '<div class="verdict ok" role="status"><b>✓ Done</b></div>'
     return f'<div class="verdict todo"><b>◐ Not there yet</b>{escaped(says)}</div>'

@@ -115,5 +115,7 @@ def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> Non
         except ArmlabError as refusal:
             # Only a page that is not ours sends what cannot even become a command.
             log.warning("an event was refused: %s", refusal)
+        except Exception:
+            log.exception("an event failed")
 
     getattr(handle, register)(forward)

@@ -28,6 +28,9 @@ PRESETS: dict[str, tuple[float, float] | None] = {
 GROWN = 1.6
 """An edited arm so many times larger or smaller is looked at anew."""
 
+MARGIN = 0.9
+"""Stepping back never brings the eye closer than so much of where it was."""
+
 SETTLING = 4.0
 """Seconds after the start, or the opening of a dock, in which the panels may still take their part of the window."""
 
@@ -70,6 +73,50 @@ class Camera:
         self._robot, self._figure = robot, figure
         if not stay or not 1.0 / GROWN < figure.anatomy.size / self._size < GROWN:
             self.look_from("Home")
+        else:
+            self.keep_in_view()
+
+    def keep_in_view(self) -> None:
+        """Step back, in the direction the eye looks now, if a joint or the tool has left the picture."""
+        if self._robot is None or self._figure is None or len(self._pose()) != self._robot.arm.n:
+            return
+        arm, q = self._robot.arm, self._pose()
+        camera = self._client.camera
+        back = np.asarray(camera.position) - np.asarray(camera.look_at)
+        distance = float(np.linalg.norm(back))
+        points = np.vstack([arm.frames(q)[:, :3, 3], arm.position(q)])
+        if distance == 0.0 or self._seen(points, back / distance):
+            return
+        bounds = self._bounds(self._robot, self._figure)
+        middle = bounds.mean(axis=0)
+        radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
+        self._stand(middle, max(1.02 * radius / math.sin(self._narrow()), MARGIN * distance), back / distance)
+
+    def _seen(self, points: NDArray[np.float64], back: NDArray[np.float64]) -> bool:
+        """Return whether points are in the picture of an eye that looks at a point against ``back``."""
+        camera = self._client.camera
+        right = np.cross([0.0, 0.0, 1.0], back)
+        if np.linalg.norm(right) < 1e-9:
+            right = np.array([1.0, 0.0, 0.0])
+        right /= np.linalg.norm(right)
+        up = np.cross(back, right)
+        away = points - np.asarray(camera.position)
+        depth = -(away @ back)
+        half = math.tan(camera.fov / 2.0)
+        inside = (np.abs(away @ up) < half * depth) & (np.abs(away @ right) < half * camera.aspect * depth)
+        return bool(np.all(inside & (depth > 0.0)))
+
+    def _narrow(self) -> float:
+        """Return half the angle of view, the smaller of height and width."""
+        return math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, self._client.camera.aspect))
+
+    def _stand(self, middle: NDArray[np.float64], distance: float, back: NDArray[np.float64]) -> None:
+        camera = self._client.camera
+        # In this order: assigning the position keeps the point looked at.
+        camera.fov = FIELD_OF_VIEW
+        camera.look_at = middle
+        camera.position = middle + distance * back
+        camera.look_at = middle
 
     def look_from(self, preset: str) -> None:
         """Look from one of the `PRESETS`, with the whole arm in the picture, at home and as it is now."""
@@ -80,15 +127,9 @@ class Camera:
         bounds = self._bounds(self._robot, self._figure)
         middle = bounds.mean(axis=0)
         radius = float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0
-        camera = self._client.camera
-        self._aspect, self._size = camera.aspect, self._figure.anatomy.size
-        narrow = math.atan(math.tan(FIELD_OF_VIEW / 2.0) * min(1.0, self._aspect))
-        distance = 1.02 * home.distance * radius / math.sin(narrow)
-        # In this order: assigning the position keeps the point looked at.
-        camera.fov = FIELD_OF_VIEW
-        camera.look_at = middle
-        camera.position = middle + distance * _direction(math.radians(azimuth), math.radians(elevation))
-        camera.look_at = middle
+        self._aspect, self._size = self._client.camera.aspect, self._figure.anatomy.size
+        distance = 1.02 * home.distance * radius / math.sin(self._narrow())
+        self._stand(middle, distance, _direction(math.radians(azimuth), math.radians(elevation)))
 
     def _bounds(self, robot: Robot, figure: Figure) -> NDArray[np.float64]:
         """Return the corners (2, 3) of a box around the arm at home, or in all its poses, and as it is now."""

@@ -80,6 +80,11 @@ class Canvas:
         self._listeners.append(listener)
 
     @property
+    def gliding(self) -> bool:
+        """Whether a short move is on its way."""
+        return self._glide is not None
+
+    @property
     def shown(self) -> NDArray[np.float64]:
         """The configuration on screen."""
         return self._shown

@@ -93,6 +93,9 @@ class LayerCanvas:
 
     def remove(self) -> None:
         """Remove everything of the layer."""
+        if not self.hidden:
+            for listener in self._on_hide:
+                listener()
         self.hidden = True
         self._nodes.remove()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import math
 from collections.abc import Sequence
-from functools import cache
+from functools import lru_cache
 
 import latex2mathml.converter
 import numpy as np
@@ -73,7 +73,7 @@ def escaped(text: str) -> str:
     return html.escape(text, quote=True)
 
 
-@cache
+@lru_cache(maxsize=4096)
 def mathml(latex: str, block: bool = False) -> str:
     """Return a formula as MathML."""
     converted: str = latex2mathml.converter.convert(latex, display="block" if block else "inline")

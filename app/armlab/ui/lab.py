@@ -14,7 +14,7 @@ from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.parts.lesson import LessonPart, OpenLesson
 from armlab.session.parts.robot import ChooseRobot
-from armlab.session.parts.timeline import clips
+from armlab.session.parts.timeline import Play, Timeline, clips
 from armlab.session.session import Session
 from armlab.session.state import Command, part_types
 from armlab.session.store import Store
@@ -138,6 +138,8 @@ class Lab:
             if not views:
                 del self._of_session[view.session.token]
                 del self._players[view.session.token]
+                if view.session.state[Timeline].playing:
+                    self.worker.post(view.session, Play(False))
 
     def _publish(self, session: Session) -> None:
         """Have the views of a session shown, on the event loop; called by the worker."""

@@ -76,8 +76,8 @@ class Tab:
         )
         self._head.show(f'<div class="pages" role="tablist">{chips}</div>')
 
-    def show(self, state: State) -> None:
-        """Show a state on the present page."""
+    def show(self, state: State, again: bool = False) -> None:
+        """Show a state on the present page; ``again`` also when it is the one shown, over what a person typed."""
         panel = self.pages[self.page]
         before, self._shown = self._shown, state
         new = before is None or self._built != self.page or _differ(panel.rebuilds, state, before)
@@ -86,7 +86,7 @@ class Tab:
                 self._built = self.page
                 self._gui.clear()
                 self._show = self._try(panel.build, self._gui, state, self._post)
-            if self._show is not None and (new or before is None or _differ(panel.watches, state, before)):
+            if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)
 
     def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:

@@ -28,7 +28,7 @@ SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
 class TimelineBar:
-    """The bar in one browser; there when a clip is open.
+    """The bar in one browser; there when a clip is on.
 
     The bar itself is rewritten only when something but the time has changed, or a hand on its thumb would lose it. The
     time goes to the page in a mark of its own, and the page's script moves the thumb between two marks by its clock.
@@ -40,11 +40,11 @@ class TimelineBar:
         self._clock = Fields(client.gui, self._pressed)
         self._state: State | None = None
 
-    def show(self, state: State) -> None:
-        """Show the timeline of a state."""
+    def show(self, state: State, open_panels: frozenset[str]) -> None:
+        """Show the timeline of a state; that of a clip of which nothing is to be seen is not shown either."""
         self._state = state
         timeline = state[Timeline]
-        if not timeline.clip:
+        if not timeline.clip or clips()[timeline.clip].panel not in ("", *open_panels):
             self._bar.show("")
             self._clock.show("")
             return

@@ -10,7 +10,7 @@ from armlab.errors import InputError
 from armlab.kin.dh import Convention
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
-from armlab.ui.format import length, number, subscript, turn
+from armlab.ui.format import length, number, subscript
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,8 @@ class Units:
 
     def turned(self, value: float) -> str:
         """Return an angle without its unit, in the half-open turn around zero: what rounds to −180° is 180°."""
-        return turn(value) if self.in_degrees else self.text(value, True)
+        text = self.text(math.remainder(value, 2.0 * math.pi), True)
+        return self.text(math.pi, True) if text == self.text(-math.pi, True) else text
 
     def length(self, value: float) -> str:
         """Return a length with its unit."""

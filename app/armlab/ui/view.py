@@ -9,9 +9,11 @@ from collections.abc import Callable
 
 import viser
 
+from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target
 from armlab.session.session import Session
 from armlab.session.state import Command, State
 from armlab.ui import commands
@@ -38,6 +40,9 @@ DOCK_WIDTH = 345
 
 FIRST_TAB = "joints"
 
+SETTLED = 0.6
+"""Seconds after which a move made by the lab has ended."""
+
 LINGER = 0.15
 """Seconds for which the bodies of an arm stay after it was edited: the page takes as long to unpack the new ones."""
 
@@ -63,13 +68,15 @@ class View:
         self._canvases = 0
         self._drawings: list[Drawing] = []
         self._tabs: dict[str, Tab] = {}
-        self._seen: frozenset[str] = frozenset((FIRST_TAB,))
         self._shown: State | None = None
+        self._making: Arm | None = None
         self._robot: RobotPart | None = None
-        self._told = session.notice_seen
+        self._told, self._untaken = session.notice_seen, session.untaken
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._closed = False
+        first = session.front if session.front in panels() else FIRST_TAB
+        self._seen: frozenset[str] = frozenset((panels()[first].tab or first,))
         with client.atomic():
             self._theme(session.state)
             self._overlay = Overlay(client, post, self._tabs_seen)
@@ -77,7 +84,9 @@ class View:
             self._dock()
             self._lesson = LessonDock(client, self._gui, post)
             commands.register(self)
-        self._overlay.open_tab(panels()[FIRST_TAB].title)
+        (seen,) = self._seen
+        self._tabs[seen].turn_to(first)
+        self._overlay.open_tab(panels()[seen].title)
         self.show()
 
     def _dock(self) -> None:
@@ -130,6 +139,7 @@ class View:
     def _panels_changed(self) -> None:
         if self._closed or self._shown is None:
             return
+        self.session.front = next(iter(self.open_panels), self.session.front)
         with self.client.atomic():
             self._show_layers(self._shown)
         self.client.flush()
@@ -151,6 +161,9 @@ class View:
                     self._show_layers(state)
                 if before is not None and DARK.on(state) != DARK.on(before):
                     self._theme(state)
+                if self._canvas is not None and self._canvas.gliding and state[Target].pose is None:
+                    # A jump; under a hand on the handle the eye stays where it is.
+                    self._loop.call_later(SETTLED, self._keep_in_view)
                 lesson_changed = self._lesson.open(state)
             self.client.flush()
             if lesson_changed:
@@ -163,6 +176,11 @@ class View:
         self.camera.make_room(lesson is not None)
         if lesson is not None and lesson.panel in panels():
             self.open_tab(lesson.panel)
+
+    def _keep_in_view(self) -> None:
+        if not self._closed:
+            self.camera.keep_in_view()
+            self.client.flush()
 
     def _show_layers(self, state: State) -> None:
         if self._robot is None or state[RobotPart].robot is not self._robot.robot:
@@ -178,8 +196,10 @@ class View:
         arm = state[RobotPart].robot.arm
         drawn = self._gallery.ready(arm)
         if drawn is None:
-            making = self._loop.run_in_executor(None, self._gallery.make, arm)
-            making.add_done_callback(lambda future: self._figure_made(future.exception()))
+            if self._making is not arm:
+                self._making = arm
+                making = self._loop.run_in_executor(None, self._gallery.make, arm)
+                making.add_done_callback(lambda future: self._figure_made(arm, future.exception()))
             return
         self._remove_drawings()
         self._canvases += 1
@@ -202,14 +222,22 @@ class View:
     def _look_at(self, drawn: Drawn, before: RobotPart | None) -> None:
         """Follow another arm with the camera; an edit of the same table leaves the eye where it is."""
         assert self._robot is not None
-        edited = before is not None and before.origin == self._robot.origin and (before.own or self._robot.own)
+        edited = (
+            before is not None
+            and before.origin == self._robot.origin
+            and before.robot.name == self._robot.robot.name
+            and (before.own or self._robot.own)
+        )
         self.camera.follow(self._robot.robot, drawn.figure, stay=edited)
 
-    def _figure_made(self, problem: BaseException | None) -> None:
+    def _figure_made(self, arm: Arm, problem: BaseException | None) -> None:
+        """Show what was made. One that cannot be drawn is said once, and not tried again."""
         if problem is not None:
             log.error("the arm cannot be drawn", exc_info=problem)
             self.client.add_notification("Not drawn", "This arm cannot be drawn; the numbers are right.", color="red")
             return
+        if self._making is arm:
+            self._making = None
         if not self._closed and self._gallery.ready(self.session.robot.arm):
             self._shown = None
             self.show()
@@ -230,11 +258,12 @@ class View:
             return
         self._refreshed = self._loop.time()
         with self.client.atomic():
+            again, self._untaken = self._untaken != self.session.untaken, self.session.untaken
             for key in self._seen:
-                self._tabs[key].show(self.session.state)
+                self._tabs[key].show(self.session.state, again)
             self._lesson.show(self.session.state)
             self._show_overlay()
-            self._timeline.show(self.session.state)
+            self._timeline.show(self.session.state, self.open_panels)
             self._tell()
         self.client.flush()
 

@@ -14,6 +14,7 @@ import viser
 
 from armlab.ui import adapter
 from armlab.ui.camera import Camera
+from armlab.ui.format import escaped
 
 log = logging.getLogger(__name__)
 
@@ -96,7 +97,7 @@ class Fields:
         self.channel = gui.add_text("channel", "", visible=False)
         self.html = gui.add_html("")
         self._on_input = on_input
-        self._revision = 0
+        self._revision = self._shown_revision = 0
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
 
     def _receive(self) -> None:
@@ -106,7 +107,12 @@ class Fields:
             log.warning("a page that is not ours wrote into a field")
             return
         self._revision += 1  # so that the next `show` also replaces a text that was not taken
-        self._on_input(str(cell), str(text))
+        self._on_input(_whole(str(cell)), _whole(str(text)))
+
+    @property
+    def stale(self) -> bool:
+        """Whether a person has typed or pressed since the markup was shown: what stands there may not hold."""
+        return self._revision != self._shown_revision
 
     @property
     def channel_id(self) -> str:
@@ -115,15 +121,21 @@ class Fields:
 
     def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "") -> str:
         """Return the markup of one input field; Enter goes on to the field ``below``."""
-        off = (" disabled" if disabled else "") + (f' data-below="{below}"' if below else "")
+        off = (" disabled" if disabled else "") + (f' data-below="{escaped(below)}"' if below else "")
         return (
-            f'<input class="field" inputmode="decimal" autocomplete="off" aria-label="{label}" value="{value}"'
-            f' data-chan="{self.channel_id}" data-cell="{cell}"{off}>'
+            f'<input class="field" inputmode="decimal" autocomplete="off" aria-label="{escaped(label)}"'
+            f' value="{escaped(value)}" data-chan="{self.channel_id}" data-cell="{escaped(cell)}"{off}>'
         )
 
     def show(self, content: str) -> None:
         """Show this markup, which holds the fields."""
+        self._shown_revision = self._revision
         adapter.set_content(self.html, f'<div class="al" data-revision="{self._revision}">{content}</div>')
+
+
+def _whole(text: str) -> str:
+    """Return text without half characters, which could be kept but never sent to a page again."""
+    return text.encode("utf-8", "replace").decode("utf-8")
 
 
 class Segments:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from armlab.content.check import CheckType, degrees, metres, tolerance, turn_between
+from armlab.content.check import PLAIN, CheckType, Words, tolerance, turn_between
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -24,9 +24,9 @@ class JointAt:
         """Whether the joint is within the tolerance."""
         return abs(self._missing(observation)) <= self.within
 
-    def says(self, observation: Observation) -> str:
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return what the joint is at and what it should be; names a wrong sign."""
-        written = degrees if self.revolute else metres
+        written = words.angle if self.revolute else words.length
         now = float(observation.q[self.number - 1])
         if self.is_met(observation):
             return f"Joint {self.number} is where it should be."

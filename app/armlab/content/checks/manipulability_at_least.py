@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from armlab.content.check import CheckType, tolerance
+from armlab.content.check import PLAIN, CheckType, Words, tolerance
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -20,7 +20,7 @@ class ManipulabilityAtLeast:
         """Whether it is."""
         return self._of(observation) >= self.value
 
-    def says(self, observation: Observation) -> str:
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return what it is and what it should be; names a singularity."""
         now = self._of(observation)
         if now >= self.value:

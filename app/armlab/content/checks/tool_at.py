@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.check import CheckType, degrees, metres, tolerance, turn_between
+from armlab.content.check import PLAIN, CheckType, Words, tolerance, turn_between
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -34,16 +34,16 @@ class ToolAt:
         turned = self._turn_missing(observation)
         return self._distance(observation) <= self.within and (turned is None or abs(turned) <= self.phi_within)
 
-    def says(self, observation: Observation) -> str:
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return how far the tool is away and in which coordinate, or how far it is turned."""
         distance, turned = self._distance(observation), self._turn_missing(observation)
         if distance > self.within:
-            mistake = self._mistake(observation.tool_pose[:3, 3])
-            return f"The tool is {metres(distance)} away from {_point(self.position)}: {mistake}."
+            mistake = self._mistake(observation.tool_pose[:3, 3], words)
+            return f"The tool is {words.length(distance)} away from {_point(self.position, words)}: {mistake}."
         if turned is None or abs(turned) <= self.phi_within:
             return "The tool is where it should be."
         way = "counter-clockwise" if turned > 0 else "clockwise"
-        return f"The position is right; the angle φ is not: turn the tool {degrees(abs(turned))} {way}."
+        return f"The position is right; the angle φ is not: turn the tool {words.angle(abs(turned))} {way}."
 
     def _distance(self, observation: Observation) -> float:
         return float(np.linalg.norm(observation.tool_pose[:3, 3] - self.position))
@@ -54,7 +54,7 @@ class ToolAt:
         x = observation.tool_pose[:2, 0]
         return turn_between(math.atan2(x[1], x[0]), self.phi)
 
-    def _mistake(self, p: NDArray[np.float64]) -> str:
+    def _mistake(self, p: NDArray[np.float64], words: Words) -> str:
         """Return the mistake that explains the position, or the coordinate that is farthest off."""
         asked = self.position
         for signs, says in _MIRRORED:
@@ -63,12 +63,13 @@ class ToolAt:
         if np.linalg.norm(p - asked[[1, 0, 2]]) <= self.within:
             return "x and y are exchanged"
         k = int(np.argmax(np.abs(p - asked)))
-        return f"{'xyz'[k]} is {metres(p[k])} and should be {metres(asked[k])}"
+        return f"{'xyz'[k]} is {words.length(float(p[k]))} and should be {words.length(float(asked[k]))}"
 
 
-def _point(p: NDArray[np.float64]) -> str:
-    x, y, z = (metres(value).removesuffix(" m") for value in p)
-    return f"({x}, {y}, {z}) m"
+def _point(p: NDArray[np.float64], words: Words) -> str:
+    written = [words.length(float(value)) for value in p]
+    unit = written[0].rpartition(" ")[2]
+    return f"({', '.join(text.removesuffix(f' {unit}') for text in written)}) {unit}"
 
 
 def read(table: Table, robot: Robot) -> ToolAt:

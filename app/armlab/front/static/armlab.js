@@ -77,6 +77,15 @@
     }, () => { button.dataset.done = '0'; });
   });
 
+  // In a field where nothing has been typed Ctrl+Z is the lab's, not the field's.
+  document.addEventListener('keydown', event => {
+    const field = event.target;
+    if (!(event.ctrlKey || event.metaKey) || event.code !== 'KeyZ' || !field.matches?.('input.field')) return;
+    if (field.value !== field.defaultValue) return;
+    event.preventDefault();
+    document.querySelector(`.al-steps button[data-cell=${event.shiftKey ? 'redo' : 'undo'}]`)?.click();
+  });
+
   // <button data-key=CODE> is pressed by that key when no control has the focus.
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
@@ -114,6 +123,13 @@
   document.addEventListener('focusin', event => {
     last = event.target.matches?.('[data-chan]') ? event.target : null;
   });
+  document.addEventListener('focusout', event => {
+    const field = event.target;
+    if (!field.dataset?.unsent || !field.isConnected) return;
+    delete field.dataset.unsent;
+    send(field, field.value);
+  });
+  document.addEventListener('change', event => delete event.target.dataset?.unsent, true);
   // A field the person has left is not to be gone back to. (Its removal looks like leaving it, so focusout cannot tell.)
   document.addEventListener('pointerdown', event => {
     if (!event.target.closest?.('[data-chan]')) last = null;
@@ -126,8 +142,10 @@
     const unsent = last.matches('input.field') && last.value !== last.defaultValue ? last.value : null;
     last = same;
     same?.focus({ preventScroll: true });
-    if (unsent !== null && same) same.value = unsent;
-    else if (same?.select) same.select();
+    if (unsent !== null && same) {
+      same.value = unsent;
+      same.dataset.unsent = '1'; // a value set here is no change to the page: it has to be sent when it is left
+    } else if (same?.select) same.select();
   };
 
   // Keys that move the camera must not do so while a slider, a tab or a list has the focus.

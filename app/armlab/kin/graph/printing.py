@@ -133,5 +133,19 @@ class Printer:
         return f"{letter}_{digits}" if len(digits) == 1 else f"{letter}_{{{digits}}}"
 
 
+def term_counts(graph: Graph) -> list[int]:
+    """Return how many terms each node of a graph has when it is printed: the parts between plus and minus signs.
+
+    Terms inside the parentheses of products count, those inside functions do not. Nothing is printed for it: a graph
+    of some hundred nodes may print as millions of terms.
+    """
+    counts: list[int] = []
+    for node in graph.nodes:
+        inside = sum(counts[index] for index in operands(node))
+        more = {"add": 0, "sub": 0, "add_constant": 1, "mul": -1, "mul_constant": 0}.get(node[0])
+        counts.append(1 if more is None else inside + more)
+    return counts
+
+
 def _number(value: float) -> str:
     return f"{value + 0.0:.12g}"  # + 0.0 turns -0.0 into 0

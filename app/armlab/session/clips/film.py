@@ -112,4 +112,4 @@ def _stops(state: State) -> tuple[float, ...]:
     return tuple(k * MOVE_SECONDS for k in range(1, moves_in(state[RobotPart].robot.arm)))
 
 
-CLIP = Clip("film", "DH film", _duration, _stops, lambda state, time: state)
+CLIP = Clip("film", "DH film", _duration, _stops, lambda state, time: state, panel="film")

@@ -59,11 +59,11 @@ class VelocityBlock:
 
     @cached_property
     def speeds(self) -> Array | None:
-        """Speed of each joint that counts as 1, shape (n,), rad/s or m/s; None where every joint turns.
+        """Speed of each joint that counts as 1, shape (n,), rad/s or m/s; None where all turn or all slide.
 
         Joints that slide and joints that turn have no common unit: each is measured by its limit.
         """
-        if self.arm.revolute.all():
+        if self.arm.revolute.all() or not self.arm.revolute.any():
             return None
         limits = self.arm.speed_limits
         return np.where(np.isfinite(limits), limits, DEFAULT_SPEED)

@@ -10,6 +10,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
+from armlab.content.check import PLAIN, Words
 from armlab.content.lessons import Lesson, Step, lessons
 from armlab.content.observation import Observation
 from armlab.content.questions import Verdict
@@ -141,7 +142,7 @@ def has_its_arm(state: State) -> bool:
     return lesson is not None and not robot.own and robot.robot.key == lesson.robot
 
 
-def check_line(state: State) -> tuple[bool, str]:
+def check_line(state: State, words: Words = PLAIN) -> tuple[bool, str]:
     """Return whether the check of the shown step has been met, and what is missing (plain text).
 
     The text is empty when the step has no check or the arm is not the lesson's.
@@ -150,7 +151,7 @@ def check_line(state: State) -> tuple[bool, str]:
     step, met = part.step, part.progress.step in part.progress.met
     if step is None or step.check is None or met or not has_its_arm(state):
         return met, ""
-    return met, step.check.says(_observation(state))
+    return met, step.check.says(_observation(state), words)
 
 
 def _observation(state: State) -> Observation:
@@ -171,7 +172,7 @@ class OpenLesson(Command):
 
     key: str
     anew: bool = False
-    label: ClassVar[str] = "lesson"
+    label: ClassVar[str] = "arm of the lesson"
 
     def apply(self, state: State) -> State:
         """Return the state at the start of the lesson, or the same state when it is open already."""

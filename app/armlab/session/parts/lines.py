@@ -184,6 +184,18 @@ class TakeAxes(Command):
 
 
 @dataclass(frozen=True)
+class KeepLines(Command):
+    """Keep the lines where they are: they follow the axes of the arm no longer."""
+
+    label: ClassVar[str] = "lines of one's own"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the lines the student's own."""
+        lines = state[Lines]
+        return state if lines.pair is None else state.replace(replace(lines, pair=None))
+
+
+@dataclass(frozen=True)
 class HandleLines(Command):
     """Choose what dragging a line does."""
 

@@ -10,6 +10,7 @@ from armlab.content.robots import OWN, Robot, catalogue, parse_robot
 from armlab.content.write_robot import robot_toml
 from armlab.errors import InputError
 from armlab.kin.convert import Link, Remainders
+from armlab.session.sizes import check_sizes
 from armlab.session.state import Command, Json, Part, PartType, State
 
 
@@ -79,7 +80,9 @@ def _moved(data: Json) -> Remainders | None:
 def robot_from_json(data: Json) -> Robot:
     """Return the robot a written part names or holds; raises when it is not usable."""
     if isinstance(data, dict):
-        return parse_robot(OWN, data["toml"], proven=False)
+        robot = parse_robot(OWN, data["toml"], proven=False)
+        check_sizes(robot.arm)
+        return robot
     return catalogue()[data]
 
 

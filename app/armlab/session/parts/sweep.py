@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import ClassVar, Self
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
-from armlab.kin.ellipsoid import measures
+from armlab.kin.ellipsoid import SingularPlaces, measures, singular_places
 from armlab.session.parts.ellipsoid import Manipulability, VelocityBlock
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
@@ -22,18 +23,13 @@ Array = NDArray[np.float64]
 
 CLIP_KEY = "sweep"
 
+SECONDS = 8.0
+
 POINTS = 361
 """Of a curve."""
 
-ZOOMS, ZOOM_POINTS = 4, 33
-"""A minimum is narrowed down so many times, each time among so many points."""
-
-SINGULAR = 1e-4
-"""Largest inverse condition at a minimum that counts as a singularity; the narrowing leaves less than 1e-6."""
-
-
-SHALLOW = 0.1
-"""A dip of the sampled inverse condition that stays above is none: between two points it changes by less."""
+UNTOUCHED = 1e-9
+"""rad or m from where the sweep has put it, within which no hand has moved the joint."""
 
 
 @dataclass(frozen=True)
@@ -60,12 +56,15 @@ class Sweep(Part):
         return cls(min(1, robot.arm.n - 1))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the joint where it is still there."""
-        return type(self)(origin.index(self.joint)) if self.joint in origin else self.initial(robot)
+        """Keep joint and start where the joint is still there."""
+        return replace(self, joint=origin.index(self.joint)) if self.joint in origin else self.initial(robot)
 
     def after(self, before: State, now: State) -> Self:
-        """Forget the start when the clip is closed."""
-        return replace(self, start=None) if self.start is not None and now[Timeline].clip != CLIP_KEY else self
+        """Forget the start when the clip is closed, and where the joint that turned now slides or the other way."""
+        if self.start is None:
+            return self
+        was, is_now = (state[Joints].arm.revolute[state[Sweep].joint] for state in (before, now))
+        return replace(self, start=None) if now[Timeline].clip != CLIP_KEY or was != is_now else self
 
     def to_json(self) -> Json:
         """Write joint and start."""
@@ -83,10 +82,46 @@ class Sweep(Part):
 
 PART = PartType(Sweep, order=95)
 
+Leg = tuple[float, float, float, float]
+"""When it begins, how long it lasts, and the joint's value at either end."""
+
+
+def legs(state: State) -> tuple[Leg, Leg, Leg]:
+    """Return the three legs: from the start to the low limit, to the high limit, and back to the start."""
+    joints, sweep = state[Joints], state[Sweep]
+    low, high = (float(value) for value in joints.arm.limits[sweep.joint])
+    start = float(joints.q[sweep.joint]) if sweep.start is None else min(max(sweep.start, low), high)
+    second = SECONDS / (2.0 * (high - low)) if high > low else 0.0
+    down, up, back = (start - low) * second, (high - low) * second, (high - start) * second
+    return (0.0, down, start, low), (down, up, low, high), (down + up, back, high, start)
+
+
+def value_at(way: tuple[Leg, ...], time: float) -> float:
+    """Return the value of the joint at a time, rad or m."""
+    begin, duration, first, last = next((leg for leg in way if time < leg[0] + leg[1]), way[-1])
+    part = (time - begin) / duration if duration > 0.0 else 1.0
+    return first + eased(min(max(part, 0.0), 1.0)) * (last - first)
+
+
+def eased(s: float) -> float:
+    """Return the minimum-jerk course from 0 to 1: it rests at both ends."""
+    return s * s * s * (10.0 + s * (6.0 * s - 15.0))
+
+
+def put_back(state: State) -> State:
+    """Return the state with the joint where it stood before the sweep, unless a hand has moved it meanwhile."""
+    sweep, joints = state[Sweep], state[Joints]
+    if sweep.start is None or abs(joints.q[sweep.joint] - value_at(legs(state), state[Timeline].time)) > UNTOUCHED:
+        return state
+    q = joints.q.copy()
+    q[sweep.joint] = sweep.start
+    moved = joints.moved_to(q)
+    return state if moved is joints else state.replace(moved)
+
 
 @dataclass(frozen=True)
 class SweepJoint(Command):
-    """Choose the joint that sweeps; an open clip begins anew from where that joint stands."""
+    """Choose the joint that sweeps; an open clip begins anew from there, and the joint before goes back."""
 
     joint: int
     undoable: ClassVar[bool] = False
@@ -101,7 +136,7 @@ class SweepJoint(Command):
         if timeline.clip != CLIP_KEY:
             return state.replace(Sweep(self.joint))
         started = Sweep(self.joint, free_start(joints, self.joint))
-        return state.replace(started, replace(timeline, time=0.0, playing=False))
+        return put_back(state).replace(started, replace(timeline, time=0.0, playing=False))
 
 
 def free_start(joints: Joints, joint: int) -> float:
@@ -126,60 +161,78 @@ class Curves:
     values : ndarray, shape (N,)
         Of the joint, rising from limit to limit, rad or m.
     w, sigma_min, inverse_condition : ndarray, shape (N,)
-    singular : tuple of float
-        Values of the joint, rising, limits included, at which speed is lost some way; empty where it always is.
     """
 
     values: Array
     w: Array
     sigma_min: Array
     inverse_condition: Array
-    singular: tuple[float, ...]
 
 
-def curves(state: State) -> Curves:
-    """Return the curves of the joint that sweeps; they do not depend on where it stands."""
+Course = tuple[VelocityBlock, int, bytes]
+"""What the curves depend on: the block, the joint that sweeps, and where the others stand."""
+
+
+def course(state: State) -> Course:
+    """Return what is swept; it does not depend on where the joint stands."""
     joints, joint = state[Joints], state[Sweep].joint
     others = np.array(joints.q)
     others[joint] = joints.arm.limits[joint, 0]
-    return _curves(state[Manipulability].block, joint, others.tobytes())
+    return state[Manipulability].block, joint, others.tobytes()
+
+
+def curves(state: State) -> Curves:
+    """Return the curves of the joint that sweeps."""
+    return _curves(course(state))
+
+
+def singularities(state: State) -> SingularPlaces:
+    """Return at which values of the joint that sweeps speed is lost some way; cheap enough for every picture."""
+    return _singularities(course(state))
 
 
 @lru_cache(maxsize=64)
-def _curves(block: VelocityBlock, joint: int, others: bytes) -> Curves:
-    q = np.frombuffer(others)
+def _curves(swept: Course) -> Curves:
+    block, joint, _ = swept
     low, high = block.arm.limits[joint]
     values = np.linspace(low, high, POINTS)
-    w, inverse, smallest = measures(block.rows(_configurations(q, joint, values)), block.speeds)
-    singular = _singular(block, q, joint, values, inverse)
-    return Curves(values, w, smallest, inverse, singular)
+    w, inverse, smallest = measures(_scaled_rows(swept, values))
+    return Curves(values, w, smallest, inverse)
 
 
-def _configurations(q: Array, joint: int, values: Array) -> Array:
-    batch = np.repeat(q[None], len(values), axis=0)
+@lru_cache(maxsize=64)
+def _singularities(swept: Course) -> SingularPlaces:
+    block, joint, _ = swept
+    low, high = block.arm.limits[joint].tolist()
+    return singular_places(_fitted(swept), low, high)
+
+
+def _fitted(swept: Course) -> Callable[[Array], Array]:
+    """Return `_scaled_rows` of one joint's values as a short sum, many times quicker and exact but for rounding.
+
+    Along a prismatic joint the entries are affine; along a revolute one they are linear in its cosine and sine, and
+    quadratic in the axes of the tool.
+    """
+    block, joint, _ = swept
+    revolute = bool(block.arm.revolute[joint])
+
+    def terms(values: Array) -> Array:
+        one = np.ones_like(values)
+        if not revolute:
+            return np.stack([one, values], axis=-1)
+        twice = 2.0 * values
+        return np.stack([one, np.cos(values), np.sin(values), np.cos(twice), np.sin(twice)], axis=-1)
+
+    nodes: Array = np.linspace(0.0, 1.6 * math.pi, 5) if revolute else np.array([0.0, 1.0])
+    rows = _scaled_rows(swept, nodes)
+    factors = np.linalg.solve(terms(nodes), rows.reshape(len(nodes), -1))
+    return lambda values: (terms(values) @ factors).reshape(-1, *rows.shape[1:])
+
+
+def _scaled_rows(swept: Course, values: Array) -> Array:
+    """Return the block at values of the joint, each column in parts of the speed that counts as 1."""
+    block, joint, others = swept
+    batch = np.repeat(np.frombuffer(others)[None], len(values), axis=0)
     batch[:, joint] = values
-    return batch
-
-
-def _singular(block: VelocityBlock, q: Array, joint: int, values: Array, inverse: Array) -> tuple[float, ...]:
-    """Return where the inverse condition falls to zero."""
-    if not inverse.any():
-        return ()
-    inside = inverse[1:-1]
-    dips = np.flatnonzero((inside < inverse[:-2]) & (inside <= inverse[2:]) & (inside < SHALLOW)) + 1
-    found = [float(values[i]) for i in (0, -1) if inverse[i] < SINGULAR]
-    for i in dips:
-        at, least = _narrowed(block, q, joint, float(values[i - 1]), float(values[i + 1]))
-        if least < SINGULAR:
-            found.append(at)
-    return tuple(sorted(found))
-
-
-def _narrowed(block: VelocityBlock, q: Array, joint: int, low: float, high: float) -> tuple[float, float]:
-    """Return the place and the value of the smallest inverse condition in an interval."""
-    for _ in range(ZOOMS):
-        values = np.linspace(low, high, ZOOM_POINTS)
-        inverse = measures(block.rows(_configurations(q, joint, values)), block.speeds).inverse_condition
-        best = int(np.argmin(inverse))
-        low, high = values[max(best - 1, 0)], values[min(best + 1, ZOOM_POINTS - 1)]
-    return float(values[best]), float(inverse[best])
+    rows = block.rows(batch)
+    return rows if block.speeds is None else rows * block.speeds

@@ -32,6 +32,10 @@ class Clip:
         Times, rising, at which stepping stops; of a state.
     at : callable
         ``at(state, time) -> State``: what the clip changes besides the time, such as the joints. Pure.
+    panel : str
+        Key of the panel without which there is nothing to see of it; empty when it moves the arm itself.
+    closed : callable
+        ``closed(state) -> State``: what is put back when the clip is taken off. Pure.
     """
 
     key: str
@@ -39,6 +43,8 @@ class Clip:
     duration: Callable[[State], float]
     stops: Callable[[State], tuple[float, ...]]
     at: Callable[[State, float], State]
+    panel: str = ""
+    closed: Callable[[State], State] = lambda state: state
 
 
 @cache
@@ -118,9 +124,10 @@ def duration(state: State) -> float:
 
 @dataclass(frozen=True)
 class OpenClip(Command):
-    """Put a clip on, at its start and paused; an empty key puts none on."""
+    """Put a clip on at its start, paused or playing; an empty key puts none on."""
 
     key: str
+    play: bool = False
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
@@ -128,9 +135,11 @@ class OpenClip(Command):
         if self.key and self.key not in clips():
             raise UnknownName("clip", self.key, clips())
         timeline = state[Timeline]
-        if timeline.clip == self.key:
+        if timeline.clip == self.key and not self.play:
             return state
-        return _at(state.replace(replace(timeline, clip=self.key, playing=False)), 0.0)
+        if timeline.clip and timeline.clip != self.key:
+            state = clips()[timeline.clip].closed(state)
+        return _at(state.replace(replace(timeline, clip=self.key, playing=self.play)), 0.0)
 
 
 @dataclass(frozen=True)

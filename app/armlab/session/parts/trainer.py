@@ -5,7 +5,7 @@ Its commands are in `armlab.session.trainer_commands`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar, Self
 
@@ -14,7 +14,14 @@ import numpy as np
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.assignment import Assignment, CellVerdict, FrameVerdict, expected_table, judge_frames
+from armlab.kin.assignment import (
+    Assignment,
+    CellVerdict,
+    FrameVerdict,
+    expected_table,
+    judge_frames,
+    length_tolerance,
+)
 from armlab.kin.dh import Row
 from armlab.session.state import Json, Part, PartType
 from armlab.session.trainer_answers import FIELDS, Answers
@@ -49,6 +56,11 @@ class Trainer(Part):
         """Return an exercise that has not begun."""
         return cls(Exercise(robot), Answers.empty(robot.arm.n))
 
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep the answers where they answer the same exercise, such as after a change of limits."""
+        exercise = Exercise(robot)
+        return replace(self, exercise=exercise) if self.exercise.same_as(exercise) else self.for_robot(robot)
+
     def to_json(self) -> Json:
         """Write the answers."""
         return {"started": self.started, **self.answers.to_json()}
@@ -57,6 +69,8 @@ class Trainer(Part):
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read them back; raises when they are not usable with this arm."""
         part = cls(Exercise(robot), Answers.from_json(data, robot.arm.n), bool(data["started"]))
+        if not part.started and part.answers != Answers.empty(robot.arm.n):
+            raise InputError("trainer: answers to an exercise that has not begun")
         if part.started and not part.exercise.usable:
             raise InputError("trainer: this arm has no exercise")
         if part.answers.placed and not (part.started and part.all_legal):
@@ -88,7 +102,8 @@ class Trainer(Part):
         table, checked = self.answers.cells, self.answers.checked_cells
         if checked is None or self.assignment is None:
             return ({},) * self.exercise.n
-        verdicts = judge_table(self.assignment.rows, [dict(zip(FIELDS, row, strict=True)) for row in checked])
+        typed = [dict(zip(FIELDS, row, strict=True)) for row in checked]
+        verdicts = judge_table(self.assignment.rows, typed, length_tolerance(self._arm))
         return tuple(
             {
                 name: verdict

@@ -22,6 +22,9 @@ from armlab.kin.transforms import inverse
 
 Pose = NDArray[np.float64]
 
+SMALLEST = 1e-6
+"""An arm with fewer metres in a line has no length one could draw it by."""
+
 
 @dataclass(frozen=True, eq=False)
 class Body:
@@ -139,7 +142,9 @@ def anatomy_of(arm: Arm) -> Anatomy:
         )
         bodies.append(body)
         hang = body.end
-    size = arm.reach - float(np.linalg.norm(arm.tool[:3, 3])) or 1.0
+    size = arm.reach - float(np.linalg.norm(arm.tool[:3, 3]))
+    if size < SMALLEST:
+        size = 1.0
     thinning = 0.45 / max(arm.n, 3)
     radius = 0.034 * size * (1.0 - thinning * np.arange(arm.n + 1))
     return Anatomy(arm, np.array(root), tuple(bodies), size, radius)

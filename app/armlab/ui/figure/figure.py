@@ -137,9 +137,10 @@ def _revolute(anatomy: Anatomy, i: int, at: float) -> list[Part]:
 
 
 def _prismatic(anatomy: Anatomy, i: int) -> tuple[list[Part], list[Part], float]:
-    if is_rail(anatomy, i):
-        return rail(anatomy, i)
     body, last = anatomy.bodies[i], i == len(anatomy.bodies) - 1
+    if is_rail(anatomy, i):
+        fixed, moving, foot = rail(anatomy, i)
+        return fixed, moving + _link_of_rail(anatomy, i, last), foot
     room = max(body.low + body.offset - 1.6 * float(anatomy.radius[i]), 0.0)
     if not last or np.linalg.norm(anatomy.arm.tool[:3, 3]) > 0.0:
         fixed, moving, foot = ram(anatomy, i, 0.0)
@@ -152,6 +153,20 @@ def _prismatic(anatomy: Anatomy, i: int) -> tuple[list[Part], list[Part], float]
     r = float(anatomy.radius[-1])
     moving += gripper(np.zeros(3), Z, length, r, i) if length else pointer(np.zeros(3), Z, r, i)
     return fixed, moving, foot
+
+
+def _link_of_rail(anatomy: Anatomy, i: int, last: bool) -> list[Part]:
+    """Return what leaves the block of a rail sideways: the tube along x, at the last joint with the hand."""
+    body = anatomy.bodies[i]
+    path, parts = [np.zeros(3)], list[Part]()
+    if abs(body.a) > 0.15 * float(anatomy.radius[0]):
+        path.append(np.array([body.a, 0.0, 0.0]))
+    if last:
+        path, parts = _hand(anatomy, path)
+    if len(path) > 1:
+        ends = (0.92 * float(anatomy.radius[k]) for k in (i, i + 1))
+        parts.append(("shell", tube(path, *ends, 1.6 * float(anatomy.radius[i]))))
+    return parts
 
 
 def _hand(anatomy: Anatomy, path: list[NDArray[np.float64]]) -> tuple[list[NDArray[np.float64]], list[Part]]:

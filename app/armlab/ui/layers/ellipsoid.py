@@ -179,7 +179,10 @@ def drawn_when(wanted: Callable[[State], bool], name: str) -> Callable[[LayerCan
 
 
 SWITCH = Switch(
-    "ellipsoid", "Velocity ellipsoid", "Velocities of the tool for a unit joint speed; see the tab Ellipsoid.", "M"
+    "ellipsoid",
+    "Velocity ellipsoid",
+    "Velocities of the tool while √(Σ q̇ᵢ²) of the joint speeds is at most 1; see the tab Ellipsoid.",
+    "M",
 )
 LAYER = Layer(
     "ellipsoid",

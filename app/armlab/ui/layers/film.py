@@ -10,7 +10,7 @@ from armlab.kin.moves import MOVES, Move, moves_of, partial_product
 from armlab.session.clips.film import CLIP, Place, place_of
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
-from armlab.session.parts.timeline import OpenClip, Seek, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.colours import ORANGE, PURPLE, SKY, YELLOW, Rgb
 from armlab.ui.drawing import LayerCanvas
@@ -123,27 +123,15 @@ def amount(units: Units, move: Move) -> str:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Draw the film while it is on. It is put away with its page, and comes back with it where it was."""
+    """Draw the film while it is on and its page is seen."""
     film, present = Film(canvas), state
-    left: float | None = None
 
     def show(state: State) -> None:
-        nonlocal present, left
+        nonlocal present
         present = state
-        if left is not None:
-            time, left = left, None
-            canvas.post(OpenClip(CLIP.key))
-            canvas.post(Seek(time))
         film.show(state, canvas.shown_pose)
 
-    def put_away() -> None:
-        nonlocal left
-        if present[Timeline].clip == CLIP.key:
-            left = present[Timeline].time
-            canvas.post(OpenClip(""))
-
     canvas.on_pose(lambda q: film.show(present, q))
-    canvas.on_hide(put_away)
     return show
 
 

@@ -63,7 +63,8 @@ def closed_form_card(structure: Structure) -> str:
     """Return the closed form of the arm and why it has one, or that none is known."""
     kind, sign, said = ("ok", "✓", "closed form") if structure.closed_form else ("warn", "◐", "no closed form known")
     most = structure.most_solutions
-    count = "" if most is None else " One solution." if most == 1 else f" At most {most} solutions."
+    number = "One solution" if most == 1 else f"At most {most} solutions"
+    count = "" if most is None else f" {number}, full turns not counted, away from singular poses."
     return (
         f"<h3>Inverse kinematics</h3>"
         f'<div class="verdict {kind}"><b>{sign} {escaped(structure.title)}: {said}</b>'

@@ -7,15 +7,23 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from armlab.kin.arm import Arm
-from armlab.ui.format import MINUS, mathml, subscript
+from armlab.kin.symbolic import QUARTER, angle_offsets
+from armlab.ui.format import MINUS, mathml, subscript, trimmed
 from armlab.ui.units import Units
 
-LONGEST = 400
-"""Characters of LaTeX of a formula that is shown whole: about 10 lines of the panel, beyond which nobody reads."""
+LONGEST = 300
+"""Characters of LaTeX of a formula that is shown whole: about 8 lines of the panel, beyond which nobody reads."""
 
 DIGITS = 5
 """Significant digits of numbers in formulas on screen and in LaTeX; Python keeps all of them."""
 
+OFFSET_DECIMALS = 4
+"""Of offsets of angles: a tenth of a millimetre at the end of a metre asks for it in radians."""
+
+MOST_TERMS = 100
+"""Terms of a formula that is printed at all; seven joints of a real arm have a quarter of it."""
+
+_THETA = {"θ": r"\theta", "ϑ": r"\vartheta"}
 _VARIABLE = re.compile(r"q_(?:(\d)|\{(\d+)\})")
 _NUMBER = re.compile(r"\d+\.\d+")
 _CONSTANT = re.compile(r"-?[\d.]+")
@@ -49,8 +57,10 @@ class Written:
 def written(arm: Arm, units: Units, latex: str) -> Written:
     """Return a printed formula in the names of the student."""
     shown = _NUMBER.sub(lambda found: f"{float(found[0]):.{DIGITS}g}", latex)
+    theta = _THETA[units.book.symbols["theta"]]
+    shown = shown.replace(r"\theta_", f"{theta}_")
     if units.notation.variable != "q":
-        shown = _VARIABLE.sub(lambda found: _variable(arm, int(found[1] or found[2])), shown)
+        shown = _VARIABLE.sub(lambda found: _variable(arm, int(found[1] or found[2]), theta), shown)
     terms = _terms(shown)
     kept, length = 0, 0
     for _, term in terms:
@@ -66,12 +76,12 @@ def has_numbers(latex: str) -> bool:
     return _NUMBER.search(latex) is not None
 
 
-def _variable(arm: Arm, joint: int) -> str:
-    """Return the LaTeX of a joint variable as in the table; a slide with an offset has no letter for it there."""
+def _variable(arm: Arm, joint: int, theta: str) -> str:
+    """Return the LaTeX of a joint variable as in the table; one with an offset has no letter for it there."""
     row = arm.rows[joint - 1]
-    if not row.revolute and row.d != 0.0:
+    if (row.theta if row.revolute else row.d) != 0.0:
         return f"q_{{{joint}}}"
-    return rf"\theta_{{{joint}}}" if row.revolute else f"d_{{{joint}}}"
+    return f"{theta}_{{{joint}}}" if row.revolute else f"d_{{{joint}}}"
 
 
 def _terms(latex: str) -> list[tuple[str, str]]:
@@ -84,7 +94,7 @@ def _terms(latex: str) -> list[tuple[str, str]]:
     depths: list[bool] = []
     for at, letter in enumerate(latex):
         if letter in "{(":
-            function = letter == "{" or re.search(r"\\(?:sin|cos)$", latex[:at]) is not None
+            function = letter == "{" or latex.endswith((r"\sin", r"\cos"), 0, at)
             depths.append(function)
             whole += function
         elif letter in "})":
@@ -101,18 +111,48 @@ def _markup(terms: Iterable[tuple[str, str]]) -> str:
 
 
 def short_forms(arm: Arm, units: Units, formulas: Iterable[str]) -> list[str]:
-    """Return what c and s with indices stand for, by examples that occur: one with one index, one with more."""
-    found: dict[bool, str] = {}
+    """Return what c and s with indices stand for, by examples that occur: one with one index, one with more.
+
+    Angles have different letters where joints have offsets; there is an example for each letter.
+    """
+    letters = _letters(arm, units)
+    found: dict[tuple[bool, str], str] = {}
     for formula in formulas:
         for letter, one, more in _SHORT.findall(formula):
-            found.setdefault(bool(more), f"{letter}{one or more}")
+            used = "".join(sorted({letters[int(digit)] for digit in one or more}))
+            found.setdefault((bool(more), used), f"{letter}{one or more}")
     texts = []
-    for several, name in sorted(found.items()):
+    for (several, _), name in sorted(found.items()):
         function = {"c": "cos", "s": "sin"}[name[0]]
-        joints = [int(digit) for digit in name[1:]]
-        angles = " + ".join(units.variable(joint - 1, arm.rows[joint - 1].revolute) for joint in joints)
+        angles = " + ".join(subscript(letters[int(digit)], int(digit)) for digit in name[1:])
         texts.append(f"{subscript(name[0], int(name[1:]))} = {function}{f'({angles})' if several else f' {angles}'}")
     return texts
+
+
+def _letters(arm: Arm, units: Units) -> dict[int, str]:
+    """Return the letter of each revolute joint's angle in the formulas, by joint (1-based).
+
+    With an offset it is theta of the table, unless the offset is a quarter turn, which is worked into the formulas.
+    """
+    theta, offsets = units.book.symbols["theta"], angle_offsets(arm)
+    free = "q" if units.notation.variable == "q" else theta
+    return {
+        joint: theta if joint in offsets else "q" if row.theta != 0.0 else free
+        for joint, row in enumerate(arm.rows, start=1)
+        if row.revolute
+    }
+
+
+def offset_lines(arm: Arm, units: Units) -> list[str]:
+    """Return theta of the table by the joint variable, of each revolute joint whose theta has a constant part."""
+    theta = units.book.symbols["theta"]
+    unit = units.angle_unit if units.in_degrees else f" {units.angle_unit}"
+    return [
+        f"{subscript(theta, joint)} = {subscript('q', joint)} {MINUS if row.theta < 0.0 else '+'} "
+        f"{trimmed(abs(row.theta) / units.factor(True), OFFSET_DECIMALS)}{unit}"
+        for joint, row in enumerate(arm.rows, start=1)
+        if row.revolute and abs(row.theta) > QUARTER
+    ]
 
 
 def used_constants(formulas: Iterable[str]) -> list[str]:

@@ -12,8 +12,8 @@ from armlab.ui.units import Units
 
 AXES_RULE = (
     "z of frame i lies along the axis of joint i+1, in either sense; x is perpendicular to this z and the one before, "
-    "along the common normal of axes that are apart. The last z and the first x are free. Directions are those of the "
-    "world; several choices are right."
+    "along the common normal of axes that are apart. A sliding joint's axis is taken where it is drawn. The last z and "
+    "the first x are free. Directions are those of the world; several choices are right."
 )
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import asyncio
+
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ellipsoid import SingularPlaces
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.ellipsoid import (
@@ -20,9 +23,10 @@ from armlab.session.parts.ellipsoid import (
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.sweep import CLIP_KEY, Curves, Sweep, SweepJoint, curves
-from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.parts.sweep import CLIP_KEY, Course, Sweep, SweepJoint, course, curves, singularities
+from armlab.session.parts.timeline import OpenClip, Timeline
 from armlab.session.state import State
+from armlab.ui import adapter
 from armlab.ui.colours import BLUE, GREEN, PURPLE
 from armlab.ui.format import mathml, number, pairs, subscript, trimmed
 from armlab.ui.layers.ellipsoid import SWITCH, digits, speed
@@ -35,7 +39,10 @@ from armlab.ui.widgets import Gui
 Array = NDArray[np.float64]
 
 NEAR = 0.1
-"""Inverse condition below which an arm counts as close to a singularity."""
+"""Inverse condition below which the ellipsoid is called poorly conditioned."""
+
+REST = 0.3
+"""Seconds without a motion of the other joints after which the curves are drawn again."""
 
 ALONG = 0.9995
 """Component of a unit vector above which it is called an axis of the world."""
@@ -43,7 +50,7 @@ ALONG = 0.9995
 TITLES = {"translation": "Translation", "rotation": "Rotation"}
 HEIGHT = 104
 SMALLEST, INVERSE = r"\sigma_{min}", r"\sigma_{min}/\sigma_1"
-VOLUME = r"w=\sqrt{\det(J\,J^T)}=\sigma_1\cdots\sigma_m"
+LETTERS = {"translation": "v", "rotation": r"\omega"}
 POWERS = {1: "", 2: "²", 3: "³"}
 
 
@@ -108,7 +115,6 @@ def _card(block: VelocityBlock, found: PlacedEllipsoid) -> str:
 
 def verdict_of(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, str]:
     """Return ``ok``, ``warn`` or ``no``, what the ellipsoid says in a few words, and in a sentence."""
-    moves = "The tool moves" if block.key == "translation" else "The tool turns"
     along = "along" if block.key == "translation" else "about"
     shape = found.ellipsoid
     measured = shape.joint_directions.shape[1]
@@ -120,12 +126,25 @@ def verdict_of(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, 
         lost = " and ".join(_direction(found.axes[:, i]) for i in found.lost)
         nothing = "No joint speed moves the tool" if block.key == "translation" else "No joint speed turns the tool"
         return "no", "Singular", f"{nothing} {along} {lost}."
-    slowest = speed(block, shape.sigma_min)
+    slowest, ratio = (
+        speed(block, shape.sigma_min),
+        f"shortest : longest half axis = {number(shape.inverse_condition, 3)}",
+    )
     if shape.inverse_condition < NEAR:
-        part = f"{number(100.0 * shape.inverse_condition, 1)} % of the longest half axis"
-        return "warn", "Close to a singularity", f"{along.capitalize()} {_direction(least)} only {slowest}: {part}."
-    every = "in every direction" if block.m > 1 else f"{along} {_direction(least)}"
-    return "ok", "Far from a singularity", f"{moves} {every} with at least {slowest}."
+        return "warn", "Poorly conditioned", f"{ratio}. {along.capitalize()} {_direction(least)} only {slowest}."
+    if block.m == 1:
+        return "ok", "One direction", f"{along.capitalize()} {_direction(least)}: {slowest}."
+    return "ok", "Well conditioned", f"{ratio}. {_every(block)}: at least {slowest}."
+
+
+def _every(block: VelocityBlock) -> str:
+    """Return what the shortest half axis is of: the directions that the task controls."""
+    task = block.arm.task
+    if block.m == 3:
+        return "In every direction" if block.key == "translation" else "About every axis"
+    if block.key == "rotation":
+        return "About every axis across the tool's z"
+    return f"In every direction the task controls ({', '.join(task.position)})"
 
 
 def _direction(u: Array) -> str:
@@ -139,7 +158,7 @@ def _numbers(block: VelocityBlock, found: PlacedEllipsoid, units: Units) -> str:
     k = shape.joint_directions.shape[1]
     unit = volume_unit(block, k)
     rows = [
-        (f"manipulability {mathml('w')}", f"{number(shape.w, digits(block.typical**k) + 1)} {unit}"),
+        (name_of_w(block), f"{number(shape.w, digits(block.typical**k) + 1)} {unit}"),
         (f"smallest {mathml(SMALLEST)}", speed(block, shape.sigma_min)),
         ("inverse condition", number(shape.inverse_condition, 3)),
         ("condition", number(shape.condition, 2) if shape.condition < 1e4 else "∞" if found.lost else "over 10⁴"),
@@ -147,15 +166,32 @@ def _numbers(block: VelocityBlock, found: PlacedEllipsoid, units: Units) -> str:
     return (
         pairs(rows)
         + '<div class="eq small" title="Notes 5.142-5.144: the ellipsoid of joint speeds of length 1">'
-        + f"{mathml(VOLUME)}</div>"
+        + f"{mathml(volume(block))}</div>"
         + f'<p class="dim">{scaling_words(block, units)} Drawn: 1 {block.unit} is {trimmed(block.drawn, 6)} m.</p>'
     )
 
 
+def name_of_w(block: VelocityBlock) -> str:
+    """Return what w is of."""
+    scaled = "" if block.speeds is None else ", scaled by limits"
+    return f"{mathml('w')} of {block.key}{scaled}"
+
+
+def volume(block: VelocityBlock) -> str:
+    """Return the formula by which w is computed, in LaTeX: scaled and transposed as it is."""
+    J = rf"J_{{{LETTERS[block.key]}}}"
+    n, joints = block.arm.n, ""
+    if block.speeds is not None:
+        J, joints = r"\bar{J}", rf",\;\bar{{J}}={J}\,\mathrm{{diag}}(\dot{{q}}_{{max}})"
+    product = rf"{J}\,{J}^T" if block.m <= n else rf"{J}^T{J}"
+    axes = r"\,".join(rf"\sigma_{i + 1}" for i in range(min(block.m, n)))
+    return rf"w=\sqrt{{\det({product})}}={axes}{joints}"
+
+
 def volume_unit(block: VelocityBlock, k: int) -> str:
-    """Return the unit of the product of k half axes; of unscaled joints they are m/s for each rad/s."""
+    """Return the unit of the product of k half axes; of unscaled joints they are m/s for each rad/s or m/s."""
     if block.speeds is None:
-        return f"m{POWERS[k]}" if block.key == "translation" else ""
+        return f"m{POWERS[k]}" if block.key == "translation" and block.arm.revolute.all() else ""
     length = "m" if block.key == "translation" else "rad"
     return f"{length}{POWERS[k]}/s{POWERS[k]}"
 
@@ -164,12 +200,12 @@ def scaling_words(block: VelocityBlock, units: Units) -> str:
     """Return which joint speeds count as 1."""
     arm = block.arm
     if block.speeds is None:
-        return "For joint speeds of length 1: together at most 1 rad/s."
+        return f"For joint speeds with √(Σ q̇ᵢ²) ≤ 1 {'rad/s' if arm.revolute.all() else 'm/s'}."
     speeds = [
         f"{units.variable(i, bool(arm.revolute[i]))} {_limit(arm, i, float(speed), units)}"
         for i, speed in enumerate(block.speeds)
     ]
-    said = f"Speeds are in parts of the limits, because joints slide and turn: {', '.join(speeds)}."
+    said = f"Joints slide and turn: each speed is in parts of its limit, √(Σ …²) ≤ 1: {', '.join(speeds)}."
     known = bool(np.isfinite(arm.speed_limits).all())
     return said if known else f"{said} * No limit is known, {DEFAULT_SPEED:g} is taken."
 
@@ -196,18 +232,16 @@ class _Sweeping:
             "The joint that moves while the others stay.",
         )
 
-        def play() -> None:
-            post(OpenClip(CLIP_KEY))
-            post(Play(True))
-
         self._button = gui.button(
-            "Sweep", play, "Move this joint through its range and back; stops at limits, middle and singularities."
+            "Sweep",
+            lambda: post(OpenClip(CLIP_KEY, play=True)),
+            "Move this joint through its range and back; stops at limits, middle and singularities.",
         )
         self._note = gui.html()
         block = state[Manipulability].block
         unit = volume_unit(block, block.ellipsoid(state[Joints].q).joint_directions.shape[1])
         curves_of = (
-            (f"Manipulability {mathml('w')}", unit, "w", BLUE),
+            (name_of_w(block), unit, "w", BLUE),
             (f"Smallest half axis {mathml(SMALLEST)}", block.unit, "sigma_min", GREEN),
             (f"Inverse condition {mathml(INVERSE)}", "", "inverse_condition", PURPLE),
         )
@@ -215,41 +249,64 @@ class _Sweeping:
             Plot(gui, _with(title, unit), "", [Curve(_with(file, unit), colour)], file, height=HEIGHT, from_zero=True)
             for title, unit, file, colour in curves_of
         ]
-        self._shown: Curves | None = None
+        self._shown: Course | None = None
+        self._wanted: Course | None = None
+        self._later: asyncio.TimerHandle | None = None
 
     def show(self, state: State) -> None:
-        """Show the curves and where the joint stands."""
-        joints, joint, found = state[Joints], state[Sweep].joint, state.derived(curves)
+        """Show where the joint stands, and the curves as soon as the other joints rest."""
+        joints, joint = state[Joints], state[Sweep].joint
         revolute = bool(joints.arm.revolute[joint])
         factor = self._units.factor(revolute)
         self._joint.show(str(joint))
         if self._button.disabled != state[Timeline].playing:
             self._button.disabled = state[Timeline].playing
-        if found is not self._shown:
-            self._shown = found
-            name = f"{self._units.variable(joint, revolute)}, {self._units.unit(revolute)}"
-            for plot, curve in zip(self._plots, (found.w, found.sigma_min, found.inverse_condition), strict=True):
-                plot.name_x(name)
-                plot.show(found.values / factor, [curve])
-            self._note.show(_singular(found, self._units, joint, revolute))
+        wanted = state.derived(course)
+        if self._shown is None or self._shown[:2] != wanted[:2]:
+            self._draw(state)
+        elif wanted != self._wanted:
+            self._wait()
+            self._note.show('<p class="dim">The curves are drawn again when the arm rests.</p>')
+            self._later = asyncio.get_running_loop().call_later(REST, self._draw, state)
+        self._wanted = wanted
         for plot in self._plots:
             plot.cursor(float(joints.q[joint]) / factor)
+
+    def _wait(self) -> None:
+        if self._later is not None:
+            self._later.cancel()
+            self._later = None
+
+    def _draw(self, state: State) -> None:
+        """Draw the curves of a state."""
+        self._wait()
+        if adapter.is_removed(self._button):
+            return
+        self._shown = self._wanted = state.derived(course)
+        joint, found = state[Sweep].joint, state.derived(curves)
+        revolute = bool(state[Joints].arm.revolute[joint])
+        name = f"{self._units.variable(joint, revolute)}, {self._units.unit(revolute)}"
+        for plot, curve in zip(self._plots, (found.w, found.sigma_min, found.inverse_condition), strict=True):
+            plot.name_x(name)
+            plot.show(found.values / self._units.factor(revolute), [curve])
+        limits = state[Joints].arm.limits[joint]
+        self._note.show(_singular(state.derived(singularities), limits, self._units, joint, revolute))
 
 
 def _with(name: str, unit: str) -> str:
     return f"{name}, {unit}" if unit else name
 
 
-def _singular(found: Curves, units: Units, joint: int, revolute: bool) -> str:
+def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, revolute: bool) -> str:
     """Return where the joint's motion passes a singularity."""
     name, text = units.variable(joint, revolute), units.angle if revolute else units.length
-    low, high = (text(float(value)) for value in (found.values[0], found.values[-1]))
-    if not found.inverse_condition.any():
+    low, high = (text(float(value)) for value in limits)
+    if found.everywhere:
         said = "singular everywhere while the other joints stay as they are"
-    elif found.singular:
-        said = f"singular at {', '.join(text(value) for value in found.singular)}"
+    elif found.places:
+        said = f"singular at {', '.join(text(value) for value in found.places)}"
     else:
-        said = "no singularity"
+        said = f"no singularity found in {found.samples} samples"
     return f'<p class="dim">{name} from {low} to {high}: {said}.</p>'
 
 

@@ -40,7 +40,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the rows to choose from, the factors and the products; put the film on."""
     head = gui.fields(lambda cell, _: post(_command(cell)))
     matrices = gui.html()
-    post(OpenClip(CLIP.key))
+    if not state[Timeline].clip:
+        post(OpenClip(CLIP.key))
 
     def show(state: State) -> None:
         on = state[Timeline].clip == CLIP.key

@@ -6,35 +6,49 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
-from armlab.kin.symbolic import angle_offsets, constants, pose_formulas
+from armlab.kin.symbolic import PoseFormulas, constants
 from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui.format import MINUS, escaped, mathml, number, subscript
-from armlab.ui.panels._pose_formulas import LONGEST, Written, has_numbers, short_forms, used_constants, written
+from armlab.ui.format import escaped, mathml, number, subscript
+from armlab.ui.panels._pose_formulas import (
+    LONGEST,
+    MOST_TERMS,
+    Written,
+    has_numbers,
+    offset_lines,
+    short_forms,
+    used_constants,
+    written,
+)
 from armlab.ui.panels._pose_notation import symbol
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
+
+MOST_COPIED = 20_000
+"""Characters of a text that waits in the page to be copied."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Write the formulas of the arm once; only the values follow its motion."""
     del post
     arm, units = state[Joints].arm, units_of(state)
-    python, latex = pose_formulas(arm), pose_formulas(arm, "latex")
+    pose = PoseFormulas(arm)
+    python, latex = pose.printed("text", MOST_TERMS), pose.printed("latex", MOST_TERMS)
     formulas = {name: written(arm, units, latex[name]) for name in latex}
-    gui.html(_head(python, formulas))
+    gui.html(_head(python, formulas, len(pose.terms)))
     values: dict[str, Html] = {}
     for title, letter in (("Position p", "p"), ("Rotation R: row, column", "r")):
         gui.heading(title)
         fixed = {name: formula.latex for name, formula in formulas.items() if name[0] == letter and formula.constant}
         if fixed:
             gui.html(_constant(fixed))
-        for name, formula in formulas.items():
-            if name[0] == letter and not formula.constant:
+        for name, terms in pose.terms.items():
+            if name[0] == letter and name not in fixed:
                 values[name] = gui.html()
-                gui.html(_formula(formula, python[name]))
+                formula = formulas.get(name)
+                gui.html(_formula(formula, python[name]) if formula else _too_long(terms))
     gui.html(_symbols(arm, units, python, formulas))
 
     def show(state: State) -> None:
@@ -46,22 +60,30 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _head(python: dict[str, str], formulas: dict[str, Written]) -> str:
+def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> str:
     everything = {
         "LaTeX": "\\begin{aligned}\n"
         + " \\\\\n".join(f"{_symbol(name)} &= {formula.latex}" for name, formula in formulas.items())
         + "\n\\end{aligned}",
         "Python": "\n".join(f"{name} = {text}" for name, text in python.items()),
     }
+    notes = []
     hidden = sum(formula.left_out > 0 for formula in formulas.values())
-    note = (
-        f'<p class="dim">{hidden} of {len(formulas)} formulas are too long to be read (over {LONGEST} characters of '
-        "LaTeX): only their beginning is shown. The copies have them whole.</p>"
-        if hidden
-        else ""
-    )
-    copies = "".join(_copy(kind, text) for kind, text in everything.items())
+    if hidden:
+        notes.append(
+            f"{hidden} of {count} formulas are long (over {LONGEST} characters of LaTeX): only their beginning is "
+            "shown. The copies have them whole."
+        )
+    if len(formulas) < count:
+        notes.append(f"{count - len(formulas)} of {count} formulas have over {MOST_TERMS} terms and are not written.")
+    copies = "".join(_copy(kind, text) for kind, text in everything.items()) if formulas else ""
+    note = f'<p class="dim">{" ".join(notes)}</p>' if notes else ""
     return f'<h3>Tool in frame 0 {mathml(symbol("0", "E"))}<span class="copies">{copies}</span></h3>{note}'
+
+
+def _too_long(terms: int) -> str:
+    """Return what stands in the place of a formula nobody could read."""
+    return f'<div class="formula dim">too long to be read: about {float(f"{terms:.2g}"):,.0f} terms</div>'
 
 
 def _constant(numbers: dict[str, str]) -> str:
@@ -79,9 +101,7 @@ def _formula(formula: Written, python: str) -> str:
 def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str, Written]) -> str:
     """Return what the letters stand for: short forms of sines and cosines, angles with an offset, constants."""
     lines = short_forms(arm, units, (formula.latex for formula in formulas.values()))
-    for joint, offset in angle_offsets(arm).items():
-        sign = MINUS if offset < 0.0 else "+"
-        lines.append(f"{subscript('θ', joint)} = {subscript('q', joint)} {sign} {units.angle(abs(offset))}")
+    lines += offset_lines(arm, units)
     known = constants(arm)
     for name in used_constants(python.values()):
         letter, index = name.rstrip("0123456789"), int(name.lstrip("alphd"))
@@ -105,6 +125,8 @@ def _symbol(name: str) -> str:
 
 
 def _copy(kind: str, text: str) -> str:
+    if len(text) > MOST_COPIED:
+        return ""
     return f'<button class="copy" data-copy="{escaped(text)}" title="Copy as {kind}">{kind}</button>'
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import RobotPart
@@ -11,9 +10,13 @@ from armlab.session.state import State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import escaped, mathml, matrix, number, pairs, subscript
+from armlab.ui.panels._pose_notation import turns
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui
+
+POWERS = ("", " m", " m²", " m³")
+"""Of metres, as units."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -108,27 +111,48 @@ def _readout(joints: Joints, units: Units) -> str:
     position = "&ensp;".join(units.text(float(value), False) for value in T[:3, 3])
     angles = [units.turned(float(value)) for value in (yaw, pitch, roll)]
     degrees = "°" if units.in_degrees else ""
-    product = "".join(rf"R_{axis}({value}{degrees})\," for axis, value in zip("zyx", angles, strict=True))
+    product = turns("zyx", False, [f"{value}{degrees}" for value in angles])
     note = '<p class="dim">Pitch is ±90°: only yaw ∓ roll is defined, roll is set to 0.</p>' if bool(singular) else ""
-    unit = {0: "", 1: " m", 2: " m²", 3: " m³"}[_length_power(joints)]
     return (
         f"<h3>Tool in the world, {mathml('{}^{w}T_{E}')} <small>position in m</small></h3>{matrix(T, 3, 3)}"
         + pairs(
             [
                 (f"position x y z, {units.length_unit}", position),
                 (f"yaw pitch roll, {units.angle_unit}", "&ensp;".join(angles)),
-                (f"manipulability {mathml('w')}", f"{number(joints.manipulability, 4)}{unit}"),
+                (f"{mathml('w')} of the task<br>({_controlled(joints.arm)})", _manipulability(joints)),
             ]
         )
-        + f'<div class="eq small">{mathml("R=" + product)}</div>{note}'
+        + f'<div class="eq small">{mathml("R=")} {product}</div>{note}'
     )
 
 
-def _length_power(joints: Joints) -> int:
-    """Return the power of metres in w: one for each controlled coordinate, less one for each prismatic column."""
-    arm = joints.arm
-    power = min(len(arm.task.position), arm.n) - int(np.sum(~arm.revolute))
-    return max(power, 0) if arm.task.m <= arm.n else len(arm.task.position[: arm.n])
+def _controlled(arm: Arm) -> str:
+    """Return in a few words what the task is made of."""
+    turns_too = arm.task.rotation != "none"
+    if not arm.task.position:
+        return "orientation"
+    return "position and orientation" if turns_too else ", ".join(arm.task.position)
+
+
+def _manipulability(joints: Joints) -> str:
+    power = length_power(joints.arm)
+    unit = " (mixed units)" if power is None else POWERS[power]
+    return f"{number(joints.manipulability, 4)}{unit}"
+
+
+def length_power(arm: Arm) -> int | None:
+    """Return the power of metres in w of the task; None where w adds squares of different units.
+
+    w² is the sum of the squared minors of the task Jacobian, whose entries are m/rad and m/m in rows of position, 1
+    and 0 in rows of rotation.
+    """
+    position, slides, n = len(arm.task.position), int((~arm.revolute).sum()), arm.n
+    turning = arm.task.m - position
+    if position == 0 or slides == n:
+        return 0
+    if arm.task.m == n or (arm.task.m > n and turning == 0):
+        return max(min(position, n) - slides, 0)
+    return position if arm.task.m < n and slides == 0 else None
 
 
 PANEL = Panel("joints", "Joints", "ADJUSTMENTS_HORIZONTAL", 20, (Joints,), build)

@@ -8,7 +8,16 @@ import numpy as np
 
 from armlab.kin.lines import CommonNormal
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.lines import HandleLines, Lines, PlaceLines, TakeAxes, table_entry
+from armlab.session.parts.lines import (
+    SNAP_ANGLE,
+    SNAP_DISTANCE,
+    HandleLines,
+    KeepLines,
+    Lines,
+    PlaceLines,
+    TakeAxes,
+    table_entry,
+)
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.colours import css
@@ -27,6 +36,12 @@ SAME = 1e-9
 DIRECTION = r"n=z_1\times z_2,\quad x=\pm\frac{n}{|n|}"
 LENGTH = r"a=(p_2-p_1)\cdot x"
 TWIST = r"\alpha=\mathrm{atan2}\big((z_1\times z_2)\cdot x,\;z_1\cdot z_2\big)"
+NO_CROSS = {
+    "parallel": "x is taken straight across, from the first line to the second.",
+    "coincident": "x is any direction perpendicular to the line; here one is chosen.",
+}
+"""How x is found where the cross product is zero."""
+
 FOOT = r"f_1=p_1+\frac{\big((p_2-p_1)\times z_2\big)\cdot n}{|n|^2}\,z_1"
 
 
@@ -48,7 +63,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             "Axes of arm",
             {OWN: "lines of my own", **{str(i): _pair(i, state) for i in range(n - 1)}},
             _chosen(state),
-            lambda key: None if key == OWN else post(TakeAxes(int(key))),
+            lambda key: post(KeepLines() if key == OWN else TakeAxes(int(key))),
             "Take two neighbouring joint axes: a and α become those of the table.",
         )
     card, numbers, table = gui.html(), gui.html(), gui.html()
@@ -61,7 +76,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         handle.show(lines.handle)
         if axes is not None:
             axes.show(_chosen(state))
-        card.show(_card(lines))
+        card.show(_card(lines, units))
         numbers.show(_numbers(lines, units))
         table.show(_table(state, units))
         products.show(_products(lines))
@@ -88,10 +103,11 @@ def _chosen(state: State) -> str:
     return OWN if pair is None else str(pair)
 
 
-def _card(lines: Lines) -> str:
+def _card(lines: Lines, units: Units) -> str:
     normal = lines.normal
     kind = "ok" if normal.kind == "skew" else "warn"
-    snapped = " Snapped: the hand was within 2° or 2 % of it." if lines.snapped else ""
+    near = f"{units.angle(SNAP_ANGLE)} or {units.length(SNAP_DISTANCE * lines.scale)}"
+    snapped = f" Snapped: the hand was within {near} of it." if lines.snapped else ""
     return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {CASES[normal.kind]}</b>{normal.free}{snapped}</div>'
 
 
@@ -166,9 +182,8 @@ def _products(lines: Lines) -> str:
         (mathml("z_1\\cdot z_2"), number(float(z1 @ z2), 4)),
         (mathml(r"(z_1\times z_2)\cdot x"), number(float(np.cross(z1, z2) @ normal.normal), 4)),
     ]
-    across = normal.kind in ("parallel", "coincident")
-    note = f'<p class="dim">{mathml("n=0")}: x is taken straight across, from the first line to the second.</p>'
-    return pairs(rows) + (note if across else "")
+    taken = NO_CROSS.get(normal.kind)
+    return pairs(rows) + (f'<p class="dim">{mathml("n=0")}: {taken}</p>' if taken else "")
 
 
 PANEL = Panel(

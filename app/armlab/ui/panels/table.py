@@ -70,8 +70,10 @@ class TablePanel:
             self._edit(command)
 
     def _choose_pair(self, cell: str, _: str) -> None:
-        self._pair = int(cell.removeprefix("axes-"))
-        self._show_axes()
+        number = cell.removeprefix("axes-")
+        if number.isdecimal():
+            self._pair = int(number[:4])
+            self._show_axes()
 
     def _file(self, cell: str, text: str) -> None:
         if cell == "save":
@@ -85,20 +87,13 @@ class TablePanel:
             self._post(command)
 
     def _edit(self, command: Command | None) -> None:
-        """Hand in a command. Where it changes nothing, or is refused, the old text comes back at once."""
-        try:
-            changes = command is not None and command.apply(self._state) is not self._state
-        except ArmlabError as refusal:
-            self._refuse(refusal)
-            return
-        if command is not None and changes:
+        if command is not None:
             self._post(command)
         else:
             self._show_fields()
 
     def _refuse(self, refusal: ArmlabError) -> None:
         self._post(Refuse(str(refusal)))
-        self._show_fields()
 
     # -- showing -------------------------------------------------------------------------------------------------
 
@@ -109,7 +104,7 @@ class TablePanel:
     def show(self, state: State) -> None:
         """Show a state; what follows from the table is made anew only when that has changed."""
         before, self._state, robot = self._state, state, state[RobotPart].robot
-        if robot is not self._robot or state[Point] is not before[Point]:
+        if robot is not self._robot or state[Point] is not before[Point] or self._table.stale or self._ends.stale:
             self._show_fields()
         if robot is not self._robot:
             self._robot, self._facts = robot, facts_of(robot.arm)

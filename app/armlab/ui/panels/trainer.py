@@ -55,16 +55,14 @@ class TrainerPanel:
         self._after.show(self._next(trainer))
 
     def _typed(self, cell: str, text: str) -> None:
-        """Hand in a command. One that will be refused is refused here, so that the old value comes back."""
+        """Hand in a command; what cannot become one is refused."""
         try:
             command = self._command(cell, text)
-            if command is not None:
-                command.apply(self._state)
         except ArmlabError as refusal:
             command = Refuse(str(refusal))
         if command is not None:
             self._post(command)
-        if command is None or isinstance(command, Refuse):
+        else:
             self.show(self._state)
 
     def _command(self, cell: str, text: str) -> Command | None:

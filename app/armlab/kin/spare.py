@@ -1,0 +1,100 @@
+"""The joints a task leaves over, and the arms that are left when as many of them are held."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations, islice, pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Row
+from armlab.kin.lines import Line, common_normal
+
+SAMPLES = 8
+"""Random configurations, one seed, that stand for the generic one."""
+
+RANK_TOLERANCE = 1e-9
+"""Singular values of the task Jacobian, lengths over the arm's length scale, below this are zero."""
+
+MOST_SETS = 28
+"""Sets of joints that are tried."""
+
+
+@dataclass(frozen=True, eq=False)
+class Spare:
+    """What a task leaves over.
+
+    Attributes
+    ----------
+    arm : Arm
+    samples : ndarray, shape (SAMPLES, n)
+        Configurations.
+    jacobians : ndarray, shape (SAMPLES, m, n)
+        Of the task, in the axes of frame 0, lengths over the length scale.
+    """
+
+    arm: Arm
+    samples: NDArray[np.float64]
+    jacobians: NDArray[np.float64]
+
+    @property
+    def free(self) -> int:
+        """n minus the rank of the task Jacobian in a generic configuration."""
+        return self.arm.n - _rank(self.jacobians)
+
+    def with_fixed(self) -> Iterator[tuple[tuple[int, ...], Arm]]:
+        """Yield sets of joints (1-based) that may be fixed, the last joints first, and the axes that are left.
+
+        Such a set takes nothing from what the task can do. The arm that is left has the standard convention and the
+        axes of a generic configuration; its frame 0, tool and limits are of no account.
+        """
+        n, free = self.arm.n, self.free
+        for fixed in islice(combinations(range(n, 0, -1), free), MOST_SETS):
+            kept = [k for k in range(n) if k + 1 not in fixed]
+            if kept and _rank(self.jacobians[:, :, kept]) == len(kept):
+                yield tuple(sorted(fixed)), _of_axes(self.arm, self.samples[0], kept)
+
+
+def spare_joints(arm: Arm) -> Spare:
+    """Return what the task of an arm leaves over."""
+    samples = np.random.default_rng(0).uniform(-3.0, 3.0, (SAMPLES, arm.n))
+    return Spare(arm, samples, np.array([_task_jacobian(arm, q) for q in samples]))
+
+
+def _rank(jacobians: NDArray[np.float64]) -> int:
+    return int(np.linalg.matrix_rank(jacobians, tol=RANK_TOLERANCE).max())
+
+
+def _task_jacobian(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rows the task controls, in the axes of frame 0, lengths over the length scale; shape (m, n)."""
+    turn = arm.base[:3, :3].T
+    J = arm.jacobian(q)
+    linear, angular = turn @ J[:3] / arm.length_scale, turn @ J[3:]
+    tool = turn @ arm.fk(q)[:3, :3]
+    rotation = {"none": np.eye(3)[:0], "phi": np.eye(3)[2:], "approach": tool[:, :2].T, "full": np.eye(3)}
+    return np.vstack([linear[arm.task.coordinates], rotation[arm.task.rotation] @ angular])
+
+
+def _of_axes(arm: Arm, q: NDArray[np.float64], kept: list[int]) -> Arm:
+    """Return an arm of some of the joints (0-based), its table read off their axes in one configuration."""
+    whole = np.asarray(arm.frames(q), dtype=np.float64)
+    frames = whole[:-1] if arm.convention == "standard" else whole[1:]
+    rows: list[Row] = []
+    x, place = frames[kept[0], :3, 0], frames[kept[0], :3, 3]
+    for j, k in pairwise(kept):
+        z = frames[j, :3, 2]
+        normal = common_normal(Line(place, z), Line(frames[k, :3, 3], frames[k, :3, 2]), scale=arm.length_scale)
+        d, theta = float((normal.foot1 - place) @ z), _turn(x, normal.normal, z)
+        rows.append(Row(arm.rows[j].kind, normal.a, normal.alpha, d, theta))
+        x, place = normal.normal, normal.foot2
+    # What the tool adds makes a length scale of the same order; no test of axes looks at it.
+    rows.append(Row(arm.rows[kept[-1]].kind, arm.length_scale))
+    return Arm.from_dh(rows, task=arm.task)
+
+
+def _turn(x: NDArray[np.float64], to: NDArray[np.float64], z: NDArray[np.float64]) -> float:
+    """Return the angle about z from one direction to another."""
+    return float(np.arctan2(np.cross(x, to) @ z, x @ to))

@@ -1,0 +1,115 @@
+"""Pasted tables that leave something unsaid: rounded angles, whose book it is, what r means."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.tables import parse_table
+from armlab.errors import InputError
+
+H = math.pi / 2
+AS_STANDARD = "Read as standard (Siciliano): switch if your book is Craig's."
+
+
+def same(pasted, rows, atol=1e-12):
+    assert "".join(row.kind for row in pasted.rows) == "".join(row[0] for row in rows)
+    numbers = [[row.a, row.alpha, row.d, row.theta] for row in pasted.rows]
+    np.testing.assert_allclose(numbers, [row[1:] for row in rows], rtol=0, atol=atol)
+
+
+@pytest.mark.parametrize("written", ["1.5708", "1.571", "1.57", "1.570796", "3.1416/2", "1,5708"])
+def test_rounded_quarter_turns_are_exact_and_it_is_said(written):
+    pasted = parse_table(f"a;alpha;d;theta\n0.3;{written};0;q1 - {written}\n0.2;-3.14;0;q2")
+    same(pasted, [("R", 0.3, H, 0, -H), ("R", 0.2, -2 * H, 0, 0)], atol=0)
+    assert any(f"taken as quarter turns: {written} (π/2), q1 - {written} (-π/2), -3.14 (-π)" in n for n in pasted.notes)
+
+
+@pytest.mark.parametrize("written", ["1.5", "1.5718", "1.58", "1.56", "0.785", "0.0001", "3.1426", "1"])
+def test_other_angles_stay_as_they_are_written(written):
+    pasted = parse_table(f"a,alpha,d,theta\n0.3,{written},0,q1")
+    same(pasted, [("R", 0.3, float(written), 0, 0)], atol=0)
+    assert not any("quarter turns" in note for note in pasted.notes)
+    same(parse_table(f"a,alpha (deg),d,theta\n0.3,{written},0,q1"), [("R", 0.3, math.radians(float(written)), 0, 0)])
+
+
+@pytest.mark.parametrize("written", ["q1²", "q1^2", "q1*q1"])
+def test_powers_of_a_joint_variable_are_refused(written):
+    with pytest.raises(InputError, match=r"expected (the|one) joint variable"):
+        parse_table(f"a,alpha,d,theta\n0.3,0,0,{written}")
+
+
+# --- Conventions
+
+KHALIL = r"""
+\begin{tabular}{ccccccc}
+$j$ & $a(j)$ & $\sigma_j$ & $\alpha_j$ & $d_j$ & $\theta_j$ & $r_j$ \\ \hline
+1 & 0 & 0 & 0 & 0 & $\theta_1$ & 0 \\
+2 & 1 & 0 & $\pi/2$ & 0.1 & $\theta_2$ & 0.2 \\
+3 & 2 & 1 & $-\pi/2$ & 0.4 & 0 & $r_3$ \\
+\end{tabular}
+"""
+
+
+def test_khalil_and_dombre_have_d_along_x_and_r_along_z():
+    rows = [("R", 0, 0, 0, 0), ("R", 0.1, H, 0.2, 0), ("P", 0.4, -H, 0, 0)]
+    without_sigma = "j,alpha_j,d_j,theta_j,r_j\n1,0,0,q1,0\n2,pi/2,0.1,q2,0.2\n3,-pi/2,0.4,0,r3"
+    for text in (KHALIL, without_sigma):
+        pasted = parse_table(text)
+        assert pasted.convention == "modified"
+        same(pasted, rows)
+        assert "Columns d and r as in Khalil's book: d is read as a(i-1), r as d." in pasted.notes
+        assert "Khalil's tables are of the modified convention." in pasted.notes
+
+
+def test_r_beside_alpha_and_d_beside_theta_is_the_length_along_x():
+    pasted = parse_table("d,theta,r,alpha\n0.4,q1,0.3,pi/2")
+    assert pasted.convention == "standard"
+    same(pasted, [("R", 0.3, H, 0.4, 0)])
+    assert "The column r is read as a, the length along x." in pasted.notes
+
+
+def test_a_column_sigma_beside_a_is_only_the_type():
+    pasted = parse_table("theta,d,a,alpha,sigma\nq1,0.4,0.3,pi/2,0\n0,q2,0,0,1")
+    same(pasted, [("R", 0.3, H, 0.4, 0), ("P", 0, 0, 0, 0)])
+    assert pasted.convention == "standard"
+
+
+def test_r_is_no_joint_variable_elsewhere():
+    for text in ("a,alpha,d,theta\n0,0,r1,0", "a,alpha,d,theta\n0,0,0,r1", "alpha,d,theta,r\n0,0,0,d1"):
+        with pytest.raises(InputError, match=r"the joint variable (of this column|is in theta or d)"):
+            parse_table(text)
+
+
+ROW = "a | alpha | d | theta\n0.3 | pi/2 | 0 | q1\n0.2 | 0 | 0 | q2\n"
+
+
+@pytest.mark.parametrize(
+    ("around", "convention", "note"),
+    [
+        ("", "standard", AS_STANDARD),
+        ("Table 3.2 of Craig", "modified", "Read as modified, because the text names a book with this convention."),
+        ("MDH", "modified", "Read as modified, because the text names a book with this convention."),
+        ("after Spong et al.", "standard", "Read as standard, because the text names a book with this convention."),
+        ("Siciliano, not Craig", "standard", AS_STANDARD),
+        ("modified 2024; proximal phalanx of a classic hand", "standard", AS_STANDARD),
+        ("Modified D-H parameters", "modified", None),
+        ("DH (proximal)", "modified", None),
+        ("the classical Denavit-Hartenberg table", "standard", None),
+        ("distal convention", "standard", None),
+    ],
+)
+def test_words_around_the_table_tell_the_convention_and_it_is_said(around, convention, note):
+    pasted = parse_table(f"{around}\n\n{ROW}")
+    assert pasted.convention == convention
+    assert [n for n in pasted.notes if "Read as" in n or "convention" in n] == ([note] if note else [])
+
+
+def test_the_default_and_the_headers_are_notes():
+    assert "Read as modified (Craig): switch if your book is Siciliano's." in parse_table(ROW, "modified").notes
+    craig = parse_table("alpha,a,d,theta\n0,0.3,0,q1")
+    assert craig.convention == "standard"
+    assert any("the columns stand in Craig's order" in note for note in craig.notes)
+    headed = parse_table("by Craig\na_i,alpha_i,d_i,theta_i\n0,0.3,0,q1")
+    assert headed.convention == "standard"
+    assert any("though the text names a book with the modified one" in note for note in headed.notes)

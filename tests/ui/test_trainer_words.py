@@ -1,0 +1,16 @@
+"""Sentences of the trainer and of the card on the closed form that carry a condition."""
+
+from armlab.content.robots import catalogue
+from armlab.ui.panels._dh_facts import closed_form_card, facts_of
+from armlab.ui.panels._trainer_words import AXES_RULE
+
+
+def test_the_number_of_solutions_comes_with_its_conditions():
+    conditions = ", full turns not counted, away from singular poses."
+    assert f"At most 8 solutions{conditions}" in closed_form_card(facts_of(catalogue()["puma560"].arm).structure)
+    assert f"One solution{conditions}" in closed_form_card(facts_of(catalogue()["cartesian_3p"].arm).structure)
+    assert conditions not in closed_form_card(facts_of(catalogue()["iiwa7"].arm).structure)
+
+
+def test_the_rule_of_the_axes_says_where_a_slide_is_taken():
+    assert "A sliding joint's axis is taken where it is drawn." in AXES_RULE
