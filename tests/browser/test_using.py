@@ -211,7 +211,7 @@ def test_moves_of_the_lab_are_shown_on_the_way(visit):
     for cell in ("zero", "home", "zero", "home"):
         start = lab.page.evaluate(angle, node)
         seen = lab.page.evaluate(record, [node, cell, 150])
-        assert abs(seen[-1] - start) > 20.0
+        assert abs(seen[-1] - start) > 5.0
         shown = max(shown, sum(min(start, seen[-1]) + 5 < a < max(start, seen[-1]) - 5 for a in seen))
         lab.rest()
         if shown >= 2:

@@ -17,7 +17,8 @@ def judge_table(
     """Return the verdicts on the cells of all rows; see `judge_row`.
 
     The place of an origin along parallel axes is free (notes, section 4.1): where the sum of d over rows of parallel
-    axes is right, counted along the first of them, each d of these rows is right.
+    axes is right, counted along the first of them, each d of these rows is right; where it is not, none is blamed
+    alone.
 
     The tolerance of lengths is in metres.
 
@@ -30,8 +31,14 @@ def judge_table(
         raise InputError(f"table: expected {len(expected)} rows, got {len(got)}")
     verdicts = [judge_row(row, cells, tolerance) for row, cells in zip(expected, got, strict=True)]
     for run in parallel_runs(expected):
-        if _same_sum(expected, got, run, tolerance):
-            free = CellVerdict(True, "", f"right: only the sum of d over rows {run[0] + 1} to {run[-1] + 1} is defined")
+        rows = f"the sum of d over rows {run[0] + 1} to {run[-1] + 1}"
+        off = _off(expected, got, run)
+        if off is not None and abs(off) > tolerance:
+            for i in run:
+                if verdicts[i]["d"].mistake == "wrong":
+                    verdicts[i]["d"] = CellVerdict(False, "wrong", f"only {rows} counts, and it is not right yet")
+        elif off is not None:
+            free = CellVerdict(True, "", f"right: only {rows} is defined")
             for i in run:
                 verdicts[i]["d"] = free
                 if verdicts[i]["a"].mistake == "swapped":
@@ -51,12 +58,13 @@ def parallel_runs(rows: Sequence[Row]) -> list[range]:
     return runs
 
 
-def _same_sum(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], run: range, tolerance: float) -> bool:
+def _off(expected: Sequence[Row], got: Sequence[Mapping[str, float | None]], run: range) -> float | None:
+    """Return by how many metres the sum of d along parallel axes is off; None where a number is missing."""
     total, sense = 0.0, 1.0
     for i in run:
         value = got[i].get("d")
         if value is None or not math.isfinite(value):
-            return False
+            return None
         total += sense * (value - expected[i].d)
         sense *= math.copysign(1.0, math.cos(expected[i].alpha))
-    return abs(total) <= tolerance
+    return total

@@ -14,6 +14,7 @@ from armlab.session.state import State
 from armlab.ui import adapter
 from armlab.ui.canvas import Canvas, PoseListener
 from armlab.ui.figure.drawn import Drawn
+from armlab.ui.pace import Pace, Paced
 from armlab.ui.plugin import Layer, Post, Show
 from armlab.ui.switches import SKELETON
 
@@ -38,8 +39,9 @@ class LayerCanvas:
         Whether the arm has to be drawn as a skeleton now.
     """
 
-    def __init__(self, canvas: Canvas) -> None:
-        self._canvas = canvas
+    def __init__(self, canvas: Canvas, pace: Pace | None = None) -> None:
+        self._canvas, self._pace = canvas, pace
+        self._paced: list[Paced] = []
         self._nodes = _Remembered(canvas.client.scene)
         self._on_hide: list[Callable[[], None]] = []
         self.hidden = False
@@ -67,8 +69,19 @@ class LayerCanvas:
         self._canvas.show_pose(q, at_once)
 
     def on_pose(self, listener: PoseListener) -> None:
-        """Call back with every configuration that is shown, moves included, while the layer is not hidden."""
-        self._canvas.on_pose(lambda q: None if self.hidden else listener(q))
+        """Call back with every configuration that is shown, moves included, while the layer is not hidden.
+
+        A layer that may lag gets fewer of them when a class needs the time, and always the last.
+        """
+        self._canvas.on_pose(self.paced(lambda q: None if self.hidden else listener(q)))
+
+    def paced(self, call: Callable[[Any], None]) -> Callable[[Any], None]:
+        """Return a function that calls this one, less often when there is no time, if the layer may lag."""
+        if self._pace is None:
+            return call
+        paced = Paced(call, self._pace)
+        self._paced.append(paced)
+        return paced
 
     @property
     def shown_pose(self) -> NDArray[np.float64]:
@@ -97,6 +110,8 @@ class LayerCanvas:
             for listener in self._on_hide:
                 listener()
         self.hidden = True
+        for paced in self._paced:
+            paced.stop()
         self._nodes.remove()
 
 
@@ -143,11 +158,22 @@ class _Remembered:
 
 
 class Drawing:
-    """One layer on one canvas: built when it is first wanted."""
+    """One layer on one canvas: built when it is first wanted.
 
-    def __init__(self, layer: Layer, canvas: Canvas) -> None:
-        self.layer, self.canvas = layer, LayerCanvas(canvas)
+    Parameters
+    ----------
+    layer : Layer
+        One with a switch or a panel may lag behind the arm.
+    canvas : Canvas
+    pace : Pace or None
+        Shared by everything that may lag; None holds nothing back.
+    """
+
+    def __init__(self, layer: Layer, canvas: Canvas, pace: Pace | None = None) -> None:
+        self.layer = layer
+        self.canvas = LayerCanvas(canvas, pace if layer.switch or layer.panel else None)
         self._show: Show | None = None
+        self._soon = self.canvas.paced(self._show_now)
         self._built = False
         self._shown: State | None = None
 
@@ -175,7 +201,13 @@ class Drawing:
         if not self._built:
             self._built = True
             self._show = self._guarded(self.layer.build, self.canvas, state)
-        if again or before is None or any(state[kind] is not before[kind] for kind in self.layer.watches):
+        if again or before is None:
+            self._show_now(state)
+        elif any(state[kind] is not before[kind] for kind in self.layer.watches):
+            self._soon(state)
+
+    def _show_now(self, state: State) -> None:
+        if not self.canvas.hidden:
             self._guarded(self._show, state)
 
     def _wanted(self, state: State, open_panels: frozenset[str], bare: bool) -> bool:

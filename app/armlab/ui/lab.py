@@ -21,6 +21,7 @@ from armlab.session.store import Store
 from armlab.session.worker import Worker
 from armlab.ui import adapter
 from armlab.ui.figure.drawn import Gallery
+from armlab.ui.pace import Pace
 from armlab.ui.player import Player
 from armlab.ui.plugin import layers, tabs
 from armlab.ui.view import View
@@ -56,7 +57,7 @@ class Lab:
         self._secret = secret
         self.server = adapter.make_server(port)
         self.loop = self.server.get_event_loop()
-        self.gallery = Gallery()
+        self.gallery, self.pace = Gallery(), Pace()
         self.store = Store(folder, opening)
         self.worker = Worker(self._publish)
         self._views: dict[int, View] = {}
@@ -104,7 +105,7 @@ class Lab:
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
         if adapter.request_headers(self.server, client) is None:
             return  # gone while the link's arm was fetched
-        view = View(client, session, self.gallery, lambda command: self.worker.post(session, command))
+        view = View(client, session, self.gallery, lambda command: self.worker.post(session, command), self.pace)
         self._views[client.client_id] = view
         self._of_session.setdefault(token, set()).add(view)
         if token not in self._players:

@@ -24,6 +24,7 @@ from armlab.ui.drawing import Drawing
 from armlab.ui.figure.drawn import Drawn, Gallery
 from armlab.ui.lesson_dock import LessonDock
 from armlab.ui.overlay import Overlay
+from armlab.ui.pace import Pace
 from armlab.ui.plugin import layers, panels, tabs
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
@@ -58,11 +59,16 @@ class View:
     """
 
     def __init__(
-        self, client: viser.ClientHandle, session: Session, gallery: Gallery, post: Callable[[Command], None]
+        self,
+        client: viser.ClientHandle,
+        session: Session,
+        gallery: Gallery,
+        post: Callable[[Command], None],
+        pace: Pace,
     ) -> None:
         self.client, self.session, self.post = client, session, post
         self.camera = Camera(client, lambda: session.state[Joints].q)
-        self._gallery = gallery
+        self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
         self._canvases = 0
@@ -205,7 +211,7 @@ class View:
         self._canvases += 1
         self._canvas = Canvas(self.client, drawn, self.post, state[Joints].q, self._canvases)
         before, self._robot = self._robot, state[RobotPart]
-        self._drawings = [Drawing(layer, self._canvas) for layer in layers().values()]
+        self._drawings = [Drawing(layer, self._canvas, self._pace) for layer in layers().values()]
         self._show_layers(state)
         self._look_at(drawn, before)
 
@@ -244,7 +250,7 @@ class View:
 
     def _refresh_soon(self) -> None:
         if self._refresh is None:
-            wait = max(0.0, self._refreshed + PANEL_INTERVAL - self._loop.time())
+            wait = max(0.0, self._refreshed + self._pace.interval(PANEL_INTERVAL) - self._loop.time())
             if wait == 0.0:
                 self._refresh_now()
             else:
@@ -260,7 +266,7 @@ class View:
         with self.client.atomic():
             again, self._untaken = self._untaken != self.session.untaken, self.session.untaken
             for key in self._seen:
-                self._tabs[key].show(self.session.state, again)
+                self._pace.timed(self._tabs[key].show, self.session.state, again)
             self._lesson.show(self.session.state)
             self._show_overlay()
             self._timeline.show(self.session.state, self.open_panels)

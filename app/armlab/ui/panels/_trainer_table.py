@@ -21,7 +21,7 @@ from armlab.ui.widgets import Gui
 
 _SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
 TURNS = ("alpha", "theta")
-WHICH = '<span class="dim">heads choose the cell</span>'
+WHICH = '<span class="dim">press the head of a row or column to choose the cell</span>'
 
 
 class TableStage:

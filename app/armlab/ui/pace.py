@@ -1,0 +1,96 @@
+"""How often what may lag is shown: at once while there is time for it, less often when a whole class needs the loop.
+
+The arm and its handle are never held back. Panels, overlays and films share a part of the event loop's time; when they
+have used it up, they are shown less often, and always once more when things have come to rest.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import time
+from collections.abc import Callable
+from typing import Any
+
+SHARE = 0.3
+"""Part of the loop's time that panels, overlays and films of all students may take together."""
+
+MEMORY = 1.0
+"""Seconds over which the time is summed."""
+
+SLOWEST = 1.0
+"""Seconds between two pictures at most."""
+
+
+class Pace:
+    """The time spent on what may lag, in one process.
+
+    Parameters
+    ----------
+    clock : callable
+        Seconds of a steady clock.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.perf_counter) -> None:
+        self._clock = clock
+        self._spent, self._at = 0.0, clock()
+
+    def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
+        """Return the result of a call and count its time."""
+        began = self._clock()
+        try:
+            return call(*arguments)
+        finally:
+            now = self._clock()
+            self._spent = self._load(now) * MEMORY + now - began
+            self._at = now
+
+    def interval(self, usual: float) -> float:
+        """Return how many seconds to leave between two pictures: the usual while there is time, more when not."""
+        load = self._load(self._clock())
+        if load <= SHARE:
+            return usual
+        return min(SLOWEST, max(usual, 0.05) * (load / SHARE) ** 2)
+
+    def _load(self, now: float) -> float:
+        """Return the part of the last second or so that was spent."""
+        return self._spent * math.exp((self._at - now) / MEMORY) / MEMORY
+
+
+class Paced:
+    """A function of one argument that is called at once when there is time, else later with the newest argument.
+
+    Parameters
+    ----------
+    call : callable
+    pace : Pace
+    """
+
+    def __init__(self, call: Callable[[Any], None], pace: Pace) -> None:
+        self._call, self._pace = call, pace
+        self._newest: Any = None
+        self._later: asyncio.TimerHandle | None = None
+        self._last = -math.inf
+
+    def __call__(self, argument: Any) -> None:
+        """Call now or later."""
+        self._newest = argument
+        if self._later is not None:
+            return
+        loop = asyncio.get_running_loop()
+        wait = self._last + self._pace.interval(0.0) - loop.time()
+        if wait <= 0.0:
+            self._run(loop)
+        else:
+            self._later = loop.call_later(wait, self._run, loop)
+
+    def _run(self, loop: asyncio.AbstractEventLoop) -> None:
+        self._later = None
+        self._last = loop.time()
+        self._pace.timed(self._call, self._newest)
+
+    def stop(self) -> None:
+        """Forget what is still to come."""
+        if self._later is not None:
+            self._later.cancel()
+            self._later = None
