@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-SHARE = 0.3
+SHARE = 0.1
 """Part of the loop's time that panels, overlays and films of all students may take together."""
 
 MEMORY = 1.0
