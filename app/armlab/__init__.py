@@ -10,15 +10,29 @@ The kinematics core works alone, in a script or a notebook:
 
 from __future__ import annotations
 
+from numpy.typing import ArrayLike
+
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, ContentError, InputError, UnknownName
 from armlab.kin import ik
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
+from armlab.version import VERSION
 
-__version__ = "0.1.0"
+__version__ = VERSION
 
-__all__ = ["Arm", "ArmlabError", "ContentError", "InputError", "Row", "UnknownName", "ik", "load", "robots"]
+__all__ = [
+    "Arm",
+    "ArmlabError",
+    "ContentError",
+    "InputError",
+    "Row",
+    "UnknownName",
+    "check_lesson",
+    "ik",
+    "load",
+    "robots",
+]
 
 
 def load(key: str) -> Arm:
@@ -37,3 +51,35 @@ def load(key: str) -> Arm:
 def robots() -> list[str]:
     """Return the keys of all robots, by family."""
     return list(catalogue().robots)
+
+
+def check_lesson(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[bool, str]:
+    """Return whether joint values meet the check of a lesson's step, and what the lesson says, as on screen.
+
+    Parameters
+    ----------
+    key : str
+        Such as ``"first_arm"``.
+    q : array_like, shape (n,)
+        Radians and metres.
+    step : int
+        From 1.
+    variant : int
+        Of a lesson that varies.
+
+    Raises
+    ------
+    UnknownName, ContentError
+        There is no such lesson, or its file cannot be used.
+    InputError
+        There is no such step, or nothing to check in it; q is of another shape or outside the joint limits.
+
+    Examples
+    --------
+    >>> import armlab
+    >>> armlab.check_lesson("first_arm", [0.0, 0.0])[0]
+    True
+    """
+    from armlab.session.play import check_at
+
+    return check_at(key, q, step, variant)

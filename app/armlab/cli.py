@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from armlab import __version__
+from armlab.commands import command_types, listing, run_command
+from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
 from armlab.front.addresses import addresses
@@ -23,7 +25,10 @@ DEFAULT_PORTS = range(8080, 8100)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the lab until Ctrl-C; return the exit status."""
+    """Run a command, or without one the lab until Ctrl-C; return the exit status."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    if arguments and not arguments[0].startswith("-"):
+        return run_command(arguments)
     options = parser().parse_args(arguments)
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     try:
@@ -37,8 +42,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 opening=opening.key,
                 folder=state_folder(options.state),
                 labs=options.labs,
+                lessons=tuple(options.lessons),
             )
         )
+        for problem in lessons().problems:
+            print(f"armlab: {problem}", file=sys.stderr)
     except ArmlabError as error:
         print(f"armlab: {error}", file=sys.stderr)
         return 1
@@ -73,15 +81,25 @@ def _open_browser(address: str) -> None:
 
 def parser() -> argparse.ArgumentParser:
     """Return the options."""
-    p = argparse.ArgumentParser(prog="armlab", description="A robot-arm laboratory in the browser.")
+    p = _Parser(prog="armlab", description="A robot-arm laboratory in the browser.")
     p.add_argument("--host", default="127.0.0.1", help="address to listen on; 0.0.0.0 lets others in the room in")
     p.add_argument("--port", type=_port, help="port to listen on; by default the first free one from 8080")
     p.add_argument("--no-browser", action="store_true", help="do not open a browser")
     p.add_argument("--robot", default=DEFAULT_ROBOT, metavar="NAME", help=f"arm of new students ({DEFAULT_ROBOT})")
     p.add_argument("--labs", type=_count, default=0, metavar="N", help="for a class: N lab processes behind one front")
+    p.add_argument(
+        "--lessons", type=Path, action="append", default=[], metavar="DIR", help="a folder of lessons; may be repeated"
+    )
     p.add_argument("--state", type=Path, metavar="DIR", help="where students' work is kept")
     p.add_argument("--version", action="version", version=f"armlab {__version__}")
     return p
+
+
+class _Parser(argparse.ArgumentParser):
+    """Its help also lists the commands, which are looked for only then."""
+
+    def format_help(self) -> str:
+        return f"{super().format_help()}\n{listing(command_types())}"
 
 
 def _port(text: str) -> int:

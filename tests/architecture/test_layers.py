@@ -9,7 +9,17 @@ import pytest
 PACKAGE = Path(__file__).resolve().parents[2] / "app" / "armlab"
 TOP = PACKAGE.parents[1]
 
-LEVELS = {"errors": 0, "plugins": 0, "resources": 0, "kin": 1, "content": 2, "session": 3, "ui": 4, "front": 5}
+LEVELS = {
+    "errors": 0,
+    "plugins": 0,
+    "resources": 0,
+    "version": 0,
+    "kin": 1,
+    "content": 2,
+    "session": 3,
+    "ui": 4,
+    "front": 5,
+}
 """Modules and folders by layer; those at the top, such as the command line, may use everything."""
 
 ONLY_IN = {

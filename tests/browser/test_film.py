@@ -5,11 +5,11 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.kin.moves import partial_product
-from armlab.session.clips.film import end_of, moves_in, place_at
+from armlab.session.clips.film import end_of, ends_of, place_at, start_of
 
 pytestmark = pytest.mark.browser
 PUMA = catalogue()["puma560"]
-END = 1.5 * moves_in(PUMA.arm)
+END = ends_of(PUMA.arm)[-1]
 
 
 def open_film(lab):
@@ -70,7 +70,7 @@ def playing(lab):
 def test_scrubbing_moves_the_frame_from_factor_to_factor_up_to_the_tool(visit):
     lab = visit()
     open_film(lab)
-    for time in (0.9, end_of(0, 1), end_of(0, 3), 10.1, 31.0, END):
+    for time in (0.9, end_of(PUMA.arm, 0, 1), end_of(PUMA.arm, 0, 3), 0.3 * END, 0.8 * END, END):
         scrub(lab, time)
         place = place_at(PUMA.arm, clock(lab)["time"])
         expected = partial_product(PUMA.arm, PUMA.home, place.row, place.progress)
@@ -94,7 +94,7 @@ def test_the_space_bar_plays_pauses_and_plays_to_the_end(visit):
     assert np.abs(moving_frame(lab) - before).max() > 1e-3
     # After a click on a row the space bar plays, and does not press the row again.
     lab.page.locator('.chip[data-cell="6"]').click()
-    lab.until(lambda: abs(clock(lab)["time"] - 36.0) < 0.01)
+    lab.until(lambda: abs(clock(lab)["time"] - start_of(PUMA.arm, 6)) < 0.01)
     key(lab, "Space")
     lab.until(lambda: clock(lab)["time"] == END and not playing(lab))
     lab.rest()
@@ -104,7 +104,7 @@ def test_the_space_bar_plays_pauses_and_plays_to_the_end(visit):
 def test_keys_step_and_the_bar_keeps_its_time_when_it_changes(visit):
     lab = visit()
     open_film(lab)
-    for expected in (1.5, 3.0):
+    for expected in ends_of(PUMA.arm)[:2]:
         key(lab, "Period")
         lab.until(lambda expected=expected: clock(lab)["time"] == expected)
     key(lab, "Comma")
@@ -123,10 +123,10 @@ def test_in_a_loop_it_plays_on_at_the_speed_chosen(visit):
     lab.rest()
     assert lab.page.locator(".al-time select").input_value() == "4"
     lab.press("loop")
-    scrub(lab, 36.5)
+    scrub(lab, END - 1.0)
     key(lab, "Space")
     lab.until(lambda: clock(lab)["rate"] == 4.0)
-    lab.until(lambda: 0.5 < clock(lab)["time"] < 30.0)
+    lab.until(lambda: 0.5 < clock(lab)["time"] < 0.8 * END)
     assert playing(lab)
     key(lab, "Space")
     lab.until(lambda: not playing(lab))

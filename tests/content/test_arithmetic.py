@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from armlab.content.arithmetic import evaluate, plain_symbols, shortest, shortest_degrees
+from armlab.content.arithmetic import evaluate, shortest, shortest_degrees
+from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError
 
 H = math.pi / 2

@@ -5,33 +5,17 @@ import math
 import numpy as np
 import pytest
 
-from armlab.content.lessons import parse_lesson
+from armlab.content.check import read_check
 from armlab.content.observation import Observation
+from armlab.content.reader import Table
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError
 
-FRONT = """+++
-title = "A lesson"
-chapter = "1 Introduction"
-teaches = ["S4.0-2R"]
-robot = "planar_2r"
-+++
-"""
-STEP = """
-## Do something
 
-Text.
-"""
-
-
-def lesson(body=STEP, front=FRONT):
-    return parse_lesson("made_up", front + body)
-
-
-def check(text):
-    found = lesson(f"{STEP}\n```check\n{text}\n```\n").steps[0].check
-    assert found is not None
-    return found
+def check(text, robot="planar_2r"):
+    table = Table.parse("f.md", text)
+    table.where = "step 1.check"
+    return read_check(table, catalogue()[robot])
 
 
 def seen(q_deg, robot="planar_2r"):
@@ -64,8 +48,9 @@ def test_the_angle_of_the_tool_counts_when_it_is_asked_for():
     assert asked.is_met(seen([90.5, -89.5]))
     assert not asked.is_met(seen([0, 90]))
     assert asked.says(seen([0, 90])) == (
-        "The position is right; the angle φ is not: turn the tool 90.0° clockwise."
-    )  # fmt: skip
+        "The position is right; the angle φ is not: turn the tool 90.0° clockwise. "
+        "The arm stands in the mirror branch: bend the elbow the other way."
+    )
     with pytest.raises(ContentError, match="tolerance_deg: expected phi_deg with it"):
         check('kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.01\ntolerance_deg = 2')
 
@@ -82,15 +67,20 @@ def test_a_joint_at_a_value():
     assert across.is_met(seen([-179.5, 0]))
 
 
+def test_degrees_taken_for_radians():
+    asked = check('kind = "joint_at"\njoint = 2\nvalue_deg = 60\ntolerance_deg = 1')
+    assert asked.says(seen([0, math.radians(60)])).endswith(" That is the number of radians, taken for degrees.")
+    assert "radians" not in asked.says(seen([0, 0]))
+
+
 def test_a_sliding_joint_is_in_metres():
-    text = FRONT.replace("planar_2r", "scara")
-    block = '\n```check\nkind = "joint_at"\njoint = 3\nvalue_m = 0.1\ntolerance_m = 0.005\n```\n'
-    asked = lesson(STEP + block, text).steps[0].check
+    text = 'kind = "joint_at"\njoint = 3\nvalue_m = 0.1\ntolerance_m = 0.005'
+    asked = check(text, "scara")
     arm = catalogue()["scara"].arm
     assert asked.is_met(Observation.of(arm, [0, 1, 0.104, 0]))
     assert asked.says(Observation.of(arm, [0, 1, 0.12, 0])) == "Joint 3 is at 0.120 m and should be at 0.100 m."
-    with pytest.raises(ContentError, match=r"step 1\.check\.value_m: outside the limits of joint 3"):
-        lesson(STEP + block.replace("0.1\n", "9\n"), text)
+    with pytest.raises(ContentError, match=r"f\.md: step 1\.check\.value_m: outside the limits of joint 3"):
+        check(text.replace("0.1\n", "9\n"), "scara")
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,5 @@ def test_its_overlays_are_switches_of_the_picture(given):
     assert set(given.overlays) <= {switch.name for switch in switches()}
 
 
-def test_every_lesson_has_a_link(given):
-    from armlab.front.front import NAME
-
-    assert NAME.match(given.key)
+def test_what_it_hides_is_a_panel(given):
+    assert set(given.hidden) <= set(panels())

@@ -5,7 +5,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from armlab.content.markdown import formula, is_allowed, to_html
+from armlab.content.markdown import Extras, TextError, formula, html_of, is_allowed, to_html, tokens_of
 from armlab.errors import ContentError, InputError
 
 TEXT_TAGS = {
@@ -60,7 +60,6 @@ ATTACKS = [
     '[x](https://a.example "t\\" onmouseover=alert(1)")',
     '[x](<https://a.example/" onerror="alert(1)>)',
     "![x](javascript:alert(1))",
-    "![x](https://a.example/x.png)",
     '![x](y "z" onerror=alert(1))',
     "```html\n<script>alert(1)</script>\n```",
     '``` " onclick="alert(1)\nx\n```',
@@ -210,3 +209,53 @@ def test_noise_makes_inert_text_or_a_named_mistake(rng):
         assert_inert(html)
         inert += "ContentError" not in html
     assert inert > 100
+
+
+# --- Live values and pictures
+
+
+def shown(text, **extras):
+    return html_of(tokens_of(text), Extras(**extras))
+
+
+def test_live_values_stand_between_words_and_are_collected():
+    used = set()
+    html = shown("Now **{{q1}}** and {{ det   J }}, \\{{q1}}.", live={"q1": "", "det J": ""}, used=used)
+    assert '<strong><output class="live" data-live="q1">…</output></strong>' in html
+    assert '<output class="live" data-live="det J">…</output>, {{q1}}.' in html
+    assert used == {"q1", "det J"}
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "says"),
+    [
+        ("a\nb {{q2}}", 1, "unknown live value 'q2'. Available: q1"),
+        ("a\n\n* b\n* {{w}}", 3, "the live value 'w' is not there for this arm: because"),
+        ("| a |\n|---|\n| {{x}} |", 2, "unknown live value 'x'"),
+        ("$$\na\n$$\n\ntext $ {{q1}} $", 4, r"{{q1}} is a live value and cannot stand in a formula"),
+        ("a\n\n![b](c.png)", 2, "unknown picture 'c.png'"),
+        ("a\nb\n$\\foo$", 2, "unknown command"),
+    ],
+)
+def test_the_line_of_a_mistake(text, line, says):
+    with pytest.raises(TextError, match=says) as raised:
+        shown(text, live={"q1": "", "w": "because"}, pictures={"d.png": "data:image/png;base64,A"})
+    assert raised.value.line == line
+
+
+def test_braces_of_formulas_are_no_live_values():
+    assert "<mn>60</mn>" in shown(r"${{-60}\text{°}}$", live={"q1": ""})
+    assert "<mi>a</mi>" in shown(r"$x^{{a}}$", live={"q1": ""})
+
+
+def test_a_true_minus_sign_in_a_formula_is_an_operator():
+    assert formula("a \u2212 1") == formula("a - 1")
+
+
+@pytest.mark.parametrize("address", ["https://a.example/x.png", "data:image/png;base64,AAAA", "y", "/x.png"])
+def test_only_pictures_that_are_given_come_through(address):
+    try:
+        html = shown(f"![x]({address})", pictures={"z.png": "data:image/png;base64,A"})
+    except TextError as error:
+        html = f"<p>{type(error).__name__}</p>"
+    assert "<img" not in html

@@ -1,20 +1,34 @@
-"""Answers as students type them."""
+"""Answers as students type them: numbers, choices, and what all questions share."""
 
 import math
+from html import escape
 
 import pytest
 
-from armlab.content.questions import Question, Wrong, read_quantity
-from armlab.errors import InputError
+from armlab.content.quantities import read_quantity
+from armlab.content.question import Choices, Field, Verdict, question_types, read_question
+from armlab.content.questions.number import NumberQuestion, WrongNumber
+from armlab.content.reader import Table
+from armlab.errors import ContentError, InputError
 
-LENGTH = Question("", 0.5, "m", 0.001, (Wrong(0.7, "Told."),))
-ANGLE = Question("", math.pi / 2, "rad", 0.01)
-DEGREES = Question("", 90.0, "deg", 0.1)
+LENGTH = NumberQuestion("", 0.5, "m", 0.001, (WrongNumber(0.7, "Told."),))
+ANGLE = NumberQuestion("", math.pi / 2, "rad", 0.01)
+DEGREES = NumberQuestion("", 90.0, "deg", 0.1)
+ROOT = NumberQuestion("", math.sqrt(3), "", 0.01)
+SMALL = NumberQuestion("", 0.02, "m", 0.01)
 
 
-@pytest.mark.parametrize("text", ["0.5", "0,5", ".5", "50 cm", "500 mm", "500mm", "1/2 m", "0.5010", "5e-1"])
+def ask(text, kind="number"):
+    table = Table.parse("f.md", f'kind = "{kind}"\ntext = "How much?"\n{text}')
+    table.where = "step 1.question"
+    return read_question(table, lambda markdown, where: f"<p>{escape(markdown)}</p>")
+
+
+@pytest.mark.parametrize(
+    "text", ["0.5", "0,5", ".5", "50 cm", "500 mm", "500mm", "1/2 m", "0.5010", "5e-1", "5·10⁻¹ m"]
+)
 def test_right_lengths(text):
-    assert LENGTH.judge(text).right
+    assert LENGTH.judge(text) == Verdict(True, "Right.")
 
 
 @pytest.mark.parametrize("text", ["pi/2", "π/2", "90 deg", "90°", "1.57", "1.57 rad", "90 degrees", "pi/2 rad"])
@@ -24,41 +38,155 @@ def test_right_angles(text):
 
 
 @pytest.mark.parametrize(
-    ("question", "text", "says"),
+    ("question", "text", "says", "name"),
     [
-        (LENGTH, "-0.5", "The size is right, the sign is not."),
-        (LENGTH, "500", "The number is right in mm; write its unit, or give it in m."),
-        (LENGTH, "50", "The number is right in cm; write its unit, or give it in m."),
-        (LENGTH, "0.7", "Told."),
-        (LENGTH, "70 cm", "Told."),
-        (LENGTH, "0.52", "This is not the answer yet."),
-        (LENGTH, "500 m", "This is not the answer yet."),
-        (LENGTH, "0.5 rad", "This is an angle; the question asks for a length in m."),
-        (ANGLE, "90", "The number is right in deg; write its unit, or give it in rad."),
-        (DEGREES, "1.5708", "The number is right in rad; write its unit, or give it in deg."),
-        (DEGREES, "-270", "The direction is right, but it is a whole turn away."),
-        (LENGTH, "half", "I cannot read 'half': write a number such as 0.5, 50 cm, pi/2 or 90 deg."),
-        (LENGTH, "<b>1</b>", "I cannot read '&lt;b&gt;1&lt;/b&gt;': write a number"),
-        (LENGTH, "0.5 rad^2", "The unit rad^2 is not known; there are m, cm, mm,"),
-        (LENGTH, "", "I cannot read ''"),
-        (LENGTH, "1,234.5", "I cannot read '1,234.5'"),
-        (LENGTH, "__import__('os')", "I cannot read"),
+        (LENGTH, "-0.5", "The size is right, the sign is not.", "sign"),
+        (LENGTH, "500", "The number is right in mm; write its unit, or give it in m.", "unit"),
+        (LENGTH, "50", "The number is right in cm; write its unit, or give it in m.", "unit"),
+        (LENGTH, "0.7", "Told.", "wrong[1]"),
+        (LENGTH, "70 cm", "Told.", "wrong[1]"),
+        (LENGTH, "0.52", "This is not the answer yet.", ""),
+        (LENGTH, "500 m", "This is not the answer yet.", ""),
+        (LENGTH, "1", "This is twice what is asked", "factor 2"),
+        (LENGTH, "25 cm", "This is half of what is asked", "factor 2"),
+        (LENGTH, "0.5 rad", "This is an angle; the question asks for a length in m.", "unit"),
+        (ANGLE, "90", "The number is right in deg; write its unit, or give it in rad.", "degrees"),
+        (ANGLE, "90 rad", "The number is right in deg, but you wrote rad.", "degrees"),
+        (DEGREES, "1.5708", "The number is right in rad; write its unit, or give it in deg.", "degrees"),
+        (DEGREES, "1.5708 deg", "The number is right in rad, but you wrote deg.", "degrees"),
+        (DEGREES, "-270", "The direction is right, but it is a whole turn away.", "turn"),
+        (DEGREES, "45", "This is half of what is asked", "factor 2"),
+        (ROOT, "2*cos(30)", "sin, cos and tan take radians here", "degrees"),
+        (SMALL, "0.035", "This is not the answer yet.", ""),
+        (LENGTH, "half", "I cannot read 'half': write a number such as 0.5, 50 cm, pi/2 or 90 deg.", "unreadable"),
+        (LENGTH, "<b>1</b>", "I cannot read '&lt;b&gt;1&lt;/b&gt;': write a number", "unreadable"),
+        (LENGTH, "0.5 rad^2", "The unit rad^2 is not known; there are m, cm, mm,", "unreadable"),
+        (LENGTH, "", "I cannot read ''", "unreadable"),
+        (LENGTH, "1,234.5", "I cannot read '1,234.5'", "unreadable"),
+        (LENGTH, "__import__('os')", "I cannot read", "unreadable"),
+        (LENGTH, "1/0", "'1/0': division by zero", "unreadable"),
     ],
 )
-def test_wrong_answers_are_named(question, text, says):
+def test_wrong_answers_are_named(question, text, says, name):
     verdict = question.judge(text)
     assert not verdict.right
     assert verdict.says.startswith(says)
+    assert verdict.name == name
+
+
+@pytest.mark.parametrize("text", ["2cos(30°)", "2cos(rad(30))", "sqrt(3)", "√3", "tan(pi/3)", "max(1, sqrt(3))"])
+def test_small_formulas_are_answers(text):
+    assert ROOT.judge(text).right
 
 
 @pytest.mark.parametrize(
     ("text", "value", "unit"),
-    [("2 m/s", 2.0, "m/s"), ("3 deg / s", 3.0, "deg/s"), ("4 m²", 4.0, "m^2"), ("5 ms", 5.0, "ms"), ("−6", -6.0, None)],
+    [
+        ("2 m/s", 2.0, "m/s"),
+        ("3 deg / s", 3.0, "deg/s"),
+        ("4 m²", 4.0, "m^2"),
+        ("4 cm^2", 4.0, "cm^2"),
+        ("4 m2", 4.0, "m^2"),
+        ("5 ms", 5.0, "ms"),
+        ("−6", -6.0, None),
+        ("10¹²", 1e12, None),
+        ("10² m", 100.0, "m"),
+        ("10² m²", 100.0, "m^2"),
+        ("2·10⁻³", 0.002, None),
+        ("2×10⁻³ mm", 0.002, "mm"),
+        ("3 rad·s⁻¹", 3.0, "rad/s"),
+        ("3 m s^-1", 3.0, "m/s"),
+        ("7 N m", 7.0, "Nm"),
+        ("7 N·m", 7.0, "Nm"),
+        ("7 N", 7.0, "N"),
+        ("atan2(1,1)*4/pi rad", 1.0, "rad"),
+    ],
 )
 def test_quantities(text, value, unit):
-    assert read_quantity(text) == (value, unit)
+    got, found = read_quantity(text)
+    assert (got, found) == (pytest.approx(value, rel=1e-15), unit)
 
 
 def test_a_quantity_that_cannot_be_read():
     with pytest.raises(InputError, match="I cannot read 'm'"):
         read_quantity("m")
+
+
+NUMBER = 'answer = 2\ntolerance = 0.1\nunit = "m"\n'
+
+
+def test_a_number_question_of_a_file():
+    question = ask(NUMBER + 'hide = ["arm", "arm"]\n[[wrong]]\nanswer = 1\nsays = "a < b"')
+    assert (question.html, question.form, question.hide) == ("<p>How much?</p>", Field("m"), ("arm",))
+    assert question.judge(question.right_answer).right
+    assert question.wrong == (("1 m", "<p>a &lt; b</p>"),)
+    assert question.judge(question.wrong[0].typed) == Verdict(False, "<p>a &lt; b</p>", "wrong[1]")
+
+
+def test_all_kinds_are_found():
+    assert list(question_types()) == ["number", "choice", "matrix", "expression"]
+
+
+OPTIONS = 'options = ["one", "two", "three"]\n'
+
+
+def test_one_choice():
+    question = ask(OPTIONS + 'answer = 2\n[[wrong]]\nanswer = 3\nsays = "too many"', "choice")
+    assert question.form == Choices(("<p>one</p>", "<p>two</p>", "<p>three</p>"), False)
+    assert question.right_answer == "2"
+    assert question.judge(" 2 ").right
+    assert question.judge("3") == Verdict(False, "<p>too many</p>", "wrong[1]")
+    assert question.judge("1") == Verdict(False, "This is not the answer yet.")
+    assert question.judge("1,2").says == "Choose one option only."
+    for text in ("0", "4", "", "two", "2.0", "-1", "²", "9" * 5000):
+        assert question.judge(text).name == "unreadable"
+
+
+def test_several_choices():
+    text = 'answer = [1, 3]\n[[wrong]]\nanswer = 2\nsays = "not two"\n[[wrong]]\nanswer = [1, 2]\nsays = "exactly"'
+    question = ask(OPTIONS + text, "choice")
+    assert question.form.several
+    assert question.right_answer == "1,3"
+    assert [question.judge(text).right for text in ("1,3", "3 1", "1;3", "1, 3,")] == [True] * 4
+    assert question.judge("1").name == "missing"
+    assert question.judge("1,2").name == "wrong[2]"
+    assert question.judge("2").name == "wrong[1]"
+    for wrong in question.wrong:
+        assert question.judge(wrong.typed).says == wrong.says
+    bare = ask(OPTIONS + "answer = [1]", "choice")
+    assert bare.judge("1,2").name == "too many"
+    assert bare.judge("2").name == "other"
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "says"),
+    [
+        ("number", "answer = 2\ntolerance = 0", "tolerance: expected a positive number"),
+        ("number", 'answer = 2\ntolerance = 1\nunit = "km"', "unit: unknown value 'km'"),
+        ("number", "tolerance = 1", "answer: missing"),
+        ("number", NUMBER + "colour = 1", "colour: unknown key"),
+        ("number", NUMBER + 'hide = "arm"', "hide: expected a list of 'arm' or 'values', got 'arm'"),
+        ("number", NUMBER + 'hide = ["leg"]', "hide: expected a list"),
+        ("number", NUMBER + "hide = [[]]", "hide: expected a list"),
+        ("number", NUMBER + '[[wrong]]\nanswer = 2.1\nsays = "x"', r"wrong\[1\].answer: 2.1 is too close"),
+        ("number", NUMBER + "[[wrong]]\nanswer = 5", r"wrong\[1\].says: missing"),
+        ("nummer", NUMBER, "kind: unknown value 'nummer'; did you mean 'number'"),
+        ("choice", "answer = 1", "options: missing"),
+        ("choice", 'options = ["a"]\nanswer = 1', "options: expected 2 to 12 different options, got 1"),
+        ("choice", 'options = ["a", "a"]\nanswer = 1', "options: expected 2 to 12 different"),
+        ("choice", 'options = ["a", 2]\nanswer = 1', "options: expected a list of texts"),
+        ("choice", OPTIONS + "answer = 4", "answer: expected options from 1 to 3, got 4"),
+        ("choice", OPTIONS + "answer = []", "answer: expected options from 1 to 3"),
+        ("choice", OPTIONS + "answer = true", "answer: expected options from 1 to 3"),
+        (
+            "choice",
+            OPTIONS + 'answer = 1\n[[wrong]]\nanswer = 1\nsays = "x"',
+            r"wrong\[1\].answer: 1 is the right answer",
+        ),
+        ("choice", OPTIONS + 'answer = 1\n[[wrong]]\nanswer = [2, 3]\nsays = "x"', "expected one option, got 2,3"),
+        ("choice", OPTIONS + 'answer = [1]\n[[wrong]]\nanswer = 1\nsays = "x"', "1 is the right answer; give a list"),
+    ],
+)
+def test_broken_questions_name_file_and_key(kind, text, says):
+    with pytest.raises(ContentError, match=rf"f\.md: step 1\.question\.{says}|f\.md: .*{says}"):
+        ask(text, kind)

@@ -37,7 +37,19 @@ def get(url, headers=None, follow=True):
         return error.code, error.headers, error.read()
 
 
-@pytest.mark.parametrize("path", ["", "robot/puma560", "robot/anything-well-formed", "lesson/first_arm"])
+@pytest.mark.parametrize(
+    "path",
+    [
+        "",
+        "robot/puma560",
+        "robot/anything-well-formed",
+        "lesson/first_arm",
+        "lesson/first_arm/0",
+        "lesson/first_arm/9999",
+        "state/1anything_well-formed",
+        "state/" + "x" * 1500,
+    ],
+)
 def test_pages(url, path):
     status, headers, body = get(url + path)
     assert status == 200
@@ -63,7 +75,13 @@ def test_pages(url, path):
         "lesson/UPPER",
         "lesson/first_arm.md",
         "lesson/%2e%2e",
-        "lesson/first_arm/2",
+        "lesson/first_arm/two",
+        "lesson/first_arm/-1",
+        "lesson/first_arm/10000",
+        "lesson/first_arm/1/2",
+        "lesson/UPPER/1",
+        "state/",
+        "state/1abc/2",
         "index.html",
         "assets/x.js",
         "healthz",
@@ -71,6 +89,14 @@ def test_pages(url, path):
 )
 def test_everything_else_is_not_there(url, path):
     assert get(url + path)[0] == 404
+
+
+@pytest.mark.parametrize("text", ["1", "1" * 1501, "1a.b", "1a%20b", "1a%3Cscript%3E", "1a%0A", "1%C3%A9"])
+def test_a_damaged_link_is_a_sentence(url, text):
+    status, headers, body = get(f"{url}state/{text}")
+    assert status == 400
+    assert headers["Content-Type"] == "text/plain; charset=utf-8"
+    assert body.startswith(b"This link is damaged")
 
 
 def test_the_cookie_is_private(url):

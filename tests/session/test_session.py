@@ -1,6 +1,5 @@
-"""One student: undo, mailbox, worker, store."""
+"""One student: undo, mailbox, worker."""
 
-import json
 import threading
 import time
 
@@ -11,14 +10,13 @@ from armlab.content.robots import catalogue
 from armlab.session.edits import SetCell
 from armlab.session.history import PAUSE
 from armlab.session.mailbox import Mailbox
-from armlab.session.parts.display import Show
+from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot
-from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
+from armlab.session.parts.target import DragTarget, EndDrag, target_pose
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.session import Redo, Refuse, Session, StartFresh, Undo
-from armlab.session.state import Command, State
-from armlab.session.store import Store
+from armlab.session.state import Command
 from armlab.session.worker import Worker
 
 PUMA = catalogue()["puma560"]
@@ -75,7 +73,30 @@ def test_redo_brings_back_and_a_new_step_forgets_it(session):
     assert session.state is zero
     session.apply(Undo(), 3.0)
     session.apply(Show("frames", True), 4.0)
+    assert session.history.redo_label == "move"
+    session.apply(LockJoint(0, True), 5.0)
     assert session.history.redo_label is None
+
+
+def test_undo_leaves_the_switches_of_the_picture_as_they_are(session):
+    session.apply(TakePose("zero"), 0.0)
+    session.apply(Show("dark", True), 1.0)
+    assert session.history.undo_label == "move"
+    session.apply(Undo(), 2.0)
+    assert session.state[Joints].q.tolist() == PUMA.home.tolist()
+    assert session.state[Display].switches["dark"]
+    session.apply(Show("dark", False), 3.0)
+    session.apply(Redo(), 4.0)
+    assert session.state[Joints].q.tolist() == [0.0] * 6
+    assert not session.state[Display].switches["dark"]
+
+
+def test_a_switch_of_the_picture_during_a_sweep_is_no_step(session):
+    for k, command in enumerate((OpenClip("sweep", play=True), Show("dark", True), Seek(1.0))):
+        session.apply(command, float(k))
+    swept = session.state
+    session.apply(Undo(), 9.0)
+    assert session.state is swept
 
 
 def test_undo_with_nothing_to_undo_changes_nothing(session):
@@ -101,7 +122,7 @@ def test_a_command_without_effect_is_no_step(session):
 
 def test_the_history_is_bounded(session):
     for k in range(500):
-        session.apply(Show("frames", k % 2 == 0), float(k))
+        session.apply(LockJoint(0, k % 2 == 0), float(k))
     assert len(session.history.past) == 200
 
 
@@ -250,116 +271,6 @@ def test_one_drag_is_one_chain_of_commands(session):
     worker.join(2.0)
     assert (worker.counts.posted, worker.counts.applied, worker.counts.runs) == (11, 11, 11)
     assert len(session.history.past) == 1
-
-
-def test_a_session_comes_back_from_disk(tmp_path):
-    store = Store(tmp_path, PUMA)
-    session = store.get("a student")
-    session.apply(ChooseRobot("scara"), 0.0)
-    drag(session, object(), 1.0)
-    assert store.save() == 1
-    assert store.save() == 0
-    again = Store(tmp_path, PUMA).get("a student")
-    assert again.state.to_json() == session.state.to_json()
-    assert again.state[Target].pose is not None
-
-
-def test_a_session_in_memory_is_the_same_object():
-    store = Store(None, PUMA)
-    assert store.get("a") is store.get("a")
-    assert store.get("a") is not store.get("b")
-    assert store.save() == 0
-
-
-def test_tokens_do_not_become_file_names(tmp_path):
-    store = Store(tmp_path / "sessions", PUMA)
-    store.get("../../escape").apply(TakePose("zero"), 0.0)
-    store.save()
-    assert [path.parent for path in tmp_path.rglob("*.json")] == [tmp_path / "sessions"]
-
-
-@pytest.mark.parametrize(
-    "data",
-    [
-        b"",
-        b"{",
-        b"[]",
-        b'{"format": 99, "parts": {}}',
-        b'{"format": 1, "parts": {}}',
-        b"\xff\xfe",
-        b"[" * 100_000,
-        b"9" * 5000,
-    ],
-    ids=lambda data: repr(data[:30]),
-)
-def test_a_broken_file_gives_a_fresh_session_and_a_notice(tmp_path, data):
-    broken_store(tmp_path, data)
-    session = Store(tmp_path, PUMA).get("a student")
-    assert session.robot is PUMA
-    assert "fresh start" in session.notice.text
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"robot": "gone"},
-        {"joints": {"q": [0.0], "locked": [], "draws": 0}},
-        {"joints": {"q": [float("nan")] * 6, "locked": [False] * 6, "draws": 0}},
-        {"joints": {"q": [0.0] * 6, "locked": [False] * 6, "draws": float("inf")}},
-        {"joints": {"q": [0.0] * 6, "locked": [False] * 6, "draws": -1}},
-        {"target": {"pose": [[1]], "axes": "world", "handle": "move", "method": "dls"}},
-        {"target": {"pose": None, "axes": "nowhere", "handle": "move", "method": "dls"}},
-        {"target": {"pose": None, "axes": "world", "handle": "move", "method": "gone"}},
-    ],
-)
-def test_a_file_of_another_version_gives_a_fresh_session_and_a_notice(tmp_path, change):
-    parts = Session.fresh("x", PUMA).state.to_json() | change
-    broken_store(tmp_path, json.dumps({"format": 1, "parts": parts}).encode())
-    session = Store(tmp_path, PUMA).get("a student")
-    assert session.robot is PUMA
-    assert "does not fit" in session.notice.text
-
-
-def broken_store(folder, data):
-    store = Store(folder, PUMA)
-    store.get("a student").apply(TakePose("zero"), 0.0)
-    store.save()
-    next(folder.glob("*.json")).write_bytes(data)
-
-
-class Unwritable(State):
-    """A state that cannot be written down."""
-
-    def to_json(self):
-        raise RuntimeError("the part is broken")
-
-
-class HalfWritten(State):
-    """A state whose writing fails in the middle of the file."""
-
-    def to_json(self):
-        return {"joints": object()}
-
-
-def test_a_session_that_cannot_be_saved_holds_up_no_other_and_is_logged_once(tmp_path, caplog):
-    store = Store(tmp_path, PUMA)
-    bad, good = store.get("bad"), store.get("good")
-    bad.state = Unwritable({})
-    good.apply(TakePose("zero"), 0.0)
-    assert store.save() == 1
-    assert Store(tmp_path, PUMA).get("good").state[Joints].q.tolist() == [0.0] * 6
-    assert store.save() == 0
-    assert caplog.text.count("RuntimeError: the part is broken") == 1
-    assert "Traceback" in caplog.text
-    bad.state = good.state
-    assert store.save() == 1
-
-
-def test_a_writing_that_fails_leaves_no_file(tmp_path):
-    store = Store(tmp_path, PUMA)
-    store.get("a student").state = HalfWritten({})
-    assert store.save() == 0
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_what_is_refused_or_changes_nothing_is_counted_for_the_pages(session):

@@ -10,7 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, InputError, UnknownName
 from armlab.kin.assignment import expected_table, judge_frames, own_choices
 from armlab.session.edits import Convert, SetCell
-from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
 from armlab.session.parts.robot import ChooseRobot, robot_from_json
 from armlab.session.parts.trainer import Trainer
 from armlab.session.session import Redo, Session, Undo
@@ -20,6 +20,7 @@ from armlab.session.trainer_commands import (
     CheckAxes,
     CheckTable,
     ChooseDirection,
+    EndTrainer,
     ReviseAxes,
     SetAnswer,
     ShowAxes,
@@ -105,9 +106,8 @@ def test_which_arms_are_exercises():
 @pytest.mark.parametrize("key", [robot.key for robot in usable_robots()])
 def test_the_solution_is_legal_and_the_pose_inside_the_limits(key):
     exercise = Exercise(catalogue()[key])
-    arm = exercise.robot.arm
+    arm, choices = exercise.robot.arm, choices_of(exercise.solution)
     assert arm.within_limits(exercise.pose)
-    choices = choices_of(exercise.solution)
     assert all(verdict.ok for verdict in judge_frames(arm, exercise.pose, choices))
     found = expected_table(arm, exercise.pose, choices)
     np.testing.assert_allclose(found.frames[:, :3, 3], exercise.origins, atol=1e-12)
@@ -333,6 +333,35 @@ def test_progress_is_undone_and_read_back():
     assert session.state[Trainer].done
 
 
+def test_the_arm_goes_back_to_where_it_was_when_the_exercise_ends():
+    away = apply(State.initial(catalogue()["puma560"]), RandomPose())
+    started_twice = apply(apply(away, StartTrainer()), StartTrainer())
+    assert not np.array_equal(started_twice[Joints].q, away[Joints].q)
+    for state in (started_twice, read_back(started_twice)):
+        ended = apply(state, EndTrainer())
+        np.testing.assert_array_equal(ended[Joints].q, away[Joints].q)
+        assert not ended[Trainer].started
+        assert ended[Trainer].before is None
+        assert ended[Trainer].answers == Answers.empty(6)
+    with pytest.raises(InputError, match="start the exercise first"):
+        apply(away, EndTrainer())
+
+
+def test_an_arm_moved_by_hand_in_the_exercise_stays_when_it_ends():
+    state = apply(apply(State.initial(catalogue()["puma560"]), StartTrainer()), MoveJoint(0, 0.3))
+    assert apply(state, EndTrainer())[Joints] is state[Joints]
+
+
+@pytest.mark.parametrize("before", [[0.0], [0.0, float("nan")], "far"])
+def test_damaged_joint_values_from_before_are_refused(before):
+    data = placed("planar_2r")[Trainer].to_json()
+    with pytest.raises(InputError, match="before"):
+        Trainer.from_json(data | {"before": before}, catalogue()["planar_2r"])
+    fresh = Trainer.initial(catalogue()["planar_2r"]).to_json()
+    with pytest.raises(InputError, match="has not begun"):
+        Trainer.from_json(fresh | {"before": [0.0, 0.0]}, catalogue()["planar_2r"])
+
+
 def test_another_arm_begins_anew():
     state = apply(placed("planar_2r"), ChooseRobot("scara"))
     assert not state[Trainer].started
@@ -358,8 +387,7 @@ def test_another_arm_begins_anew():
     ],
 )
 def test_damaged_progress_is_refused(damage):
-    state = placed("planar_2r")
-    robot = catalogue()["planar_2r"]
+    state, robot = placed("planar_2r"), catalogue()["planar_2r"]
     data = json.loads(json.dumps(state[Trainer].to_json()))
     assert Trainer.from_json(data, robot).answers == state[Trainer].answers
     with pytest.raises((ArmlabError, TypeError, ValueError)):
@@ -367,6 +395,6 @@ def test_damaged_progress_is_refused(damage):
 
 
 def test_an_arm_without_exercise_cannot_be_read_as_started():
-    data = Trainer.initial(catalogue()["panda"]).to_json()
+    robot = catalogue()["panda"]
     with pytest.raises(InputError, match="no exercise"):
-        Trainer.from_json(data | {"started": True}, catalogue()["panda"])
+        Trainer.from_json(Trainer.initial(robot).to_json() | {"started": True}, robot)

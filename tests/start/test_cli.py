@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from support.student import run, student
+
 APP = Path(__file__).resolve().parents[2] / "app"
 
 
@@ -122,7 +124,7 @@ def test_wrong_options_are_refused(arguments):
 def test_help_names_every_option():
     status, out, _ = finished("--help")
     assert status == 0
-    for option in ("--host", "--port", "--no-browser", "--robot", "--labs", "--state", "--version"):
+    for option in ("--host", "--port", "--no-browser", "--robot", "--labs", "--lessons", "--state", "--version"):
         assert option in out
 
 
@@ -137,6 +139,54 @@ def test_a_class_has_labs_behind_one_front(tmp_path):
     assert count >= 2
     with pytest.raises(urllib.error.URLError):
         urllib.request.urlopen(address)
+
+
+LESSON = """+++
+title = "A lesson of {name}"
+chapter = "1"
+teaches = ["S4.0-2R"]
+robot = "planar_2r"
++++
+## Only step
+Words of {name}.
+"""
+
+
+def fresh_lesson_text(address, name):
+    """Return what a new student sees who follows the link to a lesson."""
+
+    async def main():
+        browser = await student(address, path=f"/lesson/{name}")
+        await browser.until(lambda: f"Words of {name}" in browser.html() or browser.notices)
+        seen = browser.html() + "".join(browser.notices)
+        await browser.close()
+        return seen
+
+    return run(main())
+
+
+@pytest.mark.parametrize("labs", ["0", "1"])
+def test_folders_of_lessons_are_there_for_every_student(tmp_path, labs):
+    folders = [tmp_path / "one", tmp_path / "two"]
+    for folder in folders:
+        folder.mkdir()
+        (folder / f"from_{folder.name}.md").write_text(LESSON.format(name=f"from_{folder.name}"))
+    chosen = [word for folder in folders for word in ("--lessons", str(folder))]
+    process = armlab("--no-browser", "--port", "0", "--labs", labs, "--state", str(tmp_path / "state"), *chosen)
+    address = process.stdout.readline().split()[-1]
+    for name in ("from_one", "from_two"):
+        assert f"Words of {name}" in fresh_lesson_text(address, name)
+    status, _, err = end(process)
+    assert (status, err) == (0, "")
+
+
+@pytest.mark.parametrize("labs", ["0", "1"])
+def test_a_folder_of_lessons_that_is_not_there_is_one_line(tmp_path, labs):
+    missing = tmp_path / "missing"
+    arguments = ("--no-browser", "--port", "0", "--labs", labs, "--state", str(tmp_path / "state"))
+    status, out, err = finished(*arguments, "--lessons", str(tmp_path), "--lessons", str(missing))
+    assert (status, out) == (1, "")
+    assert err == f"armlab: lessons: expected a folder, got {str(missing)!r}\n"
 
 
 def test_state_that_cannot_be_kept_is_one_line(tmp_path):

@@ -60,6 +60,8 @@ class FakeBrowser:
         Every control: identifier to its message, kept up to date.
     counts : Counter
         Messages received, by type.
+    downloads : dict
+        Files that were sent to be saved: name to what has come of them.
     """
 
     def __init__(self, url: str, cookie: str | None, path: str = "/") -> None:
@@ -68,6 +70,8 @@ class FakeBrowser:
         self.controls: dict[str, Message] = {}
         self.counts: Counter[str] = Counter()
         self.notices: list[str] = []
+        self.downloads: dict[str, bytes] = {}
+        self._transfers: dict[str, str] = {}
         self.owner = ""
         self.bytes = 0
         self.on_message: Callable[[Message, float], None] = lambda _message, _at: None
@@ -125,6 +129,11 @@ class FakeBrowser:
             self.nodes.setdefault(message["name"], {})
         elif kind == "NotificationShowMessage":
             self.notices.append(message["props"]["body"])
+        elif kind == "FileTransferStartDownload":
+            self._transfers[message["transfer_uuid"]] = message["filename"]
+            self.downloads[message["filename"]] = b""
+        elif kind == "FileTransferPart":
+            self.downloads[self._transfers[message["transfer_uuid"]]] += message["content"]
         elif kind == "GuiUpdateMessage":
             control = self.controls.get(message["uuid"])
             if control is not None:
@@ -172,7 +181,7 @@ class FakeBrowser:
         marker = f'data-cell="{cell}"'
         content = next(c["props"]["content"] for c in self.controls.values() if marker in c["props"].get("content", ""))
         channel = content.split(marker)[0].rsplit('data-chan="', 1)[1].split('"')[0]
-        value = msgspec.json.encode([cell, text, time.perf_counter_ns()]).decode()
+        value = json.dumps([cell, text, time.perf_counter_ns()])  # half characters escaped, as a page does
         await self.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
 
     async def open(self, *panels: str) -> None:

@@ -6,19 +6,26 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from armlab.content.lessons import library
 from armlab.front.start import Running, Settings, start
 
 
 @contextmanager
-def running_lab(folder: Path | None = None, opening: str = "puma560", labs: int = 0) -> Iterator[str]:
-    """Open a lab on a free port; yields its address."""
-    lab = open_lab(folder, opening, labs)
+def running_lab(
+    folder: Path | None = None, opening: str = "puma560", labs: int = 0, lessons: Path | None = None
+) -> Iterator[str]:
+    """Open a lab on a free port, with a teacher's folder of lessons if one is given; yields its address."""
+    lab = open_lab(folder, opening, labs, lessons=lessons)
     try:
         yield f"http://127.0.0.1:{lab.port}/"
     finally:
         lab.stop()
+        if lessons is not None:
+            library.cache_clear()
 
 
-def open_lab(folder: Path | None = None, opening: str = "puma560", labs: int = 0, port: int = 0) -> Running:
+def open_lab(
+    folder: Path | None = None, opening: str = "puma560", labs: int = 0, port: int = 0, lessons: Path | None = None
+) -> Running:
     """Open a lab on a free port, or on this one."""
-    return start(Settings("127.0.0.1", [port], opening, folder, labs))
+    return start(Settings("127.0.0.1", [port], opening, folder, labs, (lessons,) if lessons is not None else ()))

@@ -95,3 +95,16 @@ def test_a_formula_nobody_can_read_is_counted_and_not_written():
     assert text.count("too long to be read: about ") == 12
     assert "data-copy" not in text
     assert "12 of 12 formulas have over 100 terms and are not written." in text
+
+
+@pytest.mark.parametrize("length", ["mm", "m"])
+def test_the_unit_of_numbers_in_formulas_is_said_before_them(length):
+    def page_of(key):
+        page, state = FakePage(), State.initial(catalogue()[key])
+        state = state.replace(Notation(length=length))
+        formulas_page.PANEL.build(page, state, lambda command: None)
+        return page.shown
+
+    told = "Numbers in the formulas of p are lengths in m"
+    assert told in page_of("puma560")[0]
+    assert not any(told in text for text in page_of("planar_2r"))

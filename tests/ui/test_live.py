@@ -1,13 +1,16 @@
 """A running lab and students without pictures: who sees what, and what a drag costs in messages."""
 
 import asyncio
+import html
+import json
 import math
+import re
 
 import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from support.fake_browser import cookie_of
+from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
 from support.student import arm_nodes, run, student
 
@@ -294,3 +297,74 @@ def test_a_class_has_several_labs_behind_one_front(tmp_path):
 
         run(main())
     assert len(list((tmp_path / "sessions").glob("*.json"))) == 6
+
+
+def test_a_clip_is_paused_when_the_last_page_closes(url):
+    async def main():
+        cookie = cookie_of(url)
+        first, second = await student(url, cookie), await student(url, cookie)
+        await first.open("film")
+        await first.until(lambda: 'data-cell="play"' in first.html())
+        await first.press("play")
+        await first.until(lambda: clock(first) is not None and clock(first)["rate"] == 1.0)
+        await second.close()
+        await asyncio.sleep(0.3)
+        assert clock(first)["rate"] == 1.0, "it plays on while somebody looks"
+        await first.close()
+        await asyncio.sleep(0.3)
+        again = FakeBrowser(url, cookie)  # it opens on the film, without the handle a student waits for
+        await again.connect()
+        await again.until(lambda: clock(again) is not None)
+        held = clock(again)
+        assert held["rate"] == 0.0
+        assert 0.0 < held["time"] < held["end"]
+        await again.close()
+
+    run(main())
+
+
+def clock(browser):
+    """Return what the lab has told of the timeline."""
+    found = re.search(r'data-clock="([^"]*)"', browser.html())
+    return json.loads(html.unescape(found[1])) if found else None
+
+
+def test_a_page_opens_on_the_panel_looked_at_last(url):
+    async def main():
+        cookie = cookie_of(url)
+        browser = await student(url, cookie)
+        await browser.open("table")
+        await browser.until(lambda: 'class="dh edit"' in browser.html())
+        await browser.close()
+        again = await student(url, cookie)
+        await again.until(lambda: 'class="dh edit"' in again.html())
+        found = html.unescape(re.search(r'data-notes="([^"]*)"', again.html())[1])
+        assert json.loads(found)["tab"] == "Robot"
+        await again.close()
+
+    run(main())
+
+
+@pytest.mark.parametrize(("panel", "cell"), [("table", "dh-2-a"), ("target", "x")])
+def test_half_a_character_is_refused_and_what_follows_is_saved(tmp_path, panel, cell):
+    with running_lab(tmp_path) as address:
+
+        async def main():
+            cookie = cookie_of(address)
+            browser = await student(address, cookie)
+            await browser.open(panel)
+            await browser.until(lambda: f'data-cell="{cell}"' in browser.html())
+            await browser.press(cell, "\ud800")
+            await browser.until(lambda: any("expected a number" in notice for notice in browser.notices))
+            await browser.press("undo")
+            await browser.open("joints")
+            await browser.set_value(browser.slider(1), 33.0)
+            await settled(browser)
+            await browser.close()
+            again = await student(address, cookie)
+            assert slider_values(again)[0] == 33.0
+            await again.close()
+
+        run(main())
+    (saved,) = (tmp_path / "sessions").glob("*.json")
+    assert json.loads(saved.read_text(encoding="utf-8"))["parts"]["joints"]["q"][0] == pytest.approx(math.radians(33.0))

@@ -7,13 +7,16 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.kin.dh import Row
+from armlab.session.parts.lines import TakeAxes
 from armlab.session.parts.notation import Notation
+from armlab.session.state import State, apply
 from armlab.ui.commands import shortcuts
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.layers._dimensions import dimensions_of
 from armlab.ui.layers._strokes import dashes, stretch
 from armlab.ui.layers._turns import before_turn
 from armlab.ui.layers.angles import name_of
+from armlab.ui.plugin import layers, panels
 from armlab.ui.units import Units
 from support.arms import frames_by_products, random_arm, random_q
 from support.student import run, student
@@ -101,9 +104,9 @@ def test_names_follow_units_letters_and_offsets():
     assert name_of(TABLE, 0, Row("R"), 0.5) == "θ₁ 0.500 rad"
     assert name_of(TABLE, 1, Row("R", theta=0.25), 0.5) == "θ₂ + 0.25 rad = 0.750 rad"
     texts = {one.text(PLAIN) for one in dimensions_of(anatomy_of(catalogue()["puma560"].arm))}
-    assert {"d₁ 671.8 mm", "a₂ 431.8 mm", "α₁ 90°", "α₃ −90°"} <= texts
+    assert {"d₁ 671.83 mm", "a₂ 431.8 mm", "α₁ 90°", "α₃ −90°"} <= texts
     texts = {one.text(TABLE) for one in dimensions_of(anatomy_of(catalogue()["puma560"].arm))}
-    assert {"d₁ 0.6718 m", "a₂ 0.4318 m", "α₁ 1.571 rad"} <= texts
+    assert {"d₁ 0.67183 m", "a₂ 0.4318 m", "α₁ 1.5708 rad"} <= texts
 
 
 def test_a_stretched_line_is_never_mirrored():
@@ -193,9 +196,46 @@ def test_angles_follow_the_pose_and_all_names_the_units(url):
         x = 1e3 * catalogue()["puma560"].arm.position(q)[0]
         await browser.until(lambda: bool(scene.shown(f"x {x:.1f} mm")))
         await browser.press("rad")
-        await browser.until(lambda: bool(scene.shown("q₁ 0.524 rad") and scene.shown("α₁ 1.571 rad")))
+        await browser.until(lambda: bool(scene.shown("q₁ 0.524 rad") and scene.shown("α₁ 1.5708 rad")))
         await browser.press("m")
         await browser.until(lambda: bool(scene.shown("a₂ 0.4318 m") and scene.shown(f"x {x / 1e3:.4f} m")))
         await browser.close()
 
     run(main())
+
+
+def test_the_arm_is_out_of_the_way_of_lines_of_ones_own(url):
+    async def main():
+        browser = await student(url)
+        scene = Scene(browser)
+        await browser.press("zero")
+        await browser.open("normal")
+
+        def arm():
+            return {seen for name, seen in scene.seen.items() if name.endswith(("/symbol1", "/symbol6", "/body"))}
+
+        def symbols():
+            return [scene.seen[name] for name in scene.seen if "/symbol" in name]
+
+        await browser.until(lambda: any(name.endswith("/line1") for name in scene.made))
+        assert arm() <= {False}
+        axes = browser.control("Axes of arm")
+        await browser.set_value(axes, axes["props"]["options"][2])
+        await browser.until(lambda: len(symbols()) == 6 and all(symbols()))
+        await browser.set_value(axes, axes["props"]["options"][0])
+        await browser.until(lambda: not any(symbols()))
+        assert arm() <= {False}
+        # The arm that was moved while it was hidden is where it stands now.
+        await browser.press("undo")
+        await browser.open("robot")
+        await browser.until(lambda: any(seen for name, seen in scene.seen.items() if name.endswith("/body")))
+        await browser.close()
+
+    run(main())
+
+
+def test_what_is_in_the_way_are_layers():
+    fresh = State.initial(catalogue()["puma560"])
+    hidden = panels()["normal"].hides_then(fresh)
+    assert {"arm", "skeleton"} <= set(hidden) <= set(layers())
+    assert panels()["normal"].hides_then(apply(fresh, TakeAxes(0))) == ()

@@ -5,6 +5,7 @@ import heapq
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.session.clips.film import ends_of
 from armlab.session.parts.notation import Label
 from armlab.session.parts.timeline import Advance, OpenClip, Play, PlayLike, Seek, Timeline
 from armlab.session.session import Session
@@ -12,7 +13,8 @@ from armlab.ui.player import INTERVAL, PATIENCE, Player
 from armlab.ui.timeline_bar import SPEEDS, _command
 from support.student import run, student
 
-END = 12.0
+PUMA = catalogue()["puma560"]
+*STOPS, END = ends_of(PUMA.arm)
 
 
 class Clock:
@@ -50,7 +52,7 @@ class Stage:
     """A session, its player, and a worker that answers when the test says so."""
 
     def __init__(self, *commands):
-        self.session = Session.fresh("token", catalogue()["planar_2r"])
+        self.session = Session.fresh("token", PUMA)
         self.clock, self.waiting, self.posted, self.prompt, self.watched = Clock(), [], [], True, True
         self.player = Player(self.session, self._post, lambda: self.watched, self.clock)
         self.do(OpenClip("film"), *commands)
@@ -94,7 +96,7 @@ def test_it_ends_exactly_at_the_end_and_stops():
 
 def test_in_a_loop_it_begins_again_on_time():
     stage = Stage(PlayLike(loop=True, speed=4.0), Play(True))
-    stage.clock.pass_by(4.0)
+    stage.clock.pass_by((END + 4.0) / 4.0)
     assert stage.timeline.playing
     assert stage.timeline.time == pytest.approx(4.0, abs=0.4)
 
@@ -195,11 +197,11 @@ def test_the_bar_of_a_page(url):
         await browser.press("play")
         await browser.until(shown("Pause (space)"))
         await browser.until(shown("Play (space)"))
-        await browser.until(shown("&quot;time&quot;: 37.5, &quot;end&quot;: 37.5, &quot;rate&quot;: 0.0"))
+        await browser.until(shown(f"&quot;time&quot;: {END}, &quot;end&quot;: {END}, &quot;rate&quot;: 0.0"))
         await browser.press("back")
-        await browser.until(shown("&quot;time&quot;: 36.0,"))
+        await browser.until(shown(f"&quot;time&quot;: {STOPS[-1]},"))
         await browser.press("forward")
-        await browser.until(shown("&quot;time&quot;: 37.5,"))
+        await browser.until(shown(f"&quot;time&quot;: {END},"))
         await browser.press("loop")
         await browser.until(shown('aria-pressed="true">⟳'))
         await browser.press("speed", "100")
@@ -218,11 +220,11 @@ def test_the_film_goes_with_its_page_and_comes_back_where_it_was(url):
         await browser.open("film")
         await browser.until(lambda: "DH film" in browser.html())
         await browser.press("0,2")
-        await browser.until(lambda: "&quot;time&quot;: 4.5," in browser.html())
+        await browser.until(lambda: f"&quot;time&quot;: {STOPS[2]}," in browser.html())
         await browser.open("joints")
         await browser.until(lambda: "al-time" not in browser.html())
         await browser.open("film")
-        await browser.until(lambda: "&quot;time&quot;: 4.5," in browser.html())
+        await browser.until(lambda: f"&quot;time&quot;: {STOPS[2]}," in browser.html())
         await browser.press("close")
         await browser.until(lambda: "Show the film" in browser.html())
         await browser.press("show")

@@ -1,6 +1,7 @@
 """The live table through the protocol: what a person types and presses, and what comes back."""
 
 import asyncio
+import html
 import re
 
 import numpy as np
@@ -149,12 +150,16 @@ def test_remainders_of_a_conversion_are_told_both_ways():
     units = units_of(state)
     assert moved_lines(state[RobotPart], units) == ""
     modified = apply(state, Convert("modified"))
-    assert f"tool: T<sub>x</sub>({units.length(a)}) moved here from row 2" in moved_lines(modified[RobotPart], units)
+    assert f"tool: T<sub>x</sub>({units.constant(a, False)}) moved here from row 2" in moved_lines(
+        modified[RobotPart], units
+    )
     back = apply(modified, Convert("standard"))
-    assert f"row 2: T<sub>x</sub>({units.length(a)}) moved here from the tool" in moved_lines(back[RobotPart], units)
+    assert f"row 2: T<sub>x</sub>({units.constant(a, False)}) moved here from the tool" in moved_lines(
+        back[RobotPart], units
+    )
     panda = apply(State.initial(catalogue()["panda"]), SetCell(0, "alpha", -np.pi / 2))
     turned = apply(panda, Convert("standard"))
-    assert "base: R<sub>x</sub>(−90.0°) moved here from row 1" in moved_lines(turned[RobotPart], units)
+    assert "base: R<sub>x</sub>(−90°) moved here from row 1" in moved_lines(turned[RobotPart], units)
 
 
 def test_a_saved_file_has_a_name_it_can_be_loaded_under():
@@ -200,7 +205,7 @@ def test_a_cell_is_edited_undone_and_kept(url):
         ("point-y", "1e9", "tool point, y: expected at most 100 m"),
     ],
 )
-def test_wrong_input_is_told_and_the_old_value_comes_back(url, cell, text, words):
+def test_wrong_input_stays_marked_with_the_reason_below_until_the_next(url, cell, text, words):
     async def main():
         browser = await at_the_table(url)
         marker = f'data-cell="{cell}"'
@@ -210,7 +215,14 @@ def test_wrong_input_is_told_and_the_old_value_comes_back(url, cell, text, words
         await browser.until(lambda: any(words in notice for notice in browser.notices))
         # Written anew with another revision, so that the page drops what was typed.
         await browser.until(lambda: field["props"]["content"] != before)
+        assert value_of(browser, cell) == html.escape(text)
+        assert re.search(rf'<input[^>]*aria-invalid="true"[^>]*{re.escape(marker)}', browser.html())
+        told = field["props"]["content"].rsplit('role="alert">', 1)[1]
+        assert html.escape(words) in told
+        await browser.press(cell, old)  # as it was: nothing is wrong
+        await browser.until(lambda: "aria-invalid" not in browser.html())
         assert value_of(browser, cell) == old
+        assert 'role="alert"' not in field["props"]["content"]
         await browser.press("undo")
         await asyncio.sleep(0.3)
         assert "edited" not in browser.html()

@@ -1,8 +1,9 @@
 """Sentences of the trainer and of the card on the closed form that carry a condition."""
 
 from armlab.content.robots import catalogue
+from armlab.session.parts.trainer import Trainer
 from armlab.ui.panels._dh_facts import closed_form_card, facts_of
-from armlab.ui.panels._trainer_words import AXES_RULE
+from armlab.ui.panels._trainer_words import AXES_RULE, parallel_line
 
 
 def test_the_number_of_solutions_comes_with_its_conditions():
@@ -14,3 +15,9 @@ def test_the_number_of_solutions_comes_with_its_conditions():
 
 def test_the_rule_of_the_axes_says_where_a_slide_is_taken():
     assert "A sliding joint's axis is taken where it is drawn." in AXES_RULE
+
+
+def test_an_exercise_with_parallel_axes_says_that_its_origins_need_not_lie_on_the_arm():
+    scara = Trainer.initial(catalogue()["scara"])
+    assert parallel_line(scara).startswith("Axes 1 to 4 are parallel: an origin may lie anywhere on its axis.")
+    assert parallel_line(Trainer.initial(catalogue()["planar_2r"])) == ""

@@ -1,17 +1,33 @@
 """Units and names as the student has chosen them."""
 
 import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Row
 from armlab.kin.ik import Verdict
+from armlab.kin.rotations import rotation_from_sequence
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import OPTIONS, Label, Notation
+from armlab.session.parts.pose_view import PoseView
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.ui import verdicts
+from armlab.ui.figure.anatomy import anatomy_of
+from armlab.ui.format import MINUS
+from armlab.ui.layers._dimensions import dimensions_of
+from armlab.ui.layers.angles import name_of
+from armlab.ui.panels._dh_ends import _texts
+from armlab.ui.panels._dh_facts import axes_section, facts_of
+from armlab.ui.panels._pose_notation import link_symbols
+from armlab.ui.panels._tables import cell_text
+from armlab.ui.panels.orientation import _three_turns
+from armlab.ui.panels.table import step_formula
 from armlab.ui.units import BOOKS, Units, units_of
 
 DEGREES, RADIANS = Units(Notation()), Units(Notation(angle="rad", length="m", variable="theta", book="corke"))
@@ -30,6 +46,50 @@ def test_turned_angles_are_in_one_turn_in_both_units():
         assert units.turned(3.0 * math.pi + 1e-12) == half
         assert units.turned(1.5 * math.pi) == units.turned(-0.5 * math.pi) == quarter
         assert units.turned(-1e-9) in ("0.0", "0.000")
+
+
+def test_orientations_never_read_minus_half_a_turn():
+    for value in (-math.pi, -math.pi + 1e-6, math.pi, 3.0 * math.pi):
+        assert DEGREES.orientation(value) == "180.0°"
+        assert RADIANS.orientation(value) == "3.142 rad"
+    assert DEGREES.orientation(-0.5 * math.pi) == "−90.0°"
+    assert DEGREES.angle(-math.pi) == "−180.0°"  # where a joint may stand
+
+
+@pytest.mark.parametrize("axes", ["zyx", "zyz", "xyz"])
+def test_the_page_of_orientations_and_the_fields_of_the_ends_have_no_minus_half_turn(axes):
+    for turns in ((-math.pi, 0.3, -math.pi), (math.pi - 1e-9, 0.3, -math.pi + 1e-9), (0.2, 0.0, -math.pi)):
+        R = rotation_from_sequence(axes, turns)
+        assert f"{MINUS}180.0°" not in _three_turns(R, PoseView(n=2, axes=axes), DEGREES)
+        tool = np.eye(4)
+        tool[:3, :3] = R
+        robot = catalogue()["planar_2r"]
+        state = State.initial(own_robot(replace(robot.arm, tool=tool), robot.name, robot))
+        assert f"{MINUS}180" not in _texts(state, "tool", DEGREES).values()
+
+
+def test_a_constant_reads_the_same_in_the_table_and_in_the_scene():
+    row = Row("R", a=0.15005, alpha=-math.pi / 2, theta=math.pi / 2)
+    for units, a, alpha in ((DEGREES, "150.05 mm", "−90°"), (RADIANS, "0.15005 m", "−1.5708 rad")):
+        assert units.constant(row.a, False) == a
+        assert units.constant(row.alpha, True) == alpha
+        assert cell_text(row.a, "a", units) == a.split()[0]
+        texts = {one.text(units) for one in dimensions_of(anatomy_of(Arm.from_dh([row])))}
+        assert {f"a₁ {a}", f"α₁ {alpha}"} <= texts
+        assert alpha.removeprefix(MINUS) in name_of(units, 0, row, 0.1)
+
+
+def test_letters_are_those_of_the_book():
+    units = Units(Notation(book="siciliano"))
+    arm = catalogue()["planar_2r"].arm
+    assert units.symbol("theta", 1) == "ϑ₁"
+    moves = r"R_z(\vartheta_{i})\,T_z(d_{i})\,T_x(a_{i})\,R_x(\alpha_{i})"
+    assert step_formula("standard", units) == r"{}^{i-1}T_{i}=" + moves
+    assert r"R_x(\alpha_{j-1})\,T_x(a_{j-1})\,R_z(\theta_{j})" in step_formula("modified", RADIANS)
+    assert link_symbols(arm, 1, units) != link_symbols(arm, 1, DEGREES)
+    shown = axes_section(facts_of(catalogue()["puma560"].arm), 1, "c", units)
+    assert "ϑ₁" in shown
+    assert "θ" not in shown
 
 
 def test_variables_bear_the_chosen_name():
@@ -101,8 +161,8 @@ def test_a_damaged_choice_is_left_out_when_read_back():
         (Verdict("reached", 1e-9, 0.0, ()), "ok", "✓ reached</b> 0.0 mm 0.0°"),
         (Verdict("limit", 0.043, 0.0, (2,)), "no", "✕ limit on joint 3</b> 43.0 mm short"),
         (Verdict("limit", 0.0, 0.1, (0, 4)), "no", "✕ limit on joints 1 and 5</b> 5.7° turned away"),
-        (Verdict("closest", 0.143, 0.02, ()), "no", "✕ closest possible</b> 143 mm short, 1.1° turned away"),
-        (Verdict("beyond", 1.2, 0.0, ()), "no", "✕ out of reach</b> 1200 mm short; farther than all links in a line"),
+        (Verdict("closest", 0.143, 0.02, ()), "no", "✕ closest possible</b> 143.0 mm short, 1.1° turned away"),
+        (Verdict("beyond", 1.2, 0.0, ()), "no", "✕ out of reach</b> 1200.0 mm short; farther than all links in a line"),
         (Verdict("moving", 0.01, 0.0, ()), "warn", "◐ on the way</b> 10.0 mm short"),
         (Verdict("closest", 1e-5, 0.0, ()), "no", "✕ closest possible</b> within 0.1 mm and 0.1°"),
     ],

@@ -1,4 +1,7 @@
-"""What a check of a lesson is: a question to the state of the arm, and a sentence for when the answer is no."""
+"""What a check of a lesson is: a question to the state of the arm, and a sentence for when the answer is no.
+
+A check is to be met on purpose: tolerances are the author's, but too large ones are refused when the file is read.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +9,25 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from html import escape
 from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from armlab.content import checks as _folder
 from armlab.content.observation import Observation
-from armlab.content.reader import Table
+from armlab.content.reader import Table, joint_values
 from armlab.content.robots import Robot
 from armlab.plugins import discover
+
+LARGEST_PART = 0.2
+"""Largest tolerance of a length, as a part of the arm's reach: with more of it a random pose would do."""
+
+LARGEST_ANGLE_DEG = 45.0
+"""Largest tolerance of an angle."""
+
+JOINT_VALUES = ("q_deg", "q_m", "q_deg_m")
 
 
 def signed(value: float, decimals: int) -> str:
@@ -70,11 +85,14 @@ class CheckType:
     read : callable
         ``read(table, robot) -> Check``: takes the fields of the kind from the table; the caller takes ``kind`` and
         reports what is left over.
+    alone : bool
+        Whether it may be the whole check of a step; one that asks next to nothing stands only in ``all_of``.
     """
 
     key: str
     order: int
     read: Callable[[Table, Robot], Check]
+    alone: bool = True
 
 
 @cache
@@ -96,12 +114,119 @@ def read_check(table: Table, robot: Robot) -> Check:
     return check
 
 
+@dataclass(frozen=True, eq=False)
+class WrongState:
+    """A state a lesson expects of those who make a certain mistake.
+
+    Attributes
+    ----------
+    check : Check
+        Met in that state.
+    says : str
+        What the lesson says to it, as HTML.
+    q : ndarray, shape (n,), or None
+        A configuration in which it is met, radians and metres.
+    """
+
+    check: Check
+    says: str
+    q: NDArray[np.float64] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class StateCheck:
+    """The check of a step, with the mistakes it knows by name."""
+
+    check: Check
+    wrong: tuple[WrongState, ...] = ()
+
+    @property
+    def of_table(self) -> bool:
+        """Whether it is the table that is worked on: then an edited arm is still the lesson's."""
+        return bool(getattr(self.check, "of_table", False))
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether the check is met."""
+        return self.check.is_met(observation)
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return the sentence of the check itself, plain text, without what the lesson says to its mistakes."""
+        return self.check.says(observation, words)
+
+    def judge(self, observation: Observation, words: Words = PLAIN) -> tuple[bool, str]:
+        """Return whether the check is met, and what there is to say, as HTML."""
+        if self.check.is_met(observation):
+            return True, escape(self.check.says(observation, words), quote=False)
+        for wrong in self.wrong:
+            if wrong.check.is_met(observation):
+                return False, wrong.says
+        return False, escape(self.check.says(observation, words), quote=False)
+
+
+def read_state_check(table: Table, robot: Robot, to_html: Callable[[str, str], str]) -> StateCheck:
+    """Read the check of a step.
+
+    Parameters
+    ----------
+    table : Table
+        ``kind`` and its fields, and tables ``wrong``: ``says`` (Markdown), ``kind`` and its fields, and perhaps
+        ``q_deg``, ``q_m`` or ``q_deg_m``, a configuration that gets this verdict.
+    robot : Robot
+    to_html : callable
+        Makes HTML of Markdown; the second argument is its key in the file.
+
+    Raises
+    ------
+    ContentError
+    """
+    wrong = tuple(_wrong_state(entry, robot, to_html) for entry in table.tables("wrong"))
+    kind = table.choice("kind", check_types())
+    if not check_types()[kind].alone:
+        raise table.fail("kind", f"{kind!r} is met by doing next to nothing; put it into the checks of an 'all_of'")
+    return StateCheck(read_check(table, robot), wrong)
+
+
+def _wrong_state(entry: Table, robot: Robot, to_html: Callable[[str, str], str]) -> WrongState:
+    says = to_html(entry.text("says"), f"{entry.where}.says")
+    q = configuration(entry, robot) if any(entry.has(key) for key in JOINT_VALUES) else None
+    return WrongState(read_check(entry, robot), says, q)
+
+
+def configuration(table: Table, robot: Robot) -> NDArray[np.float64]:
+    """Take joint values inside the limits, shape (n,): ``q_deg``, ``q_m`` or ``q_deg_m``; read-only."""
+    q = joint_values(table, "".join(row.kind for row in robot.arm.rows))
+    if not robot.arm.within_limits(q):
+        key = next(key for key in JOINT_VALUES if table.has(key))
+        raise table.fail(key, f"outside the joint limits of {robot.name}")
+    q.setflags(write=False)
+    return q
+
+
 def tolerance(table: Table, key: str, default: float | None = None) -> float:
     """Take a number above zero."""
     value = table.number(key, default)
     if value <= 0:
         raise table.fail(key, f"expected a positive number, got {value:g}")
     return value
+
+
+def length_tolerance(table: Table, robot: Robot, default: float | None = None) -> float:
+    """Take ``tolerance_m``, metres: at most `LARGEST_PART` of the reach."""
+    value, most = tolerance(table, "tolerance_m", default), LARGEST_PART * 2.0 * robot.arm.length_scale
+    if value > most * (1.0 + 1e-9):
+        raise table.fail(
+            "tolerance_m",
+            f"{value:g} m is met by chance; expected at most {most:.3g} m, {LARGEST_PART:.0%} of the reach",
+        )
+    return value
+
+
+def angle_tolerance(table: Table, default_deg: float | None = None) -> float:
+    """Take ``tolerance_deg``, at most `LARGEST_ANGLE_DEG`; return radians."""
+    value = tolerance(table, "tolerance_deg", default_deg)
+    if value > LARGEST_ANGLE_DEG:
+        raise table.fail("tolerance_deg", f"{value:g} is met by chance; expected at most {LARGEST_ANGLE_DEG:g} degrees")
+    return math.radians(value)
 
 
 def turn_between(angle: float, other: float) -> float:

@@ -1,255 +1,229 @@
-"""Lesson files: ``lessons/*.md``, one lesson a file; TOML between two lines ``+++``, then Markdown with LaTeX.
-
-Steps are the sections that begin with ``## Title``. A step may carry one fenced block ``check`` and one ``question``,
-both in TOML. What is written before the first step introduces the lesson.
-"""
+"""The lessons there are: those of the lab and those of teachers' folders, read again when their files change."""
 
 from __future__ import annotations
 
+import logging
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections import OrderedDict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources.abc import Traversable
-from typing import cast
-
-import numpy as np
-from markdown_it.token import Token
-from numpy.typing import NDArray
+from pathlib import Path
+from threading import RLock
 
 from armlab import resources
-from armlab.content import robots
-from armlab.content.check import Check, read_check
 from armlab.content.folder import Folder
-from armlab.content.markdown import render, to_html, tokens_of
-from armlab.content.questions import Question, read_question
-from armlab.content.reader import Table, joint_values, shown
-from armlab.content.robots import KEY, Robot, read_pose
-from armlab.errors import ContentError, UnknownName, suggestion
+from armlab.content.lesson import Lesson as Lesson
+from armlab.content.lesson import Step as Step
+from armlab.content.lesson_file import parse_lesson as parse_lesson
+from armlab.content.lesson_folder import Source, Stamp, sources_of
+from armlab.content.robots import Catalogue
+from armlab.errors import ContentError, InputError
 
-BLOCKS = ("check", "question")
-CODE = ("", "python", "text", "toml")
-"""Languages of fenced blocks that are shown as they are."""
+log = logging.getLogger(__name__)
 
-ROW = re.compile(r"S\d+(\.\d+)*-[A-Za-z0-9-]+\Z")
-"""Names of the rows of the inventory, such as ``S4.1-dh``."""
-
-_README = "README.md"
-_FENCE = "+++"
+MOST_VARIANTS = 256
+"""Variants of lessons that are kept; a class of that size costs no reading twice."""
 
 
-@dataclass(frozen=True, eq=False)
-class Step:
-    """One step: what to read, and what to do or to answer, if anything."""
-
-    title: str
-    html: str
-    check: Check | None
-    question: Question | None
-
-
-@dataclass(frozen=True, eq=False)
-class Lesson:
-    """A lesson file.
+@dataclass(frozen=True)
+class Lessons(Folder[Lesson]):
+    """All lessons at one time.
 
     Attributes
     ----------
-    key : str
-        File name without its ending.
-    title, chapter : str
-    teaches : tuple of str
-        Rows of the inventory.
-    robot : str
-        Key of its arm.
-    start : ndarray, shape (n,)
-        Where the arm stands at first; radians and metres.
-    panel : str
-        The panel that is opened; empty for none.
-    overlays : tuple of str
-        What is drawn besides the arm.
-    target : ndarray, shape (4, 4), or None
-        Where the handle stands at first, in the world.
-    intro_html : str
-    steps : tuple of Step
+    gone : dict
+        Lessons whose files were taken away: those who are in one can go on.
+    broken : dict
+        By key, what is wrong with a file that was never right.
     """
-
-    key: str
-    title: str
-    chapter: str
-    teaches: tuple[str, ...]
-    robot: str
-    start: NDArray[np.float64]
-    panel: str
-    overlays: tuple[str, ...]
-    target: NDArray[np.float64] | None
-    intro_html: str
-    steps: tuple[Step, ...]
-
-
-class _FrontMatter(Table):
-    """The table at the top of a lesson, which has lists of words."""
-
-    def words(self, key: str, *, required: bool = False) -> tuple[str, ...]:
-        """Take a list of texts."""
-        value = self._take(key, None if required else [])
-        if not isinstance(value, list) or not all(isinstance(word, str) and word for word in value):
-            raise self.fail(key, f"expected a list of texts, got {shown(value)}")
-        return tuple(value)
-
-
-def parse_lesson(key: str, text: str, file: str | None = None, catalogue: robots.Catalogue | None = None) -> Lesson:
-    """Read the text of a lesson file.
-
-    Parameters
-    ----------
-    key, text : str
-    file : str, optional
-        Its name in messages.
-    catalogue : Catalogue, optional
-        The robots there are; those of the lab when left out.
-
-    Raises
-    ------
-    ContentError
-        Anything wrong, with file, step and key, what was expected and what is available.
-    """
-    file = file or f"{key}.md"
-    if not KEY.match(key):
-        raise ContentError(
-            file, "", f"expected a file name of lower-case letters, digits and underscores, got {key!r}; rename it"
-        )
-    front, body, first_line = _split(file, text)
-    top = cast(_FrontMatter, _FrontMatter.parse(file, "\n" + front))
-    robot = _robot(top, catalogue or robots.catalogue())
-    target = top.table("target")
-    intro, *sections = _sections(tokens_of(body))
-    lesson = Lesson(
-        key=key,
-        title=top.text("title"),
-        chapter=top.text("chapter"),
-        teaches=_teaches(top),
-        robot=robot.key,
-        start=_start(top, robot),
-        panel=top.text("panel", ""),
-        overlays=top.words("overlays"),
-        target=None if target is None else read_pose(target),
-        intro_html=render(intro, file, "introduction"),
-        steps=tuple(_step(file, i + 1, section, robot, first_line) for i, section in enumerate(sections)),
-    )
-    top.done()
-    if not sections:
-        raise ContentError(file, "", "expected at least one step, a section that begins with '## Title'")
-    return lesson
-
-
-def _split(file: str, text: str) -> tuple[str, str, int]:
-    """Return the front matter, the Markdown, and the number of lines before the Markdown."""
-    lines = text.removeprefix("\ufeff").splitlines()
-    if not lines or lines[0].strip() != _FENCE:
-        raise ContentError(file, "", f"expected a first line {_FENCE} before title, robot and the rest")
-    for i, line in enumerate(lines[1:], start=1):
-        if line.strip() == _FENCE:
-            return "\n".join(lines[1:i]), "\n".join(lines[i + 1 :]), i + 1
-    raise ContentError(file, "", f"expected a second line {_FENCE} after the front matter")
-
-
-def _robot(top: Table, catalogue: robots.Catalogue) -> Robot:
-    name = top.text("robot")
-    try:
-        return catalogue[name]
-    except UnknownName:
-        raise top.fail("robot", f"unknown robot {name!r}{suggestion(name, catalogue.robots)}") from None
-    except ContentError as error:
-        raise top.fail("robot", f"its file cannot be used: {error}") from None
-
-
-def _teaches(top: _FrontMatter) -> tuple[str, ...]:
-    rows = top.words("teaches", required=True)
-    for row in rows:
-        if not ROW.match(row):
-            raise top.fail("teaches", f"expected rows of the inventory such as 'S4.1-dh', got {row!r}")
-    return rows
-
-
-def _start(top: Table, robot: Robot) -> NDArray[np.float64]:
-    """Take the name of a pose or joint values; without either the arm's first pose."""
-    given = [key for key in ("pose", "q_deg", "q_m", "q_deg_m") if top.has(key)]
-    if len(given) > 1:
-        raise top.fail(given[1], f"expected one of {' and '.join(given)}")
-    if not given:
-        return robot.home
-    if given == ["pose"]:
-        return robot.poses[top.choice("pose", robot.poses)]
-    q = joint_values(top, "".join(row.kind for row in robot.arm.rows))
-    if not robot.arm.within_limits(q):
-        raise top.fail(given[0], f"outside the joint limits of {robot.name}")
-    q.setflags(write=False)
-    return q
-
-
-def _sections(tokens: list[Token]) -> list[list[Token]]:
-    """Return the blocks before the first heading of level 2, then those from each such heading on."""
-    sections: list[list[Token]] = [[]]
-    for token in tokens:
-        if token.type == "heading_open" and token.tag == "h2" and token.level == 0:
-            sections.append([])
-        sections[-1].append(token)
-    return sections
-
-
-def _step(file: str, number: int, section: list[Token], robot: Robot, first_line: int) -> Step:
-    where = f"step {number}"
-    _, title, _, *blocks = section
-    found: dict[str, Token] = {}
-    text = []
-    for token in blocks:
-        name = token.info.strip() if token.type == "fence" else ""
-        if name not in BLOCKS:
-            if name not in CODE:
-                raise ContentError(file, where, f"unknown block {name!r}{suggestion(name, (*BLOCKS, *CODE[1:]))}")
-            text.append(token)
-        elif name in found:
-            raise ContentError(file, f"{where}.{name}", "expected one in a step; begin another step with '## Title'")
-        else:
-            found[name] = token
-    tables = {name: _block(file, f"{where}.{name}", token, first_line) for name, token in found.items()}
-    return Step(
-        title=title.content,
-        html=render(text, file, where),
-        check=read_check(tables["check"], robot) if "check" in tables else None,
-        question=read_question(tables["question"], lambda text, key: to_html(text, file, key))
-        if "question" in tables
-        else None,
-    )
-
-
-def _block(file: str, where: str, token: Token, first_line: int) -> Table:
-    """Return the table of a fenced block; lines in messages are those of the file."""
-    before = first_line + (token.map[0] if token.map else 0) + 1
-    try:
-        table = Table.parse(file, "\n" * before + token.content)
-    except ContentError as error:
-        raise ContentError(file, where, error.problem) from None
-    table.where = where
-    return table
-
-
-class Lessons(Folder[Lesson]):
-    """All lesson files."""
 
     kind = "lesson"
     ending = ".md"
+
+    gone: Mapping[str, Lesson] = field(default_factory=dict)
+    broken: Mapping[str, ContentError] = field(default_factory=dict)
 
     @property
     def lessons(self) -> dict[str, Lesson]:
         """The lessons by key, in the order of their chapters."""
         return self.found
 
+    def __getitem__(self, key: str) -> Lesson:
+        """Return a lesson, also one that is gone; the error lists what is available, or says what is wrong with it."""
+        if key not in self.found and key in self.gone:
+            return self.gone[key]
+        if key not in self.found and key in self.broken:
+            raise self.broken[key]
+        return super().__getitem__(key)
 
-def read_lessons(files: Iterable[Traversable]) -> Lessons:
-    """Read lesson files; a broken one is reported and disturbs nothing else."""
-    wanted = (file for file in files if file.name != _README)
-    return Lessons.read(wanted, parse_lesson, lambda lesson: (_numbers(lesson.chapter), lesson.chapter, lesson.key))
+
+@dataclass(frozen=True)
+class _Good:
+    """A lesson as it was when it could last be read, and what it was read from."""
+
+    lesson: Lesson
+    text: str
+    pictures: Mapping[str, str] | None
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """What was found in the files of one lesson."""
+
+    stamp: Stamp
+    file: str
+    content: tuple[str, Mapping[str, str] | None] | None
+    problem: ContentError | None
+
+
+class Library:
+    """Folders of lessons. A broken file is reported and disturbs nothing else.
+
+    Safe to use from several threads.
+
+    Parameters
+    ----------
+    folders : iterable of Traversable
+        The first is the lab's own.
+    catalogue : Catalogue, optional
+        The robots there are; those of the lab when left out.
+    """
+
+    def __init__(self, folders: Iterable[Traversable], catalogue: Catalogue | None = None) -> None:
+        self._catalogue = catalogue
+        self._folders: list[tuple[Traversable, str]] = []
+        self._lock = RLock()
+        self._entries: dict[str, _Entry] = {}
+        self._good: dict[str, _Good] = {}
+        self._variants: OrderedDict[tuple[str, str, int], Lesson] = OrderedDict()
+        self._lessons = Lessons({}, ())
+        for i, folder in enumerate(folders):
+            self._folders.append((folder, f"{folder.name}/" if i else ""))
+        self.changed()
+
+    @property
+    def lessons(self) -> Lessons:
+        """All lessons, each as its variant 0, as they were at the last look."""
+        return self._lessons
+
+    def lesson(self, key: str, variant: int = 0) -> Lesson:
+        """Return a lesson with the values of a variant.
+
+        Raises
+        ------
+        UnknownName
+            There is no such lesson.
+        ContentError
+            Its file, or this variant of it, cannot be used.
+        """
+        first = self._lessons[key]
+        if variant == 0 or not first.varies:
+            return first
+        with self._lock:
+            good = self._good[key]
+            place = (key, good.lesson.digest, variant)
+            if place in self._variants:
+                self._variants.move_to_end(place)
+                return self._variants[place]
+        found = parse_lesson(key, good.text, good.lesson.file, self._catalogue, variant, good.pictures)
+        with self._lock:
+            self._variants[place] = found
+            while len(self._variants) > MOST_VARIANTS:
+                self._variants.popitem(last=False)
+        return found
+
+    def add_folder(self, path: Path) -> frozenset[str]:
+        """Add a teacher's folder of lessons and return the keys that came with it; none replaces one there is.
+
+        Raises
+        ------
+        InputError
+            It is no folder.
+        """
+        folder = Path(path).resolve()
+        if not folder.is_dir():
+            raise InputError(f"lessons: expected a folder, got {str(path)!r}")
+        with self._lock:
+            if not any(isinstance(each, Path) and each.resolve() == folder for each, _ in self._folders):
+                self._folders.append((folder, f"{folder.name}/"))
+            return self.changed()
+
+    def changed(self) -> frozenset[str]:
+        """Look at the files again, read those that changed, and return their keys.
+
+        A file that has become broken is listed as a problem and keeps the lesson it last was. Nothing is read when
+        no file has another time or size.
+        """
+        with self._lock:
+            found: dict[str, _Entry] = {}
+            problems: list[ContentError] = []
+            changed: set[str] = set()
+            for source in self._sources(problems):
+                entry = self._looked_at(source)
+                found[source.key] = entry
+                if _differ(entry, self._entries.get(source.key)):
+                    changed.add(source.key)
+            changed |= self._entries.keys() - found.keys()
+            self._entries = found
+            problems += [entry.problem for entry in found.values() if entry.problem is not None]
+            if changed or [str(each) for each in problems] != [str(each) for each in self._lessons.problems]:
+                self._lessons = self._listed(tuple(problems))
+            return frozenset(changed)
+
+    def _sources(self, problems: list[ContentError]) -> list[Source]:
+        """Return what is to be read; of two lessons of one name the first."""
+        chosen: dict[str, Source] = {}
+        for folder, label in self._folders:
+            sources, wrong = sources_of(folder, label)
+            problems += wrong
+            for source in sources:
+                other = chosen.setdefault(source.key, source)
+                if other is not source:
+                    place = f"{other.file}{'' if '/' in other.file else ' of the lab'}"
+                    problem = f"the lesson {source.key!r} is there already, in {place}; rename this one"
+                    problems.append(ContentError(source.file, "", problem))
+        return list(chosen.values())
+
+    def _looked_at(self, source: Source) -> _Entry:
+        """Return what is in the files of a lesson, from before if they are the same."""
+        before = self._entries.get(source.key)
+        if before is not None and (before.stamp, before.file) == (source.stamp, source.file):
+            return before
+        content = None
+        try:
+            content = source.read()
+            if before is not None and (before.content, before.file) == (content, source.file):
+                return replace(before, stamp=source.stamp)
+            lesson = parse_lesson(source.key, content[0], source.file, self._catalogue, 0, content[1])
+        except ContentError as error:
+            return _Entry(source.stamp, source.file, content, error)
+        except Exception as error:
+            # A mistake in our reading: it belongs into the log, and the class still gets the other files.
+            log.exception("%s cannot be read", source.file)
+            return _Entry(
+                source.stamp, source.file, content, ContentError(source.file, "", f"cannot be used: {error!r}")
+            )
+        self._good[source.key] = _Good(lesson, *content)
+        return _Entry(source.stamp, source.file, content, None)
+
+    def _listed(self, problems: tuple[ContentError, ...]) -> Lessons:
+        there = {key: good.lesson for key, good in self._good.items() if key in self._entries}
+        return Lessons(
+            dict(sorted(there.items(), key=lambda item: _order(item[1]))),
+            problems,
+            {key: good.lesson for key, good in self._good.items() if key not in there},
+            {key: entry.problem for key, entry in self._entries.items() if entry.problem and key not in there},
+        )
+
+
+def _differ(entry: _Entry, before: _Entry | None) -> bool:
+    return before is None or replace(entry, stamp=()) != replace(before, stamp=())
+
+
+def _order(lesson: Lesson) -> tuple[list[int], str, str]:
+    return _numbers(lesson.chapter), lesson.chapter, lesson.key
 
 
 def _numbers(chapter: str) -> list[int]:
@@ -259,6 +233,26 @@ def _numbers(chapter: str) -> list[int]:
 
 
 @cache
+def library() -> Library:
+    """Return the library of this process, which begins with the lessons that come with the lab."""
+    return Library([resources.folder("lessons")])
+
+
 def lessons() -> Lessons:
-    """Return the lessons that come with the lab, read once."""
-    return read_lessons(resources.files("lessons", ".md"))
+    """Return the lessons there are, each as its variant 0."""
+    return library().lessons
+
+
+def lesson(key: str, variant: int = 0) -> Lesson:
+    """Return a lesson with the values of a variant; see `Library.lesson`."""
+    return library().lesson(key, variant)
+
+
+def add_folder(path: Path) -> frozenset[str]:
+    """Add a teacher's folder of lessons; see `Library.add_folder`."""
+    return library().add_folder(path)
+
+
+def changed() -> frozenset[str]:
+    """Look at the files again and return the keys of the lessons that changed; see `Library.changed`."""
+    return library().changed()

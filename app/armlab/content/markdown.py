@@ -1,4 +1,6 @@
-"""Markdown with LaTeX to HTML that can do no harm: no raw HTML, no images, links to the web and to the lab only.
+"""Markdown with LaTeX to HTML that can do no harm: no raw HTML, links to the web and to the lab only.
+
+Pictures are those that are given, written into the page. ``{{name}}`` is a live value, see `armlab.content.live`.
 
 MathML comes from a converter that leaves the text of ``\\text{...}`` as it is and knows ``\\href``; so every formula
 is parsed again, and anything but the elements and attributes of plain mathematics is refused.
@@ -9,7 +11,8 @@ from __future__ import annotations
 import html
 import re
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 from urllib.parse import urlsplit
@@ -17,10 +20,11 @@ from urllib.parse import urlsplit
 import latex2mathml.converter
 from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererHTML
+from markdown_it.rules_inline import StateInline
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from armlab.errors import ContentError, InputError
+from armlab.errors import ContentError, InputError, suggestion
 
 _ELEMENTS = re.compile(
     "math|mrow|mi|mn|mo|mtext|mspace|mfrac|msqrt|mroot|msub|msup|msubsup|munder|mover|munderover|mtable|mtr|mtd|mstyle"
@@ -36,6 +40,8 @@ _PARTS = {
     **dict.fromkeys(("mfrac", "mroot", "msub", "msup", "munder", "mover"), 2),
     **dict.fromkeys(("msubsup", "munderover"), 3),
 }
+_LIVE = re.compile(r"\{\{([^{}\n]*)\}\}")
+_LIVE_BEGUN = re.compile(r"\{\{\s*([A-Za-z][^{}\n]{0,40})")
 _NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 
 
@@ -48,7 +54,8 @@ def formula(latex: str, block: bool = False) -> str:
         It cannot be converted, or is more than mathematics; the text names it.
     """
     try:
-        converted: str = latex2mathml.converter.convert(latex, display="block" if block else "inline")
+        hyphens = latex.replace("\u2212", "-")  # the converter knows them as minus signs, and no others
+        converted: str = latex2mathml.converter.convert(hyphens, display="block" if block else "inline")
     except Exception as error:  # the converter has no common exception, and fails with IndexError as well
         reason = type(error).__name__.removesuffix("Error")
         raise InputError(f"the formula ${latex}$ cannot be converted: {reason}") from None
@@ -90,20 +97,123 @@ def tokens_of(text: str) -> list[Token]:
     return _parser().parse(text)
 
 
-def render(tokens: Sequence[Token], file: str, where: str) -> str:
+class TextError(InputError):
+    """A Markdown text cannot be used.
+
+    Parameters
+    ----------
+    problem : str
+    line : int
+        From 0 at the text's first.
+    """
+
+    def __init__(self, problem: str, line: int) -> None:
+        super().__init__(problem)
+        self.line = line
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What a text may hold besides Markdown.
+
+    Parameters
+    ----------
+    live : mapping of str to str
+        Names of live values; to each why it is missing, empty where it is there.
+    pictures : mapping of str to str or None
+        Names of files to ``data:`` addresses; None where there can be none.
+    used : set of str
+        Gets the names of the live values that are used.
+    """
+
+    live: Mapping[str, str] = field(default_factory=dict)
+    pictures: Mapping[str, str] | None = None
+    used: set[str] = field(default_factory=set)
+
+
+def html_of(tokens: Sequence[Token], extras: Extras | None = None) -> str:
     """Return the HTML of blocks.
+
+    Raises
+    ------
+    TextError
+        A formula cannot be converted, a live value or a picture is not there.
+    """
+    extras = extras or Extras()
+    for line, token in _parts(tokens):
+        try:
+            if token.type.startswith("math_"):
+                _convert(token, extras)
+            elif token.type == "live":
+                _look_up(token, extras)
+            elif token.type == "image":
+                _embed(token, extras)
+        except InputError as error:
+            raise TextError(str(error), line) from None
+    parser = _parser()
+    rendered: str = parser.renderer.render(tokens, parser.options, {})
+    return rendered
+
+
+def _parts(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
+    """Yield blocks and the pieces of lines, with their lines."""
+    line = 0
+    for token in tokens:
+        line = token.map[0] if token.map else line
+        yield line, token
+        breaks = 0
+        for child in token.children or ():
+            breaks += child.type in ("softbreak", "hardbreak")
+            yield line + breaks, child
+
+
+def _convert(token: Token, extras: Extras) -> None:
+    """Convert a formula, in which no live value can stand."""
+    for found in _LIVE.finditer(token.content):
+        name = _name(found[1])
+        if name in extras.live:
+            raise InputError(f"{{{{{name}}}}} is a live value and cannot stand in a formula; write it between formulas")
+    token.meta = {"html": formula(token.content.strip(), token.type != "math_inline")}
+
+
+def _name(text: str) -> str:
+    return " ".join(text.split())
+
+
+def _look_up(token: Token, extras: Extras) -> None:
+    name = _name(token.content)
+    if name not in extras.live:
+        there = [each for each, missing in extras.live.items() if not missing]
+        raise InputError(f"unknown live value {name!r}{suggestion(name, there)}")
+    if extras.live[name]:
+        raise InputError(f"the live value {name!r} is not there for this arm: {extras.live[name]}")
+    extras.used.add(name)
+
+
+def _embed(token: Token, extras: Extras) -> None:
+    name = str(token.attrGet("src"))
+    if extras.pictures is None:
+        raise InputError(
+            f"the picture {name[:60]!r} cannot be shown: a lesson with pictures is a folder NAME with lesson.md and "
+            f"the pictures beside it"
+        )
+    if name not in extras.pictures:
+        raise InputError(f"unknown picture {name[:60]!r}{suggestion(name[:60], extras.pictures)}")
+    token.attrSet("src", extras.pictures[name])
+
+
+def render(tokens: Sequence[Token], file: str, where: str) -> str:
+    """Return the HTML of blocks without live values and pictures.
 
     Raises
     ------
     ContentError
         A formula cannot be converted; ``where`` is its place in the file.
     """
-    parser = _parser()
     try:
-        rendered: str = parser.renderer.render(tokens, parser.options, {})
-    except InputError as error:
+        return html_of(tokens)
+    except TextError as error:
         raise ContentError(file, where, str(error)) from None
-    return rendered
 
 
 def to_html(text: str, file: str, where: str = "") -> str:
@@ -128,17 +238,42 @@ def is_allowed(address: str) -> bool:
 
 @cache
 def _parser() -> MarkdownIt:
-    parser = MarkdownIt("commonmark", {"html": False}).enable("table").disable("image")
+    parser = MarkdownIt("commonmark", {"html": False}).enable("table")
     parser.validateLink = is_allowed  # type: ignore[method-assign, assignment]
-    dollarmath_plugin(
-        parser,
-        allow_labels=False,
-        allow_blank_lines=False,
-        double_inline=True,
-        renderer=lambda latex, options: formula(latex.strip(), bool(options["display_mode"])),
-    )
+    dollarmath_plugin(parser, allow_labels=False, allow_blank_lines=False, double_inline=True)
+    parser.inline.ruler.after("escape", "live", _live)
     parser.add_render_rule("link_open", _link)
+    parser.add_render_rule("live", _output)
+    for kind in ("math_inline", "math_inline_double", "math_block"):
+        parser.add_render_rule(kind, _formula)
     return parser
+
+
+def _live(state: StateInline, silent: bool) -> bool:
+    """Read ``{{name}}``; two braces before anything but a letter are text."""
+    begun = _LIVE_BEGUN.match(state.src, state.pos, state.posMax)
+    if begun is None:
+        return False
+    found = _LIVE.match(state.src, state.pos, state.posMax)
+    if not silent:
+        state.push("live", "output", 0).content = found[1] if found else begun[1]
+    state.pos = found.end() if found else begun.end()
+    return True
+
+
+def _output(renderer: RendererHTML, tokens: Sequence[Token], index: int, options: Any, env: Any) -> str:
+    del renderer, options, env
+    return f'<output class="live" data-live="{html.escape(_name(tokens[index].content))}">…</output>'
+
+
+def _formula(renderer: RendererHTML, tokens: Sequence[Token], index: int, options: Any, env: Any) -> str:
+    del renderer, options, env
+    token = tokens[index]
+    if token.type == "math_inline":
+        return f'<span class="math inline">{token.meta["html"]}</span>'
+    if token.type == "math_inline_double":
+        return f'<div class="math inline">{token.meta["html"]}</div>'
+    return f'<div class="math block">\n{token.meta["html"]}\n</div>\n'
 
 
 def _link(renderer: RendererHTML, tokens: Sequence[Token], index: int, options: Any, env: Any) -> str:

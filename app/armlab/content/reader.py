@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +37,7 @@ class Table:
         self._data, self._known = data, set[str]()
 
     @classmethod
-    def parse(cls, file: str, text: str) -> Table:
+    def parse(cls, file: str, text: str) -> Self:
         """Parse a whole file; broken TOML is reported with its line."""
         try:
             return cls(file, tomllib.loads(text))
@@ -71,6 +71,10 @@ class Table:
             raise self.fail(key, f"unknown value {value!r}{suggestion(value, names)}")
         return value
 
+    def value(self, key: str, default: Any = None) -> Any:
+        """Take a value of any kind, as the file has it."""
+        return self._take(key, default)
+
     def number(self, key: str, default: float | None = None) -> float:
         """Take a finite number."""
         return self._number(key, self._take(key, default))
@@ -87,6 +91,15 @@ class Table:
         value = self._take(key, None)
         if not isinstance(value, list) or [len(row) if isinstance(row, list) else 0 for row in value] != [3, 3, 3]:
             raise self.fail(key, f"expected three rows of three numbers, got {shown(value)}")
+        return np.array([[self._number(key, entry) for entry in row] for row in value])
+
+    def rows(self, key: str) -> NDArray[np.float64]:
+        """Take a matrix of any shape, a list of rows of equal length."""
+        value = self._take(key, None)
+        if not isinstance(value, list) or not value or not all(isinstance(row, list) and row for row in value):
+            raise self.fail(key, f"expected rows of numbers such as [[1, 0], [0, 1]], got {shown(value)}")
+        if len({len(row) for row in value}) != 1:
+            raise self.fail(key, f"expected rows of equal length, got {', '.join(str(len(row)) for row in value)}")
         return np.array([[self._number(key, entry) for entry in row] for row in value])
 
     def table(self, key: str) -> Table | None:

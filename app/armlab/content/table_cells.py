@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from armlab.content.arithmetic import evaluate, plain_symbols
+from armlab.content.arithmetic import evaluate
+from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError
 
 ANGLES = ("deg", "rad")

@@ -16,7 +16,7 @@ from armlab.front.limits import Limits, Meter
 from armlab.front.page import Page
 from armlab.front.relay import relay
 from armlab.front.tokens import Tokens
-from armlab.front.wishes import Wishes
+from armlab.front.wishes import ROUTES, Wishes, refused
 
 HEADERS = {
     "Cache-Control": "no-store",  # a cached page of another viser version cannot talk to this one
@@ -25,7 +25,6 @@ HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Permissions-Policy": "camera=(), microphone=(), geolocation=()",
 }
-NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
 HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
 PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
 HALF_A_YEAR = 180 * 86400
@@ -70,8 +69,8 @@ class Front:
         self.app.on_response_prepare.append(_protect)
         self.app.on_shutdown.append(self._say_goodbye)
         self.app.router.add_get("/", self._visit)
-        self.app.router.add_get("/robot/{name}", self._visit)
-        self.app.router.add_get("/lesson/{name}", self._visit)
+        for path in ROUTES:
+            self.app.router.add_get(path, self._visit)
 
     async def _with_client(self, _app: web.Application) -> AsyncIterator[None]:
         self._client = aiohttp.ClientSession(auto_decompress=False)
@@ -96,10 +95,8 @@ class Front:
             return _text(421, "This name is not served here.")
         if is_socket and request.headers.get("Origin", "").lower() not in (f"http://{host}", f"https://{host}"):
             return _text(403, "Cross-site connection refused.")
-        name = request.match_info.get("name")
-        if name is not None and not NAME.match(name):
-            return _text(404, "There is no such page.")
-        return None
+        refusal = refused(request.match_info)
+        return _text(*refusal) if refusal is not None else None
 
     async def _serve_page(self, request: web.Request) -> web.Response:
         if any(name in request.query for name in FOREIGN):
@@ -123,7 +120,7 @@ class Front:
             response.set_cookie(
                 self._tokens.cookie, value, max_age=HALF_A_YEAR, httponly=True, samesite="Lax", secure=secure, path="/"
             )
-        if token is not None and "name" in request.match_info:
+        if token is not None and request.match_info:
             # A wish belongs to the loading of a page, not to the socket: a reconnect must not repeat it.
             self._wishes.put(token, request.path.strip("/"))
         return response
@@ -135,7 +132,9 @@ class Front:
             return _text(401, "Open the page first.")
         if self._open[token] >= self._limits.sockets_each or self._open.total() >= self._limits.sockets:
             return _text(429, "Too many connections.")
-        headers = {"X-Armlab-Token": token, "X-Armlab-Secret": self._secret}
+        # The Origin is one that was compared with the host: what people type to get here.
+        origin = request.headers["Origin"]
+        headers = {"X-Armlab-Token": token, "X-Armlab-Secret": self._secret, "X-Armlab-Origin": origin}
         wish = self._wishes.take(token)
         if wish is not None:
             headers["X-Armlab-Wish"] = wish

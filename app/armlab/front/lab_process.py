@@ -7,6 +7,7 @@ import logging
 import sys
 from pathlib import Path
 
+from armlab.content.lessons import add_folder
 from armlab.content.robots import catalogue
 from armlab.front.start import SWITCH_INTERVAL
 from armlab.ui.lab import Lab
@@ -17,6 +18,8 @@ def main() -> None:
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     sys.setswitchinterval(SWITCH_INTERVAL)
     settings = json.loads(sys.stdin.readline())
+    for lessons in settings["lessons"]:
+        add_folder(Path(lessons))
     folder = Path(settings["sessions"]) if settings["sessions"] else None
     lab = Lab(catalogue()[settings["opening"]], folder, settings["secret"])
     print(json.dumps({"port": lab.port}), flush=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
@@ -18,8 +19,12 @@ class LabProcesses:
     It is started in a process group of its own: Ctrl-C reaches the front alone, which then ends the labs in order.
     """
 
-    def __init__(self, count: int, opening: str, sessions: Path | None, secret: str) -> None:
-        settings = json.dumps({"opening": opening, "sessions": sessions and str(sessions), "secret": secret})
+    def __init__(
+        self, count: int, opening: str, sessions: Path | None, secret: str, lessons: Sequence[Path] = ()
+    ) -> None:
+        folders = [str(folder.resolve()) for folder in lessons]
+        said = {"opening": opening, "sessions": sessions and str(sessions), "secret": secret, "lessons": folders}
+        settings = json.dumps(said)
         self._processes = [self._launch(settings) for _ in range(count)]
         self.ports = [self._port(process) for process in self._processes]
 

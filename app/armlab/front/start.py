@@ -14,6 +14,7 @@ from pathlib import Path
 
 from aiohttp import web
 
+from armlab.content.lessons import add_folder
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
 from armlab.front.addresses import served_names
@@ -47,6 +48,8 @@ class Settings:
         Where sessions are kept; None keeps them in memory.
     labs : int
         Number of lab processes; 0 runs everything in this one.
+    lessons : tuple of Path
+        Folders of lessons besides those of the lab.
     """
 
     host: str
@@ -54,6 +57,7 @@ class Settings:
     opening: str
     folder: Path | None
     labs: int = 0
+    lessons: tuple[Path, ...] = ()
 
 
 class Running:
@@ -77,8 +81,12 @@ def start(settings: Settings) -> Running:
         The port is in use, or the folder cannot be written.
     FolderInUse
         Another lab keeps its students there.
+    InputError
+        A folder of lessons is none.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
+    for folder in settings.lessons:
+        add_folder(folder)
     with ExitStack() as opened:
         tokens = _tokens(settings.folder, opened)
         secret = secrets.token_urlsafe(24)
@@ -103,7 +111,7 @@ def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> list[int]:
     """Open the labs on loopback; return their ports."""
     sessions = settings.folder / "sessions" if settings.folder is not None else None
     if settings.labs:
-        processes = LabProcesses(settings.labs, settings.opening, sessions, secret)
+        processes = LabProcesses(settings.labs, settings.opening, sessions, secret, settings.lessons)
         opened.callback(processes.stop)
         return processes.ports
     # Imported here: the front of a class does not need viser in its own process.

@@ -1,9 +1,29 @@
-"""What links ask for, from the loading of a page until its socket opens."""
+"""What links ask for: how they are written, and kept from the loading of a page until its socket opens."""
 
 from __future__ import annotations
 
+import re
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+
+from armlab.session.share import LONGEST, TEXT
+
+ROUTES = ("/robot/{name}", "/lesson/{name}", "/lesson/{name}/{variant}", "/state/{state}")
+
+NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}\Z")
+VARIANT = re.compile(r"[0-9]{1,4}\Z")
+
+
+def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
+    """Return status and sentence for a link with parts that cannot be; None when all can."""
+    if not NAME.match(parts.get("name", "x")):
+        return 404, "There is no such page."
+    if not VARIANT.match(parts.get("variant", "0")):
+        return 404, "There is no such page: the variant of a lesson is a number from 0 to 9999."
+    state = parts.get("state")
+    if state is not None and not TEXT.match(state):
+        return 400, f"This link is damaged: expected at most {LONGEST} letters, digits, - and _. Copy it again."
+    return None
 
 
 class Wishes:

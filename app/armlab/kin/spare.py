@@ -61,14 +61,14 @@ class Spare:
 def spare_joints(arm: Arm) -> Spare:
     """Return what the task of an arm leaves over."""
     samples = np.random.default_rng(0).uniform(-3.0, 3.0, (SAMPLES, arm.n))
-    return Spare(arm, samples, np.array([_task_jacobian(arm, q) for q in samples]))
+    return Spare(arm, samples, np.array([task_jacobian(arm, q) for q in samples]))
 
 
 def _rank(jacobians: NDArray[np.float64]) -> int:
     return int(np.linalg.matrix_rank(jacobians, tol=RANK_TOLERANCE).max())
 
 
-def _task_jacobian(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
+def task_jacobian(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the rows the task controls, in the axes of frame 0, lengths over the length scale; shape (m, n)."""
     turn = arm.base[:3, :3].T
     J = arm.jacobian(q)

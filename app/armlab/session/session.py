@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import logging
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
@@ -12,10 +14,15 @@ from armlab.content.robots import Robot
 from armlab.errors import ArmlabError, InputError
 from armlab.session.history import History
 from armlab.session.mailbox import Mailbox
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, State, apply
+from armlab.session.parts.shelf import Shelf
+from armlab.session.state import Command, State, apply, guard
 
 log = logging.getLogger(__name__)
+
+VARIANTS = 1000
+"""Variants of lessons that students are given by themselves: 0 to 999."""
 
 
 @dataclass(frozen=True)
@@ -84,11 +91,12 @@ class Session:
     notice_seen: int = 0
     front: str = ""
     untaken: int = 0
+    _elsewhere: dict[str, History] = field(default_factory=dict)
 
     @classmethod
     def fresh(cls, token: str, opening: Robot) -> Session:
         """Return a session nobody has touched."""
-        return cls(token, opening, State.initial(opening))
+        return cls(token, opening, _beginning(token, opening))
 
     @property
     def robot(self) -> Robot:
@@ -107,16 +115,16 @@ class Session:
         before = self.state
         try:
             if isinstance(command, Undo):
-                self.state = _with_kept(self.history.undo(self.state), self.state)
+                self.state = self._stepped(self.history.undo, self.history.redo)
             elif isinstance(command, Redo):
-                self.state = _with_kept(self.history.redo(self.state), self.state)
+                self.state = self._stepped(self.history.redo, self.history.undo)
             elif isinstance(command, StartFresh):
-                self.state, self.history = State.initial(self.opening), History()
+                self.state, self.history = _beginning(self.token, self.opening), History()
+                self._elsewhere.clear()
             else:
-                after = apply(self.state, command)
+                after = apply(self.state, command, at)
                 if after is not self.state:
-                    if command.undoable:
-                        self.history.note(self.state, command, at)
+                    self._note(command, after, at)
                     self.state = after
         except ArmlabError as refusal:
             self.tell(str(refusal))
@@ -126,9 +134,38 @@ class Session:
         if self.state is before:
             self.untaken += 1
 
+    def _note(self, command: Command, after: State, at: float) -> None:
+        """Note a step of undo. Each place of the shelf has its history; one that is shared begins without."""
+        before, here, there = self.state, self.state[Shelf], after[Shelf]
+        if (here.place, here.shared) != (there.place, there.shared):
+            if not here.shared:
+                self._elsewhere[here.place] = self.history
+            self.history = self._elsewhere.pop(there.place, History())
+            before = here.parked.get(there.place, before)
+        if command.undoable:
+            self.history.note(before, command, at)
+
+    def _stepped(self, step: Callable[[State], State], back: Callable[[State], State]) -> State:
+        """Return the state after an undo or a redo; a refused one stays in the history."""
+        found = step(self.state)
+        restored = _with_kept(found, self.state)
+        try:
+            guard(self.state, restored)
+        except ArmlabError:
+            back(found)
+            raise
+        return restored
+
     def tell(self, text: str) -> None:
         """Leave a notice for the student."""
         self.notice = Notice(1 if self.notice is None else self.notice.number + 1, text)
+
+
+def _beginning(token: str, opening: Robot) -> State:
+    """Return the first state of a student, to whom lessons give a variant of their own."""
+    state = State.initial(opening)
+    number = int.from_bytes(hashlib.sha256(token.encode()).digest()[:4], "big") % VARIANTS
+    return state.replace(replace(state[LessonPart], number=number))
 
 
 def _with_kept(restored: State, present: State) -> State:

@@ -51,6 +51,9 @@ class Part:
         """Return the part adapted to what a command changed in others; called once for each command."""
         return self
 
+    def guard(self, before: State, now: State) -> None:
+        """Raise `InputError` to refuse what a command, or an undo, is about to change in others."""
+
     def to_json(self) -> Json:
         """Return the part written down."""
         raise NotImplementedError
@@ -95,10 +98,16 @@ def part_types() -> tuple[type[Part], ...]:
 
 
 class State:
-    """An immutable set of parts, one of each type: ``state[Joints].q``."""
+    """An immutable set of parts, one of each type: ``state[Joints].q``.
 
-    def __init__(self, parts: dict[type[Part], Part]) -> None:
-        self._parts = parts
+    Attributes
+    ----------
+    at : float
+        When it came about, in seconds of the clock of its session; not saved.
+    """
+
+    def __init__(self, parts: dict[type[Part], Part], at: float = 0.0) -> None:
+        self._parts, self.at = parts, at
         self._derived: dict[Callable[[State], Any], Any] = {}
 
     @classmethod
@@ -116,15 +125,21 @@ class State:
 
     def replace(self, *parts: Part) -> State:
         """Return a state with these parts instead of the present ones of their types."""
-        return State(self._parts | {type(part): part for part in parts})
+        return State(self._parts | {type(part): part for part in parts}, self.at)
+
+    def dated(self, at: float) -> State:
+        """Return the same state with another time."""
+        state = State(self._parts, at)
+        state._derived = self._derived
+        return state
 
     def with_robot(self, robot: Robot) -> State:
         """Return the state with every part adapted to another arm."""
-        return State({kind: part.for_robot(robot) for kind, part in self._parts.items()})
+        return State({kind: part.for_robot(robot) for kind, part in self._parts.items()}, self.at)
 
     def with_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> State:
         """Return the state with every part adapted to an edited table of the same arm; see `Part.for_edited`."""
-        return State({kind: part.for_edited(robot, origin) for kind, part in self._parts.items()})
+        return State({kind: part.for_edited(robot, origin) for kind, part in self._parts.items()}, self.at)
 
     def derived(self, compute: Callable[[State], T]) -> T:
         """Return ``compute(state)``, computed at most once for this state."""
@@ -160,12 +175,15 @@ class Command:
         Whether it is a step of undo; what only changes the view of things is none.
     label : str
         What an undo of it says it takes back.
+    reacts : bool
+        Whether parts guard against it and react to it; a whole state that is put in place fits together already.
     """
 
     snapshot: ClassVar[bool] = False
     rests: ClassVar[bool] = False
     undoable: ClassVar[bool] = True
     label: ClassVar[str] = "change"
+    reacts: ClassVar[bool] = True
 
     def apply(self, state: State) -> State:
         """Return the new state. Pure: no clock, no randomness, no I/O. Raise `ArmlabError` to refuse."""
@@ -182,10 +200,33 @@ class Command:
         return None
 
 
-def apply(state: State, command: Command) -> State:
-    """Return the state after a command and after the reactions of the parts to it."""
+def apply(state: State, command: Command, at: float = 0.0) -> State:
+    """Return the state after a command and after the reactions of the parts to it.
+
+    Parameters
+    ----------
+    state : State
+    command : Command
+    at : float
+        Seconds of the session's clock.
+
+    Raises
+    ------
+    ArmlabError
+        The command, or a part that guards the state, refuses.
+    """
     changed = command.apply(state)
     if changed is state:
         return state
+    if not command.reacts:
+        return changed.dated(at)
+    guard(state, changed)
+    changed = changed.dated(at)
     adapted = [(part, part.after(state, changed)) for part in changed]
     return changed.replace(*(new for part, new in adapted if new is not part))
+
+
+def guard(before: State, now: State) -> None:
+    """Ask every part whether a change may be; see `Part.guard`."""
+    for part in before:
+        part.guard(before, now)

@@ -11,10 +11,8 @@ import threading
 from pathlib import Path
 
 from armlab.content.robots import Robot
-from armlab.errors import InputError
-from armlab.session.parts.joints import Joints
-from armlab.session.parts.robot import robot_from_json
 from armlab.session.session import Session
+from armlab.session.share import state_of_parts
 from armlab.session.state import Json, State
 
 log = logging.getLogger(__name__)
@@ -113,8 +111,4 @@ def state_from_text(text: str) -> State:
     data = json.loads(text)
     if data["format"] != FORMAT:
         raise ValueError(f"format {data['format']}, expected {FORMAT}")
-    parts = data["parts"]
-    state = State.from_json(parts, robot_from_json(parts["robot"]))
-    if state[Joints].draws < 0:
-        raise InputError(f"draws: expected 0 or more, got {state[Joints].draws}")
-    return state
+    return state_of_parts(data["parts"])

@@ -35,7 +35,24 @@ class StartTrainer(Command):
         exercise = state[Trainer].exercise
         if not exercise.usable:
             raise InputError("trainer: this arm has no pose in which all joint axes lie along x, y or z of the world")
-        return _posed(state).replace(Trainer(exercise, Answers.empty(exercise.n), True))
+        before = state[Trainer].before if state[Trainer].started else state[Joints].q
+        return _posed(state).replace(Trainer(exercise, Answers.empty(exercise.n), True, before))
+
+
+@dataclass(frozen=True)
+class EndTrainer(Command):
+    """Leave the exercise, done or given up; the arm goes back to where it was before, unless a hand has moved it."""
+
+    label: ClassVar[str] = "end of the exercise"
+
+    def apply(self, state: State) -> State:
+        """Return the state without the exercise and its answers."""
+        trainer, joints = _started(state), state[Joints]
+        ended = state.replace(Trainer(trainer.exercise, Answers.empty(trainer.exercise.n)))
+        if trainer.before is None or not at_reference(state):
+            return ended
+        moved = joints.moved_to(trainer.before)
+        return ended if moved is joints else ended.replace(moved)
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from armlab.content.robots import Robot, catalogue
 from armlab.kin.arm import Arm
-from armlab.kin.assignment import Choice, expected_table, judge_frames, own_choices
+from armlab.kin.assignment import Assignment, Choice, expected_table, judge_frames, own_choices
 from armlab.kin.convert import converted
 from armlab.kin.relations import axis_relations
 
@@ -94,9 +94,14 @@ class Exercise:
         raise AssertionError("an aligned arm has legal axes")
 
     @cached_property
+    def solved(self) -> Assignment:
+        """The table and frames of the solution."""
+        return expected_table(self.robot.arm, self.pose, choices_of(self.solution))
+
+    @property
     def origins(self) -> Vector:
         """Where the rules put the origins for the solution, in the world, (n + 1, 3); only O_n depends on choices."""
-        return expected_table(self.robot.arm, self.pose, choices_of(self.solution)).frames[:, :3, 3]
+        return self.solved.frames[:, :3, 3]
 
     @cached_property
     def own_frames(self) -> Vector:

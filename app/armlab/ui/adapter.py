@@ -22,6 +22,7 @@ log = logging.getLogger(__name__)
 TOKEN_HEADER = "X-Armlab-Token"
 WISH_HEADER = "X-Armlab-Wish"
 SECRET_HEADER = "X-Armlab-Secret"
+ORIGIN_HEADER = "X-Armlab-Origin"
 
 
 def make_server(port: int) -> viser.ViserServer:
@@ -47,6 +48,12 @@ def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> di
     """Return the headers the front sent when it opened this client's connection; None when it is already gone."""
     connection = server._websock_server._live_connections.get(client.client_id)
     return None if connection is None else dict(connection.request.headers.raw_items())
+
+
+def origin_of(client: viser.ClientHandle) -> str:
+    """Return the address under which a page knows the lab, such as ``http://lab:8080``; empty when it is gone."""
+    headers = request_headers(client._viser_server, client) or {}
+    return next((value for name, value in headers.items() if name.lower() == ORIGIN_HEADER.lower()), "")
 
 
 def refuse_uploads(client: viser.ClientHandle) -> None:

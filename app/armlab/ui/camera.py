@@ -10,6 +10,7 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from armlab.content.robots import Camera as View
 from armlab.content.robots import Robot
 from armlab.ui.figure.figure import Figure
 
@@ -48,6 +49,7 @@ class Camera:
     def __init__(self, client: viser.ClientHandle, pose: Callable[[], NDArray[np.float64]]) -> None:
         self._client, self._pose = client, pose
         self._robot: Robot | None = None
+        self._lesson: View | None = None
         self._figure: Figure | None = None
         self._aspect, self._began, self._roomy, self._size = 0.0, time.monotonic(), False, math.inf
         client.camera.on_update(self._moved)
@@ -58,12 +60,14 @@ class Camera:
         if reshaped and time.monotonic() - self._began < SETTLING:
             self.look_from("Home")
 
-    def make_room(self, on: bool) -> None:
+    def make_room(self, on: bool, home: View | None = None) -> None:
         """Take every named pose of an arm into the picture, not only its home: a lesson leads there.
+
+        The lesson may have a home view of its own.
 
         The dock that opens with it gives the picture another shape, so that is waited for.
         """
-        self._roomy = on
+        self._roomy, self._lesson = on, home
         if on:
             self._began = time.monotonic()
             self.look_from("Home")
@@ -122,7 +126,7 @@ class Camera:
         """Look from one of the `PRESETS`, with the whole arm in the picture, at home and as it is now."""
         if self._robot is None or self._figure is None:
             return
-        home = self._robot.camera
+        home = self._lesson or self._robot.camera
         azimuth, elevation = PRESETS[preset] or (home.azimuth_deg, home.elevation_deg)
         bounds = self._bounds(self._robot, self._figure)
         middle = bounds.mean(axis=0)

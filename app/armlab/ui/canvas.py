@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import asyncio
-import math
 from collections.abc import Callable
 
 import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from armlab.kin.easing import eased
 from armlab.kin.rotations import quaternion_from_rotation
 from armlab.ui import adapter
 from armlab.ui.figure.drawn import Drawn
@@ -127,10 +127,10 @@ class Canvas:
             s = min((loop.time() - began) / duration, 1.0)
             self._glide = None
             if self._goal is not goal:  # something newer: go on from here
-                self._write(start + _ease(s) * (goal - start), flush=True)
+                self._write(start + eased(s) * (goal - start), flush=True)
                 self.show_pose(self._goal)
                 return
-            self._write(goal if s >= 1.0 else start + _ease(s) * (goal - start), flush=True)
+            self._write(goal if s >= 1.0 else start + eased(s) * (goal - start), flush=True)
             if s < 1.0:
                 self._glide = loop.call_later(1.0 / GLIDE_RATE, step)
 
@@ -151,8 +151,3 @@ class Canvas:
                 listener(q)
         if flush:
             self.client.flush()
-
-
-def _ease(s: float) -> float:
-    """Return the minimum-jerk course from 0 to 1."""
-    return s * s * s * (10.0 + s * (6.0 * s - 15.0)) if 0.0 < s < 1.0 else math.floor(s)

@@ -20,6 +20,13 @@ JOINTS: tuple[Rgb, ...] = (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILLION, YELLOW)
 
 AXES: dict[str, Rgb] = {"x": (213, 66, 30), "y": GREEN, "z": BLUE}
 
+GREY: Rgb = (128, 137, 150)
+
+INK: dict[bool, Rgb] = {False: (52, 60, 72), True: (205, 212, 222)}
+AXIS_INK: dict[bool, Rgb] = {False: (84, 93, 106), True: (205, 212, 222)}
+FINE_INK: dict[bool, Rgb] = {False: (92, 102, 116), True: (168, 178, 192)}
+"""Of lines that need no meaning of colour, by whether the theme is dark: plain ones, joint axes, auxiliary ones."""
+
 VERDICT: dict[str, Rgb] = {"ok": (0, 115, 90), "warn": (184, 120, 0), "no": (196, 60, 10)}
 
 

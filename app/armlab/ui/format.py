@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-import math
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -33,24 +32,6 @@ def trimmed(value: float, decimals: int) -> str:
     """
     text = number(value, decimals)
     return text.rstrip("0").rstrip(".") if "." in text else text
-
-
-def turn(value: float, decimals: int = 1) -> str:
-    """Return an angle given in radians as degrees in (-180, 180], without a unit; what rounds to -180 is 180.
-
-    >>> turn(-3.14159)
-    '180.0'
-    """
-    text = number(math.degrees(value), decimals)
-    return text[1:] if text == f"{MINUS}{180.0:.{decimals}f}" else text
-
-
-def length(value: float) -> str:
-    """Return a length in millimetres with its unit; below 0.1 mm in micrometres."""
-    size = abs(value)
-    if 1e-7 <= size < 1e-4:
-        return f"{number(1e6 * value, 1)} µm"
-    return f"{number(1e3 * value, 1 if size < 0.1 else 0)} mm"
 
 
 def subscript(letter: str, index: int) -> str:

@@ -9,14 +9,14 @@ from pathlib import Path
 
 import viser
 
-from armlab.content.lessons import lessons
+from armlab.content.lessons import changed, lessons
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
-from armlab.session.parts.lesson import LessonPart, OpenLesson
-from armlab.session.parts.robot import ChooseRobot
+from armlab.session.lesson_commands import ReloadLesson
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.timeline import Play, Timeline, clips
 from armlab.session.session import Session
-from armlab.session.state import Command, part_types
+from armlab.session.state import part_types
 from armlab.session.store import Store
 from armlab.session.worker import Worker
 from armlab.ui import adapter
@@ -25,6 +25,7 @@ from armlab.ui.pace import Pace
 from armlab.ui.player import Player
 from armlab.ui.plugin import layers, tabs
 from armlab.ui.view import View
+from armlab.ui.wished import wished
 
 log = logging.getLogger(__name__)
 
@@ -33,6 +34,9 @@ GRANT_PATIENCE = 2.0
 
 SAVE_INTERVAL = 1.0
 """Seconds between savings: what a crash can lose."""
+
+LOOK_INTERVAL = 1.0
+"""Seconds between looks at the files of lessons: a teacher sees at once what was written."""
 
 
 class Lab:
@@ -73,6 +77,7 @@ class Lab:
         self.server.on_client_disconnect(self._disconnect)
         self.worker.start()
         threading.Thread(target=self._keep_saving, daemon=True, name="armlab-saver").start()
+        threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons").start()
         # The others are made when somebody first asks for them: 0.2 s once, and no work beside that of a class.
         self._figure = threading.Thread(target=self.gallery.make, args=(opening.arm,), name="armlab-figure")
         self._figure.start()
@@ -117,9 +122,9 @@ class Lab:
     async def _grant(self, session: Session, wish: str) -> None:
         """Do what a readable link asks for, before the page is built.
 
-        ``robot/puma560`` puts that arm on the table, ``lesson/first_arm`` opens that lesson.
+        What it cannot have, the session says in a notice.
         """
-        command = _wished(session, wish)
+        command = wished(session.state, wish)
         if command is None:
             return
         done = self.loop.create_future()
@@ -166,15 +171,26 @@ class Lab:
         while not self._stopped.wait(SAVE_INTERVAL):
             self.store.save()
 
+    def _keep_looking(self) -> None:
+        said = ""
+        while not self._stopped.wait(LOOK_INTERVAL):
+            try:
+                if keys := changed():
+                    self.loop.call_soon_threadsafe(self._reload, keys)
+                said = ""
+            except Exception as error:
+                # A folder may go away for a while; the log needs to hear of it once.
+                if said != repr(error):
+                    log.exception("the files of lessons cannot be looked at")
+                said = repr(error)
 
-def _wished(session: Session, wish: str) -> Command | None:
-    """Return the command for a wish; None when it is granted already, so that a reload resets nothing."""
-    kind, _, key = wish.partition("/")
-    if kind == "robot" and key != session.robot.key:
-        return ChooseRobot(key)
-    if kind == "lesson" and key != session.state[LessonPart].open:
-        return OpenLesson(key)
-    return None
+    def _reload(self, keys: frozenset[str]) -> None:
+        """Show lessons whose files have changed to those who have them open."""
+        for views in tuple(self._of_session.values()):
+            session = next(iter(views)).session
+            key = session.state[LessonPart].open.partition("/")[0]
+            if key in keys:
+                self.worker.post(session, ReloadLesson(key))
 
 
 __all__ = ["Lab"]

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from armlab.errors import InputError
 from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import State
-from armlab.ui.format import escaped, number
+from armlab.ui.format import number
+from armlab.ui.markup import button, copy_button
 from armlab.ui.plugin import Post
 from armlab.ui.widgets import Fields, Gui
 
@@ -118,19 +119,13 @@ class _Table:
         return f'<td class="{classes}">{inside}</td>' if classes else f"<td>{inside}</td>"
 
     def _button(self, cell: str, inside: str, label: str, pressed: bool) -> str:
-        return (
-            f'<button data-chan="{self.channel}" data-cell="{cell}" aria-label="{label}"'
-            f' aria-pressed="{str(pressed).lower()}">{inside}</button>'
-        )
+        return button(self.channel, cell, inside, label=label, pressed=pressed)
 
 
 def copy_buttons(values: Matrix) -> str:
     """Return small buttons that copy a matrix in the languages students hand in."""
     forms = (("NumPy", as_numpy(values)), ("MATLAB", as_matlab(values)), ("LaTeX", as_latex(values)))
-    return "".join(
-        f'<button class="copy" data-copy="{escaped(text)}" title="Copy as {name}">{name}</button>'
-        for name, text in forms
-    )
+    return "".join(copy_button(name, text) for name, text in forms)
 
 
 def as_numpy(values: Matrix) -> str:

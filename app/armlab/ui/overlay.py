@@ -7,21 +7,28 @@ mounted whatever tab is open.
 from __future__ import annotations
 
 import json
+import logging
 import secrets
 from collections.abc import Callable
 
 import viser
 
-from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.lesson import LessonPart, at_place
 from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target, verdict
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Command
 from armlab.ui.format import escaped
+from armlab.ui.markup import button
+from armlab.ui.plugin import hidden_tabs
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
 from armlab.ui.widgets import Fields
 
+log = logging.getLogger(__name__)
+
+PRESSED: dict[str, Command] = {"undo": Undo(), "redo": Redo(), "home": BackToLesson(), "own": BackFromShared()}
 FIRST_HINT = "Drag the handle: the arm follows"
 
 
@@ -34,8 +41,10 @@ class Overlay:
         def pressed(cell: str, text: str) -> None:
             if cell == "tabs":
                 on_tabs(text)
+            elif cell in PRESSED:
+                post(PRESSED[cell])
             else:
-                post(Undo() if cell == "undo" else Redo())
+                log.warning("a page that is not ours pressed something over the scene")
 
         self._fields = Fields(client.gui, pressed)
         self._tab, self._asked = "", ""
@@ -53,7 +62,19 @@ class Overlay:
         elif handle and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
         hint = f'<div class="al-over al-hint" role="status">{line}</div>' if line else ""
-        self._fields.show(hint + self._steps(session) + self._notes(session))
+        self._fields.show(hint + self._place(session) + self._steps(session) + self._notes(session))
+
+    def _place(self, session: Session) -> str:
+        """Return where the student is when it is not their lesson or own work, with the way back."""
+        shelf = session.state[Shelf]
+        if shelf.place == SANDBOX:
+            title = at_place(shelf.waiting).title if shelf.waiting else "my work"
+            says, way = "Your sandbox", button(self._fields.channel_id, "home", f"‹ Back to {escaped(title)}", "chip")
+        elif shelf.place == SHARED:
+            says, way = "A shared arm", button(self._fields.channel_id, "own", "‹ Back to my work", "chip")
+        else:
+            return ""
+        return f'<div class="al-over al-place" role="status"><b>{says}</b>{way}</div>'
 
     def _steps(self, session: Session) -> str:
         labels = {
@@ -63,11 +84,7 @@ class Overlay:
         buttons = []
         for cell, (sign, word, what, key) in labels.items():
             title = f"{word}: {what} ({key})" if what else f"Nothing to {word.lower()}"
-            off = "" if what else " disabled"
-            buttons.append(
-                f'<button data-chan="{self._fields.channel_id}" data-cell="{cell}" aria-label="{word}"'
-                f' title="{escaped(title)}"{off}>{sign}</button>'
-            )
+            buttons.append(button(self._fields.channel_id, cell, sign, hint=title, label=word, off=not what))
         return f'<div class="al-over al-steps">{"".join(buttons)}</div>'
 
     def _notes(self, session: Session) -> str:
@@ -76,5 +93,11 @@ class Overlay:
         path = "/" if robot.own else f"/robot/{robot.robot.key}"
         if lesson := session.state[LessonPart].open:
             path = f"/lesson/{lesson}"
-        notes = {"path": path, "tab": self._tab, "asked": self._asked, "chan": self._fields.channel_id}
+        notes = {
+            "path": path,
+            "tab": self._tab,
+            "asked": self._asked,
+            "hidden": hidden_tabs(session.state),
+            "chan": self._fields.channel_id,
+        }
         return f'<i id="al-notes" hidden data-notes="{escaped(json.dumps(notes))}"></i>'

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.ui.colours import VERDICT, Rgb, css
 from armlab.ui.format import dot, escaped
+from armlab.ui.markup import button
 
 if TYPE_CHECKING:
     from armlab.ui.widgets import Gui
@@ -82,10 +83,8 @@ class Plot:
         names = "".join(f"<span>{dot(css(curve.colour))}{escaped(curve.name)}</span>" for curve in self._curves)
         head = gui.fields(lambda _cell, _text: gui.save(f"{file}.csv", self.csv()))
         legend = f'<div class="legend">{names}</div>' if len(self._curves) > 1 else ""
-        head.show(
-            f'<h3>{title}<span class="copies"><button class="copy" data-chan="{head.channel_id}" data-cell="csv"'
-            f' title="Save the curves as a table">CSV</button></span></h3>{legend}'
-        )
+        save = button(head.channel_id, "csv", "CSV", "copy", "Save the curves as a table")
+        head.show(f'<h3>{title}<span class="copies">{save}</span></h3>{legend}')
         empty = np.array([0.0, 1.0])
         self._handle: Any = gui.uplot(
             tuple([empty] * (1 + len(self._curves) + limits)),

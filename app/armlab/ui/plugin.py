@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from armlab.errors import PluginError
 from armlab.plugins import discover
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, Part, State
@@ -48,6 +49,12 @@ class Panel:
         Whether the arm is drawn as a skeleton while the panel is open, because what it shows lies inside.
     hides : tuple of str
         Keys of layers that would be in its way while it is open.
+    hides_then : callable
+        ``hides_then(state)`` returns keys of layers that are in its way in this state, besides ``hides``.
+    about : tuple of str
+        What the index finds it by: sections and equations of the notes, rows of the inventory, words.
+    always : bool
+        Whether it may be read also while a question of a lesson hides the arm or its values.
     """
 
     key: str
@@ -60,6 +67,9 @@ class Panel:
     rebuilds: tuple[type[Part], ...] = (RobotPart, Notation)
     see_through: bool = False
     hides: tuple[str, ...] = ()
+    hides_then: Callable[[State], tuple[str, ...]] = lambda state: ()
+    about: tuple[str, ...] = ()
+    always: bool = False
 
 
 @dataclass(frozen=True)
@@ -135,6 +145,18 @@ def layers() -> dict[str, Layer]:
             if key not in found:
                 raise PluginError(f"{plugin.key}: there is no layer {key!r} to hide")
     return found
+
+
+def hidden_panels(state: State) -> frozenset[str]:
+    """Return the keys of the panels that the open lesson hides."""
+    lesson = state[LessonPart].lesson
+    return frozenset() if lesson is None else frozenset(lesson.hidden)
+
+
+def hidden_tabs(state: State) -> tuple[str, ...]:
+    """Return the titles of the tabs all of whose pages the open lesson hides."""
+    hidden = hidden_panels(state)
+    return tuple(pages[0].title for pages in tabs().values() if all(page.key in hidden for page in pages))
 
 
 def switches() -> tuple[Switch, ...]:

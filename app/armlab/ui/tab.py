@@ -6,12 +6,17 @@ import logging
 from collections.abc import Callable
 from typing import Any
 
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State
 from armlab.ui.format import escaped
+from armlab.ui.markup import button
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.widgets import Fields, Gui
 
 log = logging.getLogger(__name__)
+
+COVERED = "Answer the question of the lesson first."
+"""What stands on a page that would tell the answer."""
 
 
 class Tab:
@@ -43,6 +48,7 @@ class Tab:
         self._show: Show | None = None
         self._shown: State | None = None
         self._built = ""
+        self._hidden: frozenset[str] = frozenset()
         with container:
             head = make_gui()
             # The page's script tells by this mark which tabs are seen.
@@ -69,16 +75,29 @@ class Tab:
     def _show_head(self) -> None:
         if self._head is None:
             return
-        chips = "".join(
-            f'<button class="page" role="tab" data-chan="{self._head.channel_id}" data-cell="{key}"'
-            f' aria-selected="{"true" if key == self.page else "false"}">{escaped(page.title)}</button>'
+        channel = self._head.channel_id
+        pages = "".join(
+            button(channel, key, escaped(page.title), "page", role="tab", aria_selected=str(key == self.page).lower())
             for key, page in self.pages.items()
+            if key not in self._hidden
         )
-        self._head.show(f'<div class="pages" role="tablist">{chips}</div>')
+        self._head.show(f'<div class="pages" role="tablist">{pages}</div>')
 
-    def show(self, state: State, again: bool = False) -> None:
-        """Show a state on the present page; ``again`` also when it is the one shown, over what a person typed."""
+    def show(self, state: State, again: bool = False, hidden: frozenset[str] = frozenset()) -> None:
+        """Show a state on the present page.
+
+        Parameters
+        ----------
+        state : State
+        again : bool
+            Also when it is the one shown, over what a person typed.
+        hidden : frozenset of str
+            Pages that are not there now.
+        """
+        self._leave_out(hidden)
         panel = self.pages[self.page]
+        if self._cover(panel, state):
+            return
         before, self._shown = self._shown, state
         new = before is None or self._built != self.page or _differ(panel.rebuilds, state, before)
         with self._container:
@@ -88,6 +107,25 @@ class Tab:
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)
+
+    def _leave_out(self, hidden: frozenset[str]) -> None:
+        """Take pages away, or bring them back, and stand on one that is there."""
+        left = [key for key in self.pages if key not in hidden]
+        if hidden & set(self.pages) == self._hidden or not left:
+            return
+        self._hidden = hidden & set(self.pages)
+        self.page = self.page if self.page in left else left[0]
+        self._show_head()
+
+    def _cover(self, panel: Panel, state: State) -> bool:
+        """Show a sentence instead of a page that would tell what is to be predicted."""
+        covered = bool(state[LessonPart].hides) and not panel.always
+        if covered and self._built != COVERED:
+            with self._container:
+                self._gui.clear()
+                self._gui.html(f'<p class="dim">{COVERED}</p>')
+            self._built, self._show, self._shown = COVERED, None, state
+        return covered
 
     def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """Return the result; a panel that fails is replaced by a line, and the rest lives on."""

@@ -11,6 +11,7 @@ import viser
 
 from armlab.session.parts.timeline import OpenClip, Play, PlayLike, Seek, Step, Timeline, clips, duration
 from armlab.session.state import Command, State
+from armlab.ui import markup
 from armlab.ui.format import escaped
 from armlab.ui.widgets import Fields
 
@@ -64,18 +65,11 @@ class TimelineBar:
         channel = self._bar.channel_id
 
         def button(cell: str, sign: str, title: str, key: str = "", pressed: bool | None = None) -> str:
-            hot = f' data-key="{key}"' if key else ""
-            state = "" if pressed is None else f' aria-pressed="{str(pressed).lower()}"'
-            return (
-                f'<button data-chan="{channel}" data-cell="{cell}" title="{title}" aria-label="{title}"{hot}{state}>'
-                f"{sign}</button>"
-            )
+            return markup.button(channel, cell, sign, hint=title, label=title, pressed=pressed, data_key=key)
 
         marks = "".join(f'<i style="left:{100.0 * t / end:.3f}%"></i>' for t in stops if 0.0 < t < end)
         speeds = sorted({*SPEEDS, timeline.speed})
-        options = "".join(
-            f'<option value="{s:g}"{" selected" if s == timeline.speed else ""}>{s:g}×</option>' for s in speeds
-        )
+        options = markup.options({f"{s:g}": f"{s:g}×" for s in speeds}, f"{timeline.speed:g}")
         play = ("pause", "Pause (space)") if timeline.playing else ("play", "Play (space)")
         return (
             '<div class="al-over al-time" role="group" aria-label="Timeline">'
@@ -88,7 +82,7 @@ class TimelineBar:
             ' data-live="1"></span>'
             f'<span class="now"></span>'
             + button("loop", "⟳", "Begin again at the end", pressed=timeline.loop)
-            + f'<select data-chan="{channel}" data-cell="speed" title="Speed" aria-label="Speed">{options}</select>'
+            + markup.select(channel, "speed", "Speed", options, "Speed")
             + button("close", "✕", "Close")
             + "</div>"
         )

@@ -10,7 +10,7 @@ from armlab.errors import InputError
 from armlab.kin.dh import Convention
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
-from armlab.ui.format import length, number, subscript
+from armlab.ui.format import number, subscript, trimmed
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,7 @@ class Book:
 
 
 _LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
+_LATEX = {"α": r"\alpha", "θ": r"\theta", "ϑ": r"\vartheta"}
 
 BOOKS: dict[str, Book] = {
     "notes": Book("Course notes", ("a", "alpha", "d", "theta"), _LETTERS),
@@ -99,26 +100,49 @@ class Units:
 
     def angle(self, value: float) -> str:
         """Return an angle with its unit."""
-        return f"{self.text(value, True)}{self.angle_unit if self.in_degrees else ' rad'}"
+        return f"{self.text(value, True)}{self._ending(True)}"
 
     def turned(self, value: float) -> str:
-        """Return an angle without its unit, in the half-open turn around zero: what rounds to −180° is 180°."""
+        """Return an angle without its unit, in the half-open turn around zero: what rounds to −180° is 180°.
+
+        For orientations. A joint that stands at −180° does not stand at 180°: see `angle`.
+        """
         text = self.text(math.remainder(value, 2.0 * math.pi), True)
         return self.text(math.pi, True) if text == self.text(-math.pi, True) else text
 
+    def orientation(self, value: float) -> str:
+        """Return an angle that whole turns do not change, in (−180°, 180°] and with its unit."""
+        return f"{self.turned(value)}{self._ending(True)}"
+
     def length(self, value: float) -> str:
         """Return a length with its unit."""
-        return f"{self.text(value, False)} {self.length_unit}"
+        return f"{self.text(value, False)}{self._ending(False)}"
 
-    def distance(self, value: float) -> str:
-        """Return a small or large length with its unit and as many decimals as it deserves."""
-        return length(value) if self.notation.length == "mm" else self.length(value)
+    def entry(self, value: float, revolute: bool, more: int = 1) -> str:
+        """Return a number of the table without its unit: what stays has a digit ``more``, and no zeros at its end."""
+        return trimmed(value / self.factor(revolute), self.decimals(revolute) + more)
+
+    def constant(self, value: float, revolute: bool, more: int = 1) -> str:
+        """Return a number of the table with its unit; the same number as in its cell."""
+        return f"{self.entry(value, revolute, more)}{self._ending(revolute)}"
+
+    def _ending(self, revolute: bool) -> str:
+        """Return the unit as it follows a number."""
+        return "°" if revolute and self.in_degrees else f" {self.unit(revolute)}"
+
+    def symbol(self, field: str, index: int) -> str:
+        """Return the symbol of a field of the table, such as θ₁."""
+        return subscript(self.book.symbols[field], index)
+
+    def latex(self, field: str) -> str:
+        """Return the letter of a field of the table in LaTeX."""
+        return _LATEX.get(self.book.symbols[field], field)
 
     def variable(self, i: int, revolute: bool) -> str:
         """Return the symbol of joint variable i (0-based): q₁, or θ₁ and d₁ as in the table."""
         if self.notation.variable == "q":
             return subscript("q", i + 1)
-        return subscript(self.book.symbols["theta" if revolute else "d"], i + 1)
+        return self.symbol("theta" if revolute else "d", i + 1)
 
     def column(self, field: str, convention: Convention) -> str:
         """Return the head of a column of the table, with its unit."""

@@ -20,7 +20,7 @@ def verdict_words(verdict: Verdict, units: Units) -> tuple[str, str]:
     """Return the verdict in a word or two, and what there is to say about it with numbers and units."""
     short = _shortfall(verdict, units)
     if verdict.status == "reached":
-        return "reached", f"{units.distance(verdict.position_error)} {units.angle(verdict.rotation_error)}"
+        return "reached", f"{units.length(verdict.position_error)} {units.angle(verdict.rotation_error)}"
     if verdict.status == "limit":
         return verdict.reason, short
     if verdict.status == "beyond":
@@ -34,7 +34,7 @@ def _shortfall(verdict: Verdict, units: Units) -> str:
     """Return how far away the target is, in the components that matter."""
     said = []
     if verdict.position_error >= 5e-5:
-        said.append(f"{units.distance(verdict.position_error)} short")
+        said.append(f"{units.length(verdict.position_error)} short")
     if verdict.rotation_error >= math.radians(0.05):
         said.append(f"{units.angle(verdict.rotation_error)} turned away")
     return ", ".join(said) or f"within {units.length(1e-4)} and {units.angle(math.radians(0.1))}"

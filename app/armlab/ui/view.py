@@ -10,6 +10,7 @@ from collections.abc import Callable
 import viser
 
 from armlab.kin.arm import Arm
+from armlab.session.lesson_commands import LookAt
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
@@ -22,10 +23,10 @@ from armlab.ui.canvas import Canvas
 from armlab.ui.colours import BLUE
 from armlab.ui.drawing import Drawing
 from armlab.ui.figure.drawn import Drawn, Gallery
-from armlab.ui.lesson_dock import LessonDock
+from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.overlay import Overlay
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import layers, panels, tabs
+from armlab.ui.plugin import hidden_panels, layers, panels, tabs
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
@@ -43,6 +44,9 @@ FIRST_TAB = "joints"
 
 SETTLED = 0.6
 """Seconds after which a move made by the lab has ended."""
+
+OF_THE_ROOM = frozenset({"stage"})
+"""Keys of layers that are there without the arm, too."""
 
 LINGER = 0.15
 """Seconds for which the bodies of an arm stay after it was edited: the page takes as long to unpack the new ones."""
@@ -104,7 +108,7 @@ class View:
         dock.set_width(DOCK_WIDTH)
 
     def _gui(self) -> Gui:
-        return Gui(self.client, self.camera)
+        return Gui(self.client, self.camera, self.open_tab)
 
     # -- which panels are open -----------------------------------------------------------------------------------
 
@@ -115,16 +119,21 @@ class View:
 
     def _hidden(self, state: State) -> frozenset[str]:
         """Return the keys of layers that are in the way of an open panel, or of a layer that is switched on."""
+        if "arm" in state[LessonPart].hides:
+            return frozenset(layers()) - OF_THE_ROOM
         on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
-        hiding = (*(panels()[key].hides for key in self.open_panels), *(layer.hides for layer in on))
+        opened = [panels()[key] for key in self.open_panels]
+        hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))
         return frozenset(key for hides in hiding for key in hides)
 
     def _show_overlay(self) -> None:
         self._overlay.show(self.session, "gizmo" not in self._hidden(self.session.state))
 
     def open_tab(self, key: str) -> None:
-        """Bring a panel to the front."""
+        """Bring a panel to the front, unless the lesson hides it."""
         panel = panels()[key]
+        if key in hidden_panels(self.session.state):
+            return
         tab = self._tabs[panel.tab or key]
         tab.turn_to(key)
         self._overlay.open_tab(panels()[tab.key].title)
@@ -146,6 +155,8 @@ class View:
         if self._closed or self._shown is None:
             return
         self.session.front = next(iter(self.open_panels), self.session.front)
+        if self._shown[LessonPart].open and self._shown[LessonPart].panel != self.session.front:
+            self.post(LookAt(self.session.front))
         with self.client.atomic():
             self._show_layers(self._shown)
         self.client.flush()
@@ -179,7 +190,7 @@ class View:
     def _lesson_changed(self, state: State) -> None:
         """Make room in the picture, and bring the bench of the lesson to the front."""
         lesson = state[LessonPart].lesson
-        self.camera.make_room(lesson is not None)
+        self.camera.make_room(lesson is not None, None if lesson is None else lesson.camera)
         if lesson is not None and lesson.panel in panels():
             self.open_tab(lesson.panel)
 
@@ -265,8 +276,9 @@ class View:
         self._refreshed = self._loop.time()
         with self.client.atomic():
             again, self._untaken = self._untaken != self.session.untaken, self.session.untaken
+            hidden = hidden_panels(self.session.state)
             for key in self._seen:
-                self._pace.timed(self._tabs[key].show, self.session.state, again)
+                self._pace.timed(self._tabs[key].show, self.session.state, again, hidden)
             self._lesson.show(self.session.state)
             self._show_overlay()
             self._timeline.show(self.session.state, self.open_panels)

@@ -12,7 +12,7 @@ from typing import Any
 
 import viser
 
-from armlab.ui import adapter
+from armlab.ui import adapter, markup
 from armlab.ui.camera import Camera
 from armlab.ui.format import escaped
 
@@ -98,6 +98,7 @@ class Fields:
         self.html = gui.add_html("")
         self._on_input = on_input
         self._revision = self._shown_revision = 0
+        self._mistake: tuple[str, str, str] | None = None
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
 
     def _receive(self) -> None:
@@ -106,6 +107,7 @@ class Fields:
         except (ValueError, TypeError):
             log.warning("a page that is not ours wrote into a field")
             return
+        self._mistake = None
         self._revision += 1  # so that the next `show` also replaces a text that was not taken
         self._on_input(_whole(str(cell)), _whole(str(text)))
 
@@ -119,17 +121,27 @@ class Fields:
         """Where buttons in the markup send their ``data-cell``: put it into their ``data-chan``."""
         return adapter.gui_id(self.channel)
 
+    def refuse(self, cell: str, text: str, why: str) -> None:
+        """Show what was typed, marked, and below the fields why not: from the next `show` to the next input."""
+        self._mistake = cell, text, why
+
+    def forgive(self) -> None:
+        """Show the fields as they hold with the next `show`."""
+        self._mistake = None
+
     def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "") -> str:
         """Return the markup of one input field; Enter goes on to the field ``below``."""
-        off = (" disabled" if disabled else "") + (f' data-below="{escaped(below)}"' if below else "")
-        return (
-            f'<input class="field" inputmode="decimal" autocomplete="off" aria-label="{escaped(label)}"'
-            f' value="{escaped(value)}" data-chan="{self.channel_id}" data-cell="{escaped(cell)}"{off}>'
-        )
+        wrong = {}
+        if self._mistake is not None and self._mistake[0] == cell:
+            value, wrong = self._mistake[1], {"aria_invalid": "true", "title": self._mistake[2]}
+        more = {"inputmode": "decimal", "data_below": below, **wrong}
+        return markup.field(self.channel_id, cell, value, label, disabled, **more)
 
     def show(self, content: str) -> None:
         """Show this markup, which holds the fields."""
         self._shown_revision = self._revision
+        if self._mistake is not None:
+            content += f'<p class="no" role="alert">✕ {escaped(self._mistake[2])}</p>'
         adapter.set_content(self.html, f'<div class="al" data-revision="{self._revision}">{content}</div>')
 
 
@@ -146,14 +158,8 @@ class Segments:
 
     def show(self, value: str) -> None:
         """Show which choice holds."""
-        chips = "".join(
-            f'<button class="chip" data-chan="{self._fields.channel_id}" data-cell="{key}" title="{self._hint}"'
-            f' aria-pressed="{"true" if key == value else "false"}">{title}</button>'
-            for key, title in self._options.items()
-        )
-        self._fields.show(
-            f'<div class="row wide"><span title="{self._hint}">{self._label}</span><div>{chips}</div></div>'
-        )
+        chips = markup.chips(self._fields.channel_id, self._options, value, self._hint)
+        self._fields.show(markup.row(self._label, chips, wide=True, hint=self._hint))
 
 
 class Gui:
@@ -163,11 +169,18 @@ class Gui:
     ----------
     camera : Camera
         The camera of this browser.
+    open_panel : callable
+        Brings a panel to the front, by its key.
     """
 
-    def __init__(self, client: viser.ClientHandle, camera: Camera) -> None:
-        self._client, self._gui, self.camera = client, client.gui, camera
+    def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
+        self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
         self._made: list[Any] = []
+
+    @property
+    def origin(self) -> str:
+        """The address under which this browser knows the lab, without a slash at its end."""
+        return adapter.origin_of(self._client)
 
     def clear(self) -> None:
         """Remove everything this has made."""
@@ -188,9 +201,9 @@ class Gui:
         step: float,
         value: float,
         on_change: Callable[[float], None],
-        hint: str,
+        hint: str | None,
     ) -> Control:
-        """Add a slider with its number box."""
+        """Add a slider with its number box; a hint appears over what stands above it."""
         return Control(self._keep(self._gui.add_slider(label, low, high, step, value, hint=hint)), on_change)
 
     def checkbox(self, label: str, value: bool, on_change: Callable[[bool], None], hint: str) -> Control:

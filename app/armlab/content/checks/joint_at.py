@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from armlab.content.check import PLAIN, CheckType, Words, tolerance, turn_between
+from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, length_tolerance, turn_between
+from armlab.content.checks._joint import joint_mistake
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -25,15 +26,12 @@ class JointAt:
         return abs(self._missing(observation)) <= self.within
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return what the joint is at and what it should be; names a wrong sign."""
+        """Return what the joint is at and what it should be; names a wrong sign, and degrees taken for radians."""
         written = words.angle if self.revolute else words.length
         now = float(observation.q[self.number - 1])
         if self.is_met(observation):
             return f"Joint {self.number} is where it should be."
-        mistake = ""
-        if abs(now + self.value) <= self.within:
-            sign = ": positive angles turn counter-clockwise about the joint's axis" if self.revolute else ""
-            mistake = f" The sign is wrong{sign}."
+        mistake = joint_mistake(now, self.value, self.within, self.revolute)
         return f"Joint {self.number} is at {written(now)} and should be at {written(self.value)}.{mistake}"
 
     def _missing(self, observation: Observation) -> float:
@@ -49,7 +47,8 @@ def read(table: Table, robot: Robot) -> JointAt:
     i = int(number) - 1
     revolute = bool(robot.arm.revolute[i])
     unit, factor = ("deg", math.pi / 180) if revolute else ("m", 1.0)
-    value, within = table.number(f"value_{unit}") * factor, tolerance(table, f"tolerance_{unit}") * factor
+    value = table.number(f"value_{unit}") * factor
+    within = angle_tolerance(table) if revolute else length_tolerance(table, robot)
     low, high = robot.arm.limits[i]
     if not low - within <= value <= high + within:
         raise table.fail(

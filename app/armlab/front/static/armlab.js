@@ -148,6 +148,27 @@
     } else if (same?.select) same.select();
   };
 
+  // Projector mode: large text, no benches, and the keys of a clicker go through the lesson. It is the page's own
+  // affair: the teacher's other screen stays as it is.
+  const steps = { PageDown: 'lesson-next', PageUp: 'lesson-back' };
+  document.addEventListener('keydown', event => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+    if (event.target.closest?.('input, select, textarea, [contenteditable]')) return;
+    const root = document.documentElement;
+    if (event.code === 'KeyV') {
+      root.toggleAttribute('data-projector');
+      dispatchEvent(new Event('resize')); // viser fits the picture to what is left
+    } else if (event.code === 'Escape' && root.hasAttribute('data-projector')) {
+      root.removeAttribute('data-projector');
+      dispatchEvent(new Event('resize'));
+    } else if (steps[event.code]) {
+      const button = document.querySelector(`.lesson-foot button[data-cell=${steps[event.code]}]`);
+      if (!button) return;
+      event.preventDefault();
+      button.click();
+    }
+  });
+
   // Keys that move the camera must not do so while a slider, a tab or a list has the focus.
   const cameraKeys = new Set(['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']);
   document.addEventListener('keydown', event => {
@@ -171,6 +192,9 @@
     if (!element) return;
     const notes = JSON.parse(element.dataset.notes);
     if (location.pathname !== notes.path) replace(null, '', notes.path + location.search);
+    for (const tab of document.querySelectorAll('[role=tab][title]')) {
+      tab.toggleAttribute('data-off', notes.hidden.includes(tab.title));
+    }
     if (notes.asked !== asked) {
       const tab = [...document.querySelectorAll('[role=tab]')].find(t => t.title === notes.tab);
       if (tab) {

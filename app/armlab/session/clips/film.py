@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-import math
+from bisect import bisect_left
 from dataclasses import dataclass
+from functools import lru_cache
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
-from armlab.kin.moves import MOVES, partial_product
+from armlab.kin.dh import Row
+from armlab.kin.moves import MOVES, ORDER, partial_product
 from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Clip, Timeline
 from armlab.session.state import State
 
-MOVE_SECONDS = 1.5
+MOVE_SECONDS, BEAT_SECONDS = 1.5, 0.3
+"""Of a move, and of one that the table says is none. A joint's own move keeps its time at any joint value, so that the
+film does not jump under a hand that moves the joint."""
+
+NOTHING = 1e-9
+"""Metres or radians of a constant of the table that count as none."""
 
 JUST_AFTER = 1e-3
 """Seconds. The end of a row and the start of the next are one time: it shows the end, and a row starts just after."""
@@ -59,11 +67,24 @@ def moves_in(arm: Arm) -> int:
     return MOVES * arm.n + int(has_tool(arm))
 
 
+@lru_cache(maxsize=64)
+def ends_of(arm: Arm) -> tuple[float, ...]:
+    """Return the time at which each move ends, in seconds."""
+    seconds = [_seconds(row, symbol) for row in arm.rows for symbol in ORDER[arm.convention]]
+    return tuple(accumulate(seconds + [MOVE_SECONDS] * int(has_tool(arm))))
+
+
+def _seconds(row: Row, symbol: str) -> float:
+    moved_by_joint = symbol == ("theta" if row.revolute else "d")
+    return MOVE_SECONDS if moved_by_joint or abs(getattr(row, symbol)) > NOTHING else BEAT_SECONDS
+
+
 def place_at(arm: Arm, time: float) -> Place:
     """Return the place at a time; before the start and after the end, those."""
-    last = moves_in(arm) - 1
-    k = min(max(math.ceil(time / MOVE_SECONDS) - 1, 0), last)
-    return Place(*divmod(k, MOVES), _eased(min(max(time / MOVE_SECONDS - k, 0.0), 1.0)))
+    ends = ends_of(arm)
+    k = min(bisect_left(ends, time), len(ends) - 1)
+    begin = ends[k - 1] if k else 0.0
+    return Place(*divmod(k, MOVES), _eased(min(max((time - begin) / (ends[k] - begin), 0.0), 1.0)))
 
 
 def place_of(state: State) -> Place:
@@ -71,14 +92,15 @@ def place_of(state: State) -> Place:
     return place_at(state[RobotPart].robot.arm, state[Timeline].time)
 
 
-def start_of(row: int) -> float:
+def start_of(arm: Arm, row: int) -> float:
     """Return the time at which a row (0-based; n for the tool) has not yet begun."""
-    return MOVES * row * MOVE_SECONDS + (JUST_AFTER if row else 0.0)
+    return end_of(arm, row - 1, MOVES - 1) + JUST_AFTER if row else 0.0
 
 
-def end_of(row: int, move: int) -> float:
-    """Return the time at which a move of a row has just ended."""
-    return (MOVES * row + move + 1) * MOVE_SECONDS
+def end_of(arm: Arm, row: int, move: int) -> float:
+    """Return the time at which a move of a row has just ended; the end of the film for one the arm has not."""
+    ends = ends_of(arm)
+    return ends[min(MOVES * row + move, len(ends) - 1)]
 
 
 def moving_frame(state: State) -> NDArray[np.float64]:
@@ -105,11 +127,11 @@ def _eased(s: float) -> float:
 
 
 def _duration(state: State) -> float:
-    return moves_in(state[RobotPart].robot.arm) * MOVE_SECONDS
+    return ends_of(state[RobotPart].robot.arm)[-1]
 
 
 def _stops(state: State) -> tuple[float, ...]:
-    return tuple(k * MOVE_SECONDS for k in range(1, moves_in(state[RobotPart].robot.arm)))
+    return ends_of(state[RobotPart].robot.arm)[:-1]
 
 
 CLIP = Clip("film", "DH film", _duration, _stops, lambda state, time: state, panel="film")

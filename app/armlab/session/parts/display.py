@@ -27,6 +27,7 @@ class Display(Part):
     """
 
     key: ClassVar[str] = "display"
+    kept_by_undo: ClassVar[bool] = True
 
     switches: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
 
@@ -58,7 +59,7 @@ class Show(Command):
 
     name: str
     on: bool
-    label: ClassVar[str] = "picture"
+    undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
         """Return the state with the switch set."""

@@ -1,8 +1,7 @@
-"""Which lesson is open, and how far the student has come in each."""
+"""Which lesson is open, how far the student has come in each, and what an open lesson does not let happen."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
@@ -11,48 +10,26 @@ from typing import ClassVar, Self
 import numpy as np
 
 from armlab.content.check import PLAIN, Words
-from armlab.content.lessons import Lesson, Step, lessons
+from armlab.content.lesson import Lesson, Step
+from armlab.content.lessons import lesson, lessons
 from armlab.content.observation import Observation
-from armlab.content.questions import Verdict
-from armlab.content.robots import Robot, catalogue
+from armlab.content.question import Verdict
+from armlab.content.robots import OWN, Robot
 from armlab.errors import InputError
-from armlab.kin.ik.target import feasible
+from armlab.kin.arm import Arm
+from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.parts.timeline import Timeline
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.parts.timeline import Timeline, duration
+from armlab.session.state import Json, Part, PartType, State
 
-MOST_TYPED = 200
-"""Characters of an answer that are kept."""
+SAME_TABLE = 1e-12
+"""Metres and radians by which two tables may differ and still be the same: files hold angles in degrees."""
 
-
-@dataclass(frozen=True)
-class Progress:
-    """How far a student has come in one lesson; steps count from 0.
-
-    Attributes
-    ----------
-    step : int
-        The step that is shown.
-    met : frozenset of int
-        Steps whose check was met once, or that have been shown and have none.
-    right : frozenset of int
-        Steps whose question was answered rightly once.
-    answers : mapping of int to str
-        What was typed last at each question.
-    """
-
-    step: int = 0
-    met: frozenset[int] = frozenset()
-    right: frozenset[int] = frozenset()
-    answers: Mapping[int, str] = field(default_factory=lambda: MappingProxyType({}))
-
-    def passed(self, lesson: Lesson) -> frozenset[int]:
-        """Return the steps of which everything is done; what was done once stays done."""
-        done = {i for i, step in enumerate(lesson.steps) if step.question is None} | self.right
-        return self.met & done
+LONGEST_NAME = 80
+"""Characters of a student's name."""
 
 
 @dataclass(frozen=True)
@@ -64,9 +41,19 @@ class LessonPart(Part):
     Attributes
     ----------
     open : str
-        Key of the open lesson; empty when none is open.
+        Key of the open lesson, with ``/VARIANT`` behind it when it has variants; empty when none is open.
     progress_of : mapping of str to Progress
-        By key of the lesson.
+        By such a key.
+    number : int
+        Variant of lessons that a student gets who asks for none.
+    student : str
+        As they sign their work.
+    set_up : int
+        How often a lesson has put its own arm on the table; not saved.
+    panel : str
+        Key of the panel that is looked at; not saved.
+    loaded : int
+        Changes when the file of the open lesson has changed; not saved.
     """
 
     key: ClassVar[str] = "lesson"
@@ -74,11 +61,16 @@ class LessonPart(Part):
 
     open: str = ""
     progress_of: Mapping[str, Progress] = field(default_factory=lambda: MappingProxyType({}))
+    number: int = 0
+    student: str = ""
+    set_up: int = 0
+    panel: str = ""
+    loaded: int = 0
 
     @property
     def lesson(self) -> Lesson | None:
         """The open lesson, or None."""
-        return lessons()[self.open] if self.open else None
+        return at_place(self.open) if self.open else None
 
     @property
     def progress(self) -> Progress:
@@ -86,16 +78,36 @@ class LessonPart(Part):
         return self.progress_of.get(self.open, Progress())
 
     @property
+    def index(self) -> int:
+        """Number of the step that is shown, from 0."""
+        found = self.lesson
+        return 0 if found is None else self.progress.shown(found)
+
+    @property
+    def name(self) -> str:
+        """Name of the step that is shown; empty when no lesson is open."""
+        found = self.lesson
+        return "" if found is None else step_names(found)[self.index]
+
+    @property
     def step(self) -> Step | None:
         """The step that is shown, or None."""
-        lesson = self.lesson
-        return None if lesson is None else lesson.steps[self.progress.step]
+        found = self.lesson
+        return None if found is None else found.steps[self.progress.shown(found)]
 
     @property
     def verdict(self) -> Verdict | None:
         """What the last answer to the question of the shown step is worth; None before one is given."""
-        step, typed = self.step, self.progress.answers.get(self.progress.step)
+        step, typed = self.step, self.progress.answers.get(self.name)
         return None if step is None or step.question is None or typed is None else step.question.judge(typed)
+
+    @property
+    def hides(self) -> tuple[str, ...]:
+        """What the question of the shown step hides until it is answered."""
+        step = self.step
+        if step is None or step.question is None or self.name in self.progress.answers:
+            return ()
+        return step.question.hide
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -106,223 +118,166 @@ class LessonPart(Part):
         """Keep everything."""
         return self
 
+    def guard(self, before: State, now: State) -> None:
+        """Refuse what the open lesson has locked."""
+        found, after = self.lesson, now[LessonPart]
+        if found is not None and after.open == self.open and after.set_up == self.set_up:
+            refuse_locked(found, before, now)
+
     def after(self, before: State, now: State) -> Self:
-        """Note that the check of the shown step is met."""
-        step = self.step
-        if step is None or (self is before[LessonPart] and now[Joints] is before[Joints]):
+        """Note since when the step is shown, what was watched, and that its check is met."""
+        found, step = self.lesson, self.step
+        if found is None or step is None:
             return self
         progress = self.progress
-        if progress.step in progress.met:
-            return self
-        met = step.check is None or (has_its_arm(now) and step.check.is_met(_observation(now)))
-        return self.with_progress(replace(progress, met=progress.met | {progress.step})) if met else self
+        watched = replace(
+            progress,
+            since=now.at if progress.since is None else progress.since,
+            films=progress.films | _played(now),
+        )
+        name = self.name
+        if name not in watched.met and (step.check is None or has_its_arm(now)):
+            watched = _judged(watched, name, step, now)
+        return self if watched == progress else self.with_progress(watched)
 
     def with_progress(self, progress: Progress) -> Self:
         """Return the part with another progress in the open lesson."""
         return replace(self, progress_of=MappingProxyType({**self.progress_of, self.open: progress}))
 
     def to_json(self) -> Json:
-        """Write it with the titles of steps, which outlive a change of their order."""
-        return {"open": self.open, "progress": {key: _written(key, each) for key, each in self.progress_of.items()}}
+        """Write place, progress and number."""
+        progress = {place: written(each) for place, each in self.progress_of.items()}
+        return {"open": self.open, "progress": progress, "number": self.number, "student": self.student}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read it back; lessons and steps that are no longer there are forgotten."""
-        there = lessons().lessons
-        progress = {key: _read(there[key], each) for key, each in data["progress"].items() if key in there}
-        return cls(data["open"] if data["open"] in there else "", MappingProxyType(progress))
+        progress = {place: read(at_place(place), each) for place, each in data["progress"].items() if is_place(place)}
+        number = int(data.get("number", 0))
+        if number < 0:
+            raise InputError(f"number: expected 0 or more, got {number}")
+        opened = data["open"] if is_place(data["open"]) else ""
+        return cls(opened, MappingProxyType(progress), number, signed(str(data.get("student", ""))))
 
 
 PART = PartType(LessonPart, order=95)
 
 
+def signed(name: str) -> str:
+    """Return a name as it is kept: on one line, and not too long."""
+    return " ".join(name.split())[:LONGEST_NAME]
+
+
+def place_of(key: str, variant: int) -> str:
+    """Return under which key the progress in a variant is kept.
+
+    Raises
+    ------
+    UnknownName, ContentError
+        There is no such lesson, or it cannot be used.
+    """
+    return f"{key}/{variant}" if lessons()[key].varies else key
+
+
+def at_place(place: str) -> Lesson:
+    """Return the lesson that `place_of` names."""
+    key, _, variant = place.partition("/")
+    return lesson(key, int(variant or 0))
+
+
+def is_place(place: str) -> bool:
+    """Return whether there is a lesson to this place."""
+    key, slash, variant = place.partition("/")
+    there = lessons().lessons
+    return key in there and bool(slash) == there[key].varies and (not slash or variant.isdecimal())
+
+
 def has_its_arm(state: State) -> bool:
-    """Return whether the arm of the open lesson is on the table."""
-    lesson, robot = state[LessonPart].lesson, state[RobotPart]
-    return lesson is not None and not robot.own and robot.robot.key == lesson.robot
+    """Return whether the arm of the open lesson is on the table; where its table is worked on, also edited."""
+    part, robot = state[LessonPart], state[RobotPart]
+    found, step = part.lesson, part.step
+    if found is None or step is None:
+        return False
+    if step.check is not None and step.check.of_table and robot.own:
+        return robot.origin == ("" if found.robot == OWN else found.robot)
+    if not robot.own:
+        return robot.robot.key == found.robot
+    return same_table(robot.robot.arm, found.robot_used.arm)
+
+
+def same_table(one: Arm, other: Arm) -> bool:
+    """Return whether two arms have the same table, base and tool."""
+
+    def numbers(arm: Arm) -> np.ndarray:
+        rows = [[row.a, row.alpha, row.d, row.theta] for row in arm.rows]
+        return np.concatenate([np.ravel(rows), arm.base.ravel(), arm.tool.ravel()])
+
+    same_kind = one.convention == other.convention and np.array_equal(one.revolute, other.revolute)
+    return bool(same_kind and np.allclose(numbers(one), numbers(other), rtol=0.0, atol=SAME_TABLE))
+
+
+def observed(state: State) -> Observation:
+    """Return what the check of the shown step sees."""
+    joints, progress = state[Joints], state[LessonPart].progress
+    target = state[Target].pose
+    return Observation(
+        arm=joints.arm,
+        q=joints.q,
+        tool_pose=np.asarray(joints.tool_pose, dtype=np.float64),
+        target=target,
+        seconds=0.0 if progress.since is None else max(0.0, state.at - progress.since),
+        switches=frozenset(name for name, on in state[Display].switches.items() if on),
+        panel=state[LessonPart].panel,
+        films=progress.films,
+    )
 
 
 def check_line(state: State, words: Words = PLAIN) -> tuple[bool, str]:
-    """Return whether the check of the shown step has been met, and what is missing (plain text).
+    """Return whether the check of the shown step has been met, and what is missing (HTML).
 
     The text is empty when the step has no check or the arm is not the lesson's.
     """
     part = state[LessonPart]
-    step, met = part.step, part.progress.step in part.progress.met
+    step, met = part.step, part.name in part.progress.met
     if step is None or step.check is None or met or not has_its_arm(state):
         return met, ""
-    return met, step.check.says(_observation(state), words)
+    return met, step.check.judge(observed(state), words)[1]
 
 
-def _observation(state: State) -> Observation:
-    joints = state[Joints]
-    return Observation(joints.arm, joints.q, np.asarray(joints.tool_pose, dtype=np.float64))
+def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
+    if step.check is None:
+        return replace(progress, met=progress.met | {name})
+    seen = observed(now)
+    if not step.check.check.is_met(seen):
+        return progress
+    evidence = MappingProxyType({**progress.evidence, name: seen.to_json()})
+    return replace(progress, met=progress.met | {name}, evidence=evidence)
 
 
-@dataclass(frozen=True)
-class OpenLesson(Command):
-    """Open a lesson: its arm in its start pose, its target, its switches. It goes on where the student has left it.
-
-    Parameters
-    ----------
-    key : str
-    anew : bool
-        Whether to forget the progress in it, also when it is open already.
-    """
-
-    key: str
-    anew: bool = False
-    label: ClassVar[str] = "arm of the lesson"
-
-    def apply(self, state: State) -> State:
-        """Return the state at the start of the lesson, or the same state when it is open already."""
-        lesson, part = lessons()[self.key], state[LessonPart]
-        if part.open == lesson.key and not self.anew:
-            return state
-        opened = replace(part, open=lesson.key)
-        kept = Progress() if self.anew else opened.progress
-        return _set_up(state, lesson).replace(opened.with_progress(kept))
+def _played(state: State) -> frozenset[str]:
+    timeline = state[Timeline]
+    return frozenset({timeline.clip}) if timeline.clip and timeline.time >= duration(state) else frozenset()
 
 
-@dataclass(frozen=True)
-class TakeLessonArm(Command):
-    """Put the arm of the open lesson back on the table, in its start pose; the progress stays."""
-
-    label: ClassVar[str] = "arm of the lesson"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the arm of the lesson."""
-        return _set_up(state, _lesson(state))
-
-
-@dataclass(frozen=True)
-class CloseLesson(Command):
-    """Close the lesson; arm and progress stay as they are."""
-
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state without a lesson."""
-        part = state[LessonPart]
-        return state.replace(replace(part, open="")) if part.open else state
+def refuse_locked(found: Lesson, before: State, now: State) -> None:
+    """Raise `InputError` when a change touches what a lesson has locked."""
+    robot, was = now[RobotPart], before[RobotPart]
+    if robot.robot is not was.robot:
+        edited = robot.own and robot.origin == was.origin
+        if ("table" if edited else "robot") in found.locked:
+            raise _kept("the DH table as it is" if edited else f"the {found.robot_used.name} on the table")
+        return
+    joints, stood = now[Joints], before[Joints]
+    held = [j - 1 for j in found.locked_joints]
+    if any(joints.locked[j] < stood.locked[j] or joints.q[j] != stood.q[j] for j in held):
+        raise _kept(f"joint{'s' if len(held) > 1 else ''} {', '.join(str(j + 1) for j in held)} where they stand")
+    by_hand = now[Target] is before[Target] and not before[Target].catching_up
+    if "joints" in found.locked and by_hand and joints.q is not stood.q:
+        raise _kept("the joints as they are; drag the handle")
+    moved = now[Target].pose is not before[Target].pose and now[Target].pose is not None
+    if "target" in found.locked and moved:
+        raise _kept("the target where it is; move the joints")
 
 
-@dataclass(frozen=True)
-class GoToStep(Command):
-    """Show a step of the open lesson, done or not.
-
-    Parameters
-    ----------
-    step : int
-        From 0.
-    """
-
-    step: int
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the step shown."""
-        lesson, part = _lesson(state), state[LessonPart]
-        if not 0 <= self.step < len(lesson.steps):
-            raise InputError(f"step: expected 1 to {len(lesson.steps)}, got {self.step + 1}")
-        if self.step == part.progress.step:
-            return state
-        return state.replace(part.with_progress(replace(part.progress, step=self.step)))
-
-
-@dataclass(frozen=True)
-class Answer(Command):
-    """Answer the question of the shown step.
-
-    Parameters
-    ----------
-    text : str
-        As typed; an empty one takes the answer away.
-    """
-
-    text: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the answer noted."""
-        part, typed = state[LessonPart], self.text.strip()[:MOST_TYPED]
-        step = part.step
-        if step is None or step.question is None:
-            raise InputError("answer: there is no question here")
-        progress = part.progress
-        answers = {i: text for i, text in progress.answers.items() if i != progress.step}
-        right = progress.right
-        if typed:
-            answers[progress.step] = typed
-            right = right | {progress.step} if step.question.judge(typed).right else right
-        return state.replace(part.with_progress(replace(progress, right=right, answers=MappingProxyType(answers))))
-
-
-def _lesson(state: State) -> Lesson:
-    lesson = state[LessonPart].lesson
-    if lesson is None:
-        raise InputError("lesson: none is open")
-    return lesson
-
-
-def _set_up(state: State, lesson: Lesson) -> State:
-    """Return the state with arm, pose, target and switches as a lesson begins; nothing plays."""
-    robot = catalogue()[lesson.robot]
-    if robot is not state[RobotPart].robot:
-        state = state.with_robot(robot)
-    joints = Joints.initial(robot).moved_to(lesson.start)
-    on = {**state[Display].switches, **dict.fromkeys(lesson.overlays, True)}
-    return state.replace(
-        joints,
-        _target(lesson, joints, state[Target]),
-        Display(MappingProxyType(on)),
-        replace(state[Timeline], clip="", time=0.0, playing=False),
-    )
-
-
-def _target(lesson: Lesson, joints: Joints, target: Target) -> Target:
-    if lesson.target is None:
-        return replace(target, pose=None, catching_up=False)
-    pose = np.array(feasible(joints.arm, lesson.target, joints.tool_pose), dtype=np.float64)
-    if joints.arm.task.rotation == "none":
-        # The orientation is free: show the target as the tool stands.
-        pose[:3, :3] = joints.tool_pose[:3, :3]
-    pose.setflags(write=False)
-    return replace(target, pose=pose, catching_up=False)
-
-
-def _names(lesson: Lesson) -> list[str]:
-    """Return a name for each step: its title, with a number where an earlier step has the same."""
-    seen: Counter[str] = Counter()
-    names = []
-    for step in lesson.steps:
-        seen[step.title] += 1
-        names.append(f"{step.title}#{seen[step.title]}" if seen[step.title] > 1 else step.title)
-    return names
-
-
-def _written(key: str, progress: Progress) -> Json:
-    names = _names(lessons()[key])
-    return {
-        "step": names[progress.step],
-        "met": [names[i] for i in sorted(progress.met)],
-        "right": [names[i] for i in sorted(progress.right)],
-        "answers": {names[i]: text for i, text in sorted(progress.answers.items())},
-    }
-
-
-def _read(lesson: Lesson, data: Json) -> Progress:
-    place = {name: i for i, name in enumerate(_names(lesson))}
-    questions = {i for i, step in enumerate(lesson.steps) if step.question is not None}
-    return Progress(
-        place.get(data["step"], 0),
-        frozenset(place[name] for name in data["met"] if name in place),
-        frozenset(place[name] for name in data["right"] if name in place) & questions,
-        MappingProxyType(
-            {
-                place[name]: str(text)[:MOST_TYPED]
-                for name, text in data["answers"].items()
-                if place.get(name) in questions
-            }
-        ),
-    )
+def _kept(what: str) -> InputError:
+    return InputError(f"This lesson keeps {what}. In your own sandbox everything is free.")

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
+from armlab.kin.easing import eased as eased  # read from here by the clip
 from armlab.kin.ellipsoid import SingularPlaces, measures, singular_places
 from armlab.session.parts.ellipsoid import Manipulability, VelocityBlock
 from armlab.session.parts.joints import Joints
@@ -100,12 +101,7 @@ def value_at(way: tuple[Leg, ...], time: float) -> float:
     """Return the value of the joint at a time, rad or m."""
     begin, duration, first, last = next((leg for leg in way if time < leg[0] + leg[1]), way[-1])
     part = (time - begin) / duration if duration > 0.0 else 1.0
-    return first + eased(min(max(part, 0.0), 1.0)) * (last - first)
-
-
-def eased(s: float) -> float:
-    """Return the minimum-jerk course from 0 to 1: it rests at both ends."""
-    return s * s * s * (10.0 + s * (6.0 * s - 15.0))
+    return first + eased(part) * (last - first)
 
 
 def put_back(state: State) -> State:

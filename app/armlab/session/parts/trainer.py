@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import ClassVar, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
@@ -22,6 +23,7 @@ from armlab.kin.assignment import (
     judge_frames,
     length_tolerance,
 )
+from armlab.kin.checks import finite_floats
 from armlab.kin.dh import Row
 from armlab.session.state import Json, Part, PartType
 from armlab.session.trainer_answers import FIELDS, Answers
@@ -43,6 +45,8 @@ class Trainer(Part):
     started : bool
     answers : Answers
         What was chosen, typed and marked.
+    before : ndarray, shape (n,), or None
+        Joint values the arm had when the exercise began; None of one that has not begun.
     """
 
     key: ClassVar[str] = "trainer"
@@ -50,6 +54,7 @@ class Trainer(Part):
     exercise: Exercise
     answers: Answers
     started: bool = False
+    before: NDArray[np.float64] | None = None
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -63,14 +68,19 @@ class Trainer(Part):
 
     def to_json(self) -> Json:
         """Write the answers."""
-        return {"started": self.started, **self.answers.to_json()}
+        before = None if self.before is None else self.before.tolist()
+        return {"started": self.started, "before": before, **self.answers.to_json()}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read them back; raises when they are not usable with this arm."""
-        part = cls(Exercise(robot), Answers.from_json(data, robot.arm.n), bool(data["started"]))
+        started, n = bool(data["started"]), robot.arm.n
+        before = None if data.get("before") is None else finite_floats(data["before"], "before", (n,), f"{n} numbers")
+        part = cls(Exercise(robot), Answers.from_json(data, n), started, before)
         if not part.started and part.answers != Answers.empty(robot.arm.n):
             raise InputError("trainer: answers to an exercise that has not begun")
+        if part.before is not None and not part.started:
+            raise InputError("trainer: joint values from before an exercise that has not begun")
         if part.started and not part.exercise.usable:
             raise InputError("trainer: this arm has no exercise")
         if part.answers.placed and not (part.started and part.all_legal):

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from armlab.kin.rotations import quaternion_from_rotation
-from armlab.ui import adapter
 from armlab.ui.colours import AXES, Rgb
 from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.figure.solids import along, lathe
+from armlab.ui.layers._nodes import add_solid, move, put, seen, write
 
 Pose = NDArray[np.float64]
 
@@ -44,7 +42,7 @@ class _Mark:
     def __init__(self, scene: viser.SceneApi, path: str, colour: Rgb, size: float) -> None:
         self._size = size
         self._node = scene.add_frame(path, show_axes=False)
-        self._head = _add_solid(scene, f"{path}/head", _cone(), colour, scale=1e-3)
+        self._head = add_solid(scene, f"{path}/head", _cone(), colour, scale=1e-3)
         self._label = scene.add_label(f"{path}/label", "", font_screen_scale=0.9, anchor="center-center")
         self._shown: tuple[float, bool, str] | None = None
         self._pose: Pose | None = None
@@ -76,9 +74,9 @@ class _Mark:
         seen(self._head, drawn != 0.0)
         self._draw(drawn, 1.0 if strong else THIN)
         seen(self._label, bool(name))
-        if name and self._label.text != name:
-            self._label.text = name
-        _move(self._label, self._middle(whole))
+        if name:
+            write(self._label, name)
+        move(self._label, self._middle(whole))
 
     def _least(self) -> float:
         return self._size
@@ -139,7 +137,7 @@ class Arrow(_Mark):
     def __init__(self, scene: viser.SceneApi, path: str, colour: Rgb, size: float) -> None:
         super().__init__(scene, path, colour, size)
         self._label.anchor = "bottom-left"
-        self._shaft = _add_solid(scene, f"{path}/shaft", _rod(), colour, scale=1e-3)
+        self._shaft = add_solid(scene, f"{path}/shaft", _rod(), colour, scale=1e-3)
 
     def _draw(self, amount: float, weight: float) -> None:
         seen(self._shaft, amount != 0.0)
@@ -161,41 +159,9 @@ def pale_frame(scene: viser.SceneApi, path: str, length: float, opacity: float) 
     """Return three transparent arrows, a little thicker than those of a solid frame, which fits inside."""
     frame = scene.add_frame(path, show_axes=False)
     for axis, colour in AXES.items():
-        _add_solid(scene, f"{path}/{axis}", _axis("xyz".index(axis)), colour, length, opacity)
+        solid = _axis("xyz".index(axis))
+        add_solid(scene, f"{path}/{axis}", solid, colour, scale=length, opacity=opacity)
     return frame
-
-
-def put(handle: Any, pose: Pose) -> None:
-    """Move a node."""
-    w, x, y, z = quaternion_from_rotation(pose[:3, :3]).tolist()
-    adapter.set_wxyz(handle, (w, x, y, z))
-    _move(handle, pose[:3, 3])
-
-
-def seen(handle: Any, on: bool) -> None:
-    """Show or hide a node."""
-    if handle.visible != on:
-        handle.visible = on
-
-
-def _move(handle: Any, position: NDArray[np.float64]) -> None:
-    x, y, z = position.tolist()
-    adapter.set_position(handle, (x, y, z))
-
-
-def _add_solid(
-    scene: viser.SceneApi, path: str, solid: Solid, colour: Rgb, scale: float, opacity: float | None = None
-) -> viser.MeshHandle:
-    return scene.add_mesh_simple(
-        path,
-        solid.vertices.astype(np.float32),
-        solid.faces.astype(np.uint32),
-        color=colour,
-        scale=scale,
-        opacity=opacity,
-        cast_shadow=False,
-        receive_shadow=False,
-    )
 
 
 @cache

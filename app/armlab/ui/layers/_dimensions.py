@@ -11,12 +11,14 @@ from armlab.kin.dh import common_normals
 from armlab.kin.sweeps import arc
 from armlab.kin.transforms import inverse
 from armlab.ui.figure.anatomy import Anatomy
-from armlab.ui.format import subscript, trimmed
 from armlab.ui.layers._strokes import HEAD, Floats, Segments, polyline
 from armlab.ui.units import Units
 
 SMALLEST = 1e-6
 """Of a length that is drawn, in sizes of the arm; of a twist, in radians."""
+
+SHORT = 0.1
+"""Of a length, in sizes of the arm, whose name stands farther away from it: others are near."""
 
 ASIDE = 2.5
 OVER = 0.5
@@ -62,10 +64,7 @@ class Dimension:
 
     def text(self, units: Units) -> str:
         """Return its name and value."""
-        angle = self.field == "alpha"
-        value = trimmed(self.value / units.factor(angle), units.decimals(angle))
-        unit = "°" if angle and units.in_degrees else f" {units.unit(angle)}"
-        return f"{subscript(units.book.symbols[self.field], self.index)} {value}{unit}"
+        return f"{units.symbol(self.field, self.index)} {units.constant(self.value, self.field == 'alpha')}"
 
 
 def dimensions_of(anatomy: Anatomy) -> list[Dimension]:
@@ -118,7 +117,7 @@ def _distance(
         body,
         np.array(lines, dtype=np.float32),
         heads,
-        0.5 * (near + far) + 2.0 * over,
+        0.5 * (near + far) + (2.0 if abs(value) > SHORT * size else 6.0) * over,
     )
 
 

@@ -12,11 +12,10 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from armlab.kin.rotations import quaternion_from_rotation
-from armlab.ui import adapter
 from armlab.ui.colours import Rgb, line_colour
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.figure.marks import FRAME_LENGTH, frame_glb
+from armlab.ui.figure.marks import FRAME_LENGTH
+from armlab.ui.layers._nodes import add_triad, move, put, seen, write
 
 Vector = NDArray[np.floating]
 Segment = tuple[Vector, Vector, Rgb]
@@ -122,42 +121,31 @@ class Sketch:
             self._label = self._canvas.scene.add_label(
                 self._canvas.path(f"{self._name}/label"), text, font_screen_scale=0.9, anchor="bottom-left"
             )
-        if self._label.visible != bool(text):
-            self._label.visible = bool(text)
+        seen(self._label, bool(text))
         if text:
-            if self._label.text != text:
-                self._label.text = text
-            x, y, z = at.tolist()
-            adapter.set_position(self._label, (x, y, z))
+            write(self._label, text)
+            move(self._label, at)
 
 
 class Triad:
     """A frame with its name, put where it is."""
 
     def __init__(self, canvas: LayerCanvas, name: str) -> None:
-        length = FRAME_LENGTH * canvas.size
-        self._node = canvas.scene.add_glb(
-            canvas.path(name), frame_glb(), scale=length, cast_shadow=False, receive_shadow=False
-        )
+        self._node = add_triad(canvas.scene, canvas.path(name), canvas.size)
         self._label = canvas.scene.add_label(
             canvas.path(f"{name}_label"), "", font_screen_scale=0.85, anchor="top-right"
         )
-        self._corner = -0.25 * length
+        self._corner = -0.25 * FRAME_LENGTH * canvas.size
         self._pose: NDArray[np.floating] | None = None
 
     def show(self, name: str, pose: NDArray[np.floating]) -> None:
         """Put it there, under this name."""
-        if self._label.text != name:
-            self._label.text = name
+        write(self._label, name)
         if self._pose is not None and np.array_equal(pose, self._pose):
             return
         self._pose = pose
-        w, x, y, z = quaternion_from_rotation(pose[:3, :3]).tolist()
-        adapter.set_wxyz(self._node, (w, x, y, z))
-        px, py, pz = pose[:3, 3].tolist()
-        adapter.set_position(self._node, (px, py, pz))
-        cx, cy, cz = (pose[:3, 3] + self._corner * pose[:3, :3].sum(axis=1)).tolist()
-        adapter.set_position(self._label, (cx, cy, cz))
+        put(self._node, pose)
+        move(self._label, pose[:3, 3] + self._corner * pose[:3, :3].sum(axis=1))
 
 
 def _arrays(segments: list[Segment]) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:

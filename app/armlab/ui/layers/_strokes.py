@@ -10,10 +10,10 @@ import viser
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.rotations import quaternion_from_rotation
-from armlab.ui import adapter
 from armlab.ui.colours import Rgb
 from armlab.ui.figure.mesh import Solid
 from armlab.ui.figure.solids import along, lathe
+from armlab.ui.layers._nodes import add_solid
 
 Floats = NDArray[np.float64]
 Segments = NDArray[np.float32]
@@ -53,19 +53,9 @@ def add_head(
 ) -> viser.MeshHandle:
     """Add an arrow head whose tip is there; the length is in metres."""
     unit = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
-    pose = along(unit)
-    cone = _cone()
-    return scene.add_mesh_simple(
-        path,
-        cone.vertices.astype(np.float32),
-        cone.faces.astype(np.uint32),
-        color=colour,
-        scale=length,
-        wxyz=quaternion_from_rotation(pose[:3, :3]),
-        position=np.asarray(tip, dtype=float) - length * unit,
-        cast_shadow=False,
-        receive_shadow=False,
-    )
+    wxyz = quaternion_from_rotation(along(unit)[:3, :3])
+    position = np.asarray(tip, dtype=float) - length * unit
+    return add_solid(scene, path, _cone(), colour, scale=length, wxyz=wxyz, position=position)
 
 
 @cache
@@ -78,30 +68,6 @@ def add_name(scene: viser.SceneApi, path: str, text: str, at: ArrayLike, anchor:
     """Add a name in the size of all overlays."""
     position = np.asarray(at, dtype=float)
     return scene.add_label(path, text, position=position, font_screen_scale=NAME_SCALE, anchor=anchor)
-
-
-def write(name: viser.LabelHandle, text: str) -> None:
-    """Change a name where it differs."""
-    if name.text != text:
-        name.text = text
-
-
-def reveal(handle: Any, on: bool) -> None:
-    """Show or hide a node."""
-    if handle.visible != on:
-        handle.visible = on
-
-
-def move(handle: Any, position: ArrayLike) -> None:
-    """Move a node."""
-    x, y, z = np.asarray(position, dtype=float).tolist()
-    adapter.set_position(handle, (x, y, z))
-
-
-def turn(handle: Any, rotation: Floats) -> None:
-    """Turn a node to a rotation matrix."""
-    w, x, y, z = quaternion_from_rotation(rotation).tolist()
-    adapter.set_wxyz(handle, (w, x, y, z))
 
 
 def stretch(line: viser.LineSegmentsHandle, factors: ArrayLike) -> None:

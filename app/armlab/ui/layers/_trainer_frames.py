@@ -14,16 +14,12 @@ from armlab.session.parts.trainer import Trainer
 from armlab.session.trainer_commands import ChooseDirection
 from armlab.session.trainer_exercise import DIRECTIONS, Exercise, vector
 from armlab.ui import adapter
-from armlab.ui.colours import AXES
+from armlab.ui.colours import AXES, AXIS_INK, GREY
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.anatomy import Pose
 from armlab.ui.figure.mesh import Solid
 from armlab.ui.figure.solids import along, lathe
-from armlab.ui.layers._arrows import put, seen
-
-GREY = (128, 137, 150)
-INK = {False: (84, 93, 106), True: (205, 212, 222)}
-"""Of origins, and of the dashed lines in the light and in the dark theme."""
+from armlab.ui.layers._nodes import add_solid, move, put, seen
 
 DASH, SPACE = 0.03, 0.018
 LINE, BEYOND = 0.0035, 0.13
@@ -64,7 +60,7 @@ class PlacedFrames:
         if dark != self._dark:
             self._dark = dark
             for line in self._lines:
-                line.colors = np.array(INK[dark], dtype=np.uint8)
+                line.colors = np.array(AXIS_INK[dark], dtype=np.uint8)
         for root in self._roots:
             seen(root, trainer.started)
         if not trainer.started or trainer is self._shown:
@@ -74,8 +70,7 @@ class PlacedFrames:
         for i, (z, x) in enumerate(trainer.answers.axes):
             for axis, direction in (("z", z), ("x", x)):
                 self._point(i, axis, direction, last if i == self._exercise.n else self._exercise.origins[i])
-        x, y, z = last.tolist()
-        adapter.set_position(self._balls[-1], (x, y, z))
+        move(self._balls[-1], last)
 
     def _root(self, i: int) -> viser.FrameHandle:
         """Return a node on the body of frame i whose axes are those of the world while the arm stands in the pose."""
@@ -98,7 +93,7 @@ class PlacedFrames:
         points = through[0] + np.stack([begins, ends], axis=1)[:, :, None] * z
         name = self._roots[first].name
         line = self._canvas.scene.add_line_segments(
-            f"{name}/axis{first}", points.astype(np.float32), INK[False], thickness=LINE * self._size
+            f"{name}/axis{first}", points.astype(np.float32), AXIS_INK[False], thickness=LINE * self._size
         )
         numbers = ", ".join(str(j + 1) for j in joints)
         self._canvas.scene.add_label(
@@ -133,17 +128,9 @@ class PlacedFrames:
         )
 
     def _arrow(self, i: int, axis: str) -> viser.MeshHandle:
-        solid = _unit_arrow()
-        handle = self._canvas.scene.add_mesh_simple(
-            f"{self._roots[i].name}/{axis}{i}",
-            solid.vertices.astype(np.float32),
-            solid.faces.astype(np.uint32),
-            color=AXES[axis],
-            scale=ARROW * self._size * SHRINK ** self._ranks[i],
-            visible=False,
-            cast_shadow=False,
-            receive_shadow=False,
-        )
+        scale = ARROW * self._size * SHRINK ** self._ranks[i]
+        path = f"{self._roots[i].name}/{axis}{i}"
+        handle = add_solid(self._canvas.scene, path, _unit_arrow(), AXES[axis], scale=scale, visible=False)
         adapter.on_event(handle, "on_click", self._turn_on(i, axis))
         return handle
 

@@ -15,7 +15,7 @@ from armlab.ui import adapter
 from armlab.ui.colours import GREEN, VERMILLION
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.solids import lathe
-from armlab.ui.layers._arrows import seen
+from armlab.ui.layers._nodes import add_solid, move, seen
 
 THICK, BALL = 0.017, 0.026
 """Radii of sticks and of the balls at the origins, in sizes of the arm."""
@@ -65,11 +65,7 @@ class Ghost:
         rod = lathe([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)], sides=20)
         look: dict[str, Any] = {"color": VERMILLION, "opacity": OPACITY, "cast_shadow": False, "receive_shadow": False}
         for k in range(2 * n + 1):
-            self._sticks.append(
-                scene.add_mesh_simple(
-                    f"{path}/stick{k}", rod.vertices.astype(np.float32), rod.faces.astype(np.uint32), **look
-                )
-            )
+            self._sticks.append(add_solid(scene, f"{path}/stick{k}", rod, VERMILLION, opacity=OPACITY))
             self._lengths.append(-1.0)
         self._balls = [scene.add_icosphere(f"{path}/ball{k}", BALL * size, **look) for k in range(n + 1)]
 
@@ -96,8 +92,7 @@ class Ghost:
         for k, ball in enumerate(self._balls):
             seen(ball, 2 * k < len(points))
             if 2 * k < len(points):
-                x, y, z = points[2 * k].tolist()
-                adapter.set_position(ball, (x, y, z))
+                move(ball, points[2 * k])
 
     def _lay(self, k: int, stick: Any, ends: Points) -> None:
         length = float(np.linalg.norm(ends[1] - ends[0])) if len(ends) == 2 else 0.0
@@ -105,9 +100,8 @@ class Ghost:
         seen(stick, drawn)
         if not drawn:
             return
-        x, y, z = ends[0].tolist()
         adapter.set_wxyz(stick, _turn_to((ends[1] - ends[0]) / length))
-        adapter.set_position(stick, (x, y, z))
+        move(stick, ends[0])
         if abs(length - self._lengths[k]) > LEAST * self._canvas.size:
             self._lengths[k] = length
             width = THICK * self._canvas.size

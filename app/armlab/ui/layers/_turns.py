@@ -13,18 +13,8 @@ from armlab.ui.colours import joint_colour
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.anatomy import Body, Pose
 from armlab.ui.figure.housings import SLEEVE_HALF_WIDTH, half_length
-from armlab.ui.layers._strokes import (
-    HEAD,
-    THICK,
-    add_head,
-    add_line,
-    add_name,
-    dashes,
-    move,
-    polyline,
-    reveal,
-    stretch,
-)
+from armlab.ui.layers._nodes import move, seen
+from armlab.ui.layers._strokes import HEAD, THICK, add_head, add_line, add_name, dashes, polyline, stretch
 
 RADIUS = 3.3
 """Of an arc, in tube radii of its joint: outside the housing."""
@@ -89,8 +79,8 @@ class Turn:
         angle = q + self._offset
         size = abs(angle)
         for side, head in self._heads.items():
-            reveal(head, size > 1.5 * self._head_angle and angle * side > 0.0)
-        reveal(self._arc, size > LEAST_ANGLE)
+            seen(head, size > 1.5 * self._head_angle and angle * side > 0.0)
+        seen(self._arc, size > LEAST_ANGLE)
         if size > LEAST_ANGLE:
             # The line ends inside its head.
             drawn = size - 0.6 * self._head_angle if size > 1.5 * self._head_angle else size
@@ -135,8 +125,8 @@ class Slide:
         stroke = q + self._offset
         length = abs(stroke)
         for sign, head in self._heads.items():
-            reveal(head, length > 1.5 * self._head_length and stroke * sign > 0.0)
-        reveal(self._line, length > LEAST_STROKE * self._size)
+            seen(head, length > 1.5 * self._head_length and stroke * sign > 0.0)
+        seen(self._line, length > LEAST_STROKE * self._size)
         if length > LEAST_STROKE * self._size:
             drawn = length - 0.6 * self._head_length if length > 1.5 * self._head_length else length
             stretch(self._line, (0.0, 0.0, math.copysign(drawn, stroke)))

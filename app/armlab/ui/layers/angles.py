@@ -11,8 +11,8 @@ from armlab.kin.dh import Row
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.format import MINUS, subscript, trimmed
-from armlab.ui.layers._strokes import write
+from armlab.ui.format import MINUS
+from armlab.ui.layers._nodes import write
 from armlab.ui.layers._turns import Slide, Turn
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import Switch
@@ -74,12 +74,10 @@ def name_of(units: Units, i: int, row: Row, q: float) -> str:
     variable = units.variable(i, revolute)
     if offset == 0.0:
         return f"{variable} {with_unit(q)}"
-    size = trimmed(abs(offset) / units.factor(revolute), units.decimals(revolute))
-    unit = "°" if revolute and units.in_degrees else f" {units.unit(revolute)}"
     sign = MINUS if offset < 0.0 else "+"
-    entry = subscript(units.book.symbols["theta" if revolute else "d"], i + 1)
+    entry = units.symbol("theta" if revolute else "d", i + 1)
     begin = "" if variable == entry else f"{entry} = "
-    return f"{begin}{variable} {sign} {size}{unit} = {with_unit(q + offset)}"
+    return f"{begin}{variable} {sign} {units.constant(abs(offset), revolute)} = {with_unit(q + offset)}"
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:

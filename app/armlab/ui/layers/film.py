@@ -12,7 +12,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
-from armlab.ui.colours import ORANGE, PURPLE, SKY, YELLOW, Rgb
+from armlab.ui.colours import Rgb
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.marks import FRAME_LENGTH, frame_glb
 from armlab.ui.figure.solids import along
@@ -21,12 +21,12 @@ from armlab.ui.layers._arrows import Arc, Arrow, Pose, pale_frame, put, seen
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.units import Units, units_of
 
-COLOURS: dict[str, Rgb] = {"theta": ORANGE, "d": PURPLE, "a": SKY, "alpha": YELLOW}
-"""Of the moves. Red, green and blue are taken by the axes."""
+COLOURS: dict[str, Rgb] = {"theta": (155, 112, 250), "d": (236, 78, 170), "a": (126, 160, 30), "alpha": (190, 130, 90)}
+"""Of the moves: violet, pink, olive and brown, because the axes and the joints have taken the others."""
 
 TOOL_COLOUR: Rgb = (128, 137, 150)
 
-LENGTH = 1.2 * FRAME_LENGTH
+LENGTH = 1.35 * FRAME_LENGTH
 """Of the arrows of the film's frames, in sizes of the arm."""
 
 FROM, TO = 0.30, 0.22

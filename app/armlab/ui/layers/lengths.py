@@ -7,15 +7,14 @@ import viser
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
-from armlab.ui.colours import Rgb
+from armlab.ui.colours import INK
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.layers._dimensions import Dimension, dimensions_of
-from armlab.ui.layers._strokes import HEAD, add_head, add_line, add_name, write
+from armlab.ui.layers._nodes import write
+from armlab.ui.layers._strokes import HEAD, add_head, add_line, add_name
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import DARK, Switch
 from armlab.ui.units import units_of
-
-INK: dict[bool, Rgb] = {False: (62, 69, 80), True: (205, 212, 222)}
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:

@@ -10,14 +10,16 @@ import viser
 from numpy.typing import NDArray
 
 from armlab.kin.lines import CommonNormal, Line
-from armlab.kin.rotations import quaternion_from_rotation, rotation_from_axis_angle, rotation_from_quaternion
+from armlab.kin.rotations import rotation_from_axis_angle, rotation_from_quaternion
+from armlab.kin.transforms import transform
 from armlab.session.parts.display import Display
 from armlab.session.parts.lines import DragLine, Lines
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
 from armlab.ui import adapter
-from armlab.ui.colours import AXES, BLUE, ORANGE, Rgb, line_colour
+from armlab.ui.colours import AXES, BLUE, INK, ORANGE, Rgb, line_colour
 from armlab.ui.drawing import LayerCanvas
+from armlab.ui.layers._nodes import move, put, seen, write
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import DARK
 from armlab.ui.units import Units, units_of
@@ -25,7 +27,6 @@ from armlab.ui.units import Units, units_of
 Array = NDArray[np.float64]
 
 COLOURS: tuple[Rgb, Rgb] = (BLUE, ORANGE)
-INK: dict[bool, Rgb] = {False: (52, 60, 72), True: (205, 212, 222)}
 
 HALF, ROD, HEAD = 0.24, (0.0045, 0.0036), 0.013
 """Half length of a line, radii of the rods and of their heads, in sizes of the arm; of two lines that are the same the
@@ -55,7 +56,7 @@ class TwoLines:
         lines, units = state[Lines], units_of(state)
         normal = lines.normal
         for rod, line in zip(self._rods, (lines.first, lines.second), strict=True):
-            _move(rod, line.point, _frame(line.direction))
+            put(rod, transform(_frame(line.direction), line.point))
         for handle, line in zip(self._handles, (lines.first, lines.second), strict=True):
             handle.show(line, lines.handle)
         if DARK.on(state) != self._dark:
@@ -84,16 +85,16 @@ class TwoLines:
     def _name(self, normal: CommonNormal, arc: Array, units: Units) -> None:
         length, twist = f"a = {units.length(normal.a)}", f"α = {units.angle(normal.alpha)}"
         if len(arc) == 0:
-            _write(self._a, f"{length}, {twist}")
+            write(self._a, f"{length}, {twist}")
             self._alpha.visible = False
         else:
-            _write(self._a, length)
-            _write(self._alpha, twist)
+            write(self._a, length)
+            write(self._alpha, twist)
             self._alpha.visible = True
             middle = arc[len(arc) // 2]
-            _move(self._alpha, normal.foot2 + 1.25 * (middle - normal.foot2))
+            move(self._alpha, normal.foot2 + 1.25 * (middle - normal.foot2))
         at = 0.5 * (normal.foot1 + normal.foot2) if normal.a > 0.0 else normal.foot1 + ARC * self._size * normal.normal
-        _move(self._a, at)
+        move(self._a, at)
 
     # -- making ----------------------------------------------------------------------------------------------------
 
@@ -150,7 +151,7 @@ class _Handle:
         if mode != self._mode:
             self._make(mode)
         assert self._control is not None
-        _move(self._control, line.point, np.eye(3))
+        put(self._control, transform(np.eye(3), line.point))
 
     def _make(self, mode: str) -> None:
         if self._control is not None:
@@ -184,23 +185,9 @@ class _Handle:
         self._canvas.post(DragLine(self._which, np.array(control.position), z, self._drag))
 
 
-def _move(handle: Any, position: Array, rotation: Array | None = None) -> None:
-    x, y, z = position.tolist()
-    adapter.set_position(handle, (x, y, z))
-    if rotation is not None:
-        w, i, j, k = quaternion_from_rotation(rotation).tolist()
-        adapter.set_wxyz(handle, (w, i, j, k))
-
-
-def _write(label: viser.LabelHandle, text: str) -> None:
-    if label.text != text:
-        label.text = text
-
-
 def _draw(handle: viser.LineSegmentsHandle, ends: list[Array]) -> None:
     """Show line segments given by their ends, or none."""
-    if handle.visible != bool(ends):
-        handle.visible = bool(ends)
+    seen(handle, bool(ends))
     if ends:
         handle.points = np.array(ends, dtype=np.float32).reshape(-1, 2, 3)
 

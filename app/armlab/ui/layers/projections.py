@@ -13,14 +13,14 @@ from armlab.kin.transforms import inverse
 from armlab.session.parts.display import Display
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
-from armlab.ui.colours import AXES, Rgb
+from armlab.ui.colours import AXES, FINE_INK
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.layers._strokes import THICK, add_line, add_name, dashes, move, polyline, reveal, stretch, write
+from armlab.ui.layers._nodes import move, seen, write
+from armlab.ui.layers._strokes import THICK, add_line, add_name, dashes, polyline, stretch
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import DARK, Switch
 from armlab.ui.units import Units, units_of
 
-INK: dict[bool, Rgb] = {False: (92, 102, 116), True: (168, 178, 192)}
 PERIOD = 0.035
 """Of the dashes, about, in sizes of the arm."""
 
@@ -61,7 +61,7 @@ class _Box:
         self._counts.clear()
         for name in ("to_x", "to_y", "r") if self._flat else ("to_x", "to_y"):
             path = f"{self._path}/{name}"
-            self._drops[name] = add_line(self._scene, path, polyline(np.eye(3)[:2]), INK[dark], self._size)
+            self._drops[name] = add_line(self._scene, path, polyline(np.eye(3)[:2]), FINE_INK[dark], self._size)
 
     def name(self, units: Units) -> None:
         """Write the values."""
@@ -92,17 +92,17 @@ class _Box:
         self.name(self._units)
 
     @staticmethod
-    def _stretch(line: viser.LineSegmentsHandle, factors: tuple[float, float, float], seen: bool) -> None:
-        reveal(line, seen)
-        if seen:
+    def _stretch(line: viser.LineSegmentsHandle, factors: tuple[float, float, float], on: bool) -> None:
+        seen(line, on)
+        if on:
             stretch(line, factors)
 
     def _drop(self, name: str, along: tuple[float, float], at: tuple[float, float, float]) -> None:
         """Draw a dashed line of the plane: dashes are stretched, and made anew when another number fits better."""
         line, length = self._drops[name], math.hypot(*along)
-        seen = length > SMALLEST * self._size
-        reveal(line, seen)
-        if not seen:
+        on = length > SMALLEST * self._size
+        seen(line, on)
+        if not on:
             return
         count = max(2, round(length / (PERIOD * self._size)))
         if self._counts.get(name) != count:

@@ -10,6 +10,7 @@ import viser
 from armlab.kin.rotations import quaternion_from_rotation
 from armlab.session.parts.display import Display
 from armlab.session.state import State
+from armlab.ui.colours import INK
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.anatomy import Pose
 from armlab.ui.figure.figure import Figure
@@ -17,7 +18,6 @@ from armlab.ui.figure.marks import symbol_height
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import DARK, SKELETON
 
-INK = {False: (52, 60, 72), True: (205, 212, 222)}
 PLATE = (110, 119, 132)
 
 

@@ -3,15 +3,36 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import Any
 
 from armlab.session.parts.display import Display
 from armlab.session.state import State
+from armlab.ui.colours import Rgb
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import DARK, SHADOWS
 
-DAY = {"cell": (203, 210, 219), "section": (176, 186, 198), "key": 1.75, "shadow": 0.16}
-NIGHT = {"cell": (58, 67, 80), "section": (78, 90, 106), "key": 1.7, "shadow": 0.55}
+Position = tuple[float, float, float]
+
+KEY: Position = (-1.35, -1.86, 3.0)
+FILL: Position = (2.0, 1.5, 1.0)
+RIM: Position = (-1.0, 2.5, 1.2)
+"""Of the lamps, in sizes of the arm."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """One theme: colours of the lines of the grid, strength of the main lamp, darkness of shadows."""
+
+    cell: Rgb
+    section: Rgb
+    key: float
+    shadow: float
+
+
+DAY = Look((203, 210, 219), (176, 186, 198), 1.75, 0.16)
+NIGHT = Look((58, 67, 80), (78, 90, 106), 1.7, 0.55)
 
 
 def cell_size(size: float) -> float:
@@ -28,45 +49,46 @@ def cell_size(size: float) -> float:
 
 def build(canvas: LayerCanvas, state: State) -> Show:
     """Set up three lights and an endless grid that fades into the background."""
-    scene, S = canvas.scene, canvas.size
-    at = {"key": (-1.35, -1.86, 3.0), "fill": (2.0, 1.5, 1.0), "rim": (-1.0, 2.5, 1.2)}
-    position = {name: (x * S, y * S, z * S) for name, (x, y, z) in at.items()}
-    scene.add_light_directional(
-        canvas.path("stage/fill"), intensity=0.7, color=(214, 228, 255), cast_shadow=False, position=position["fill"]
-    )
-    scene.add_light_hemisphere(
+    _light(canvas, "fill", FILL, False, intensity=0.7, color=(214, 228, 255))
+    canvas.scene.add_light_hemisphere(
         canvas.path("stage/sky"), sky_color=(244, 248, 255), ground_color=(168, 172, 180), intensity=2.7
     )
-    scene.add_light_directional(canvas.path("stage/rim"), intensity=0.5, cast_shadow=False, position=position["rim"])
-    foot = float(canvas.drawn.figure.anatomy.root[2, 3]) + canvas.drawn.figure.foot
+    _light(canvas, "rim", RIM, False, intensity=0.5)
 
     def show(state: State) -> None:
-        look = NIGHT if DARK.on(state) else DAY
-        scene.add_light_directional(
-            canvas.path("stage/key"),
-            intensity=look["key"],
-            color=(255, 250, 244),
-            cast_shadow=SHADOWS.on(state),
-            position=position["key"],
-        )
-        scene.add_grid(
-            canvas.path("stage/ground"),
-            infinite_grid=True,
-            cell_size=cell_size(S),
-            section_size=5.0 * cell_size(S),
-            cell_color=look["cell"],
-            section_color=look["section"],
-            cell_thickness=0.8,
-            section_thickness=0.9,
-            fade_distance=7.0 * S,
-            fade_strength=1.6,
-            fade_from="origin",
-            shadow_opacity=look["shadow"] if SHADOWS.on(state) else 0.0,
-            # A little below the plate, or the two would fight for the same pixels.
-            position=(0.0, 0.0, foot - 0.002 * S),
-        )
+        look, shadows = NIGHT if DARK.on(state) else DAY, SHADOWS.on(state)
+        _light(canvas, "key", KEY, shadows, intensity=look.key, color=(255, 250, 244))
+        _ground(canvas, look, shadows)
 
     return show
+
+
+def _light(canvas: LayerCanvas, name: str, towards: Position, shadows: bool, **options: Any) -> None:
+    """Add a lamp that is so many sizes of the arm away."""
+    x, y, z = (canvas.size * part for part in towards)
+    canvas.scene.add_light_directional(canvas.path(f"stage/{name}"), cast_shadow=shadows, position=(x, y, z), **options)
+
+
+def _ground(canvas: LayerCanvas, look: Look, shadows: bool) -> None:
+    """Add the grid, which takes the shadows."""
+    size = canvas.size
+    foot = float(canvas.drawn.figure.anatomy.root[2, 3]) + canvas.drawn.figure.foot
+    canvas.scene.add_grid(
+        canvas.path("stage/ground"),
+        infinite_grid=True,
+        cell_size=cell_size(size),
+        section_size=5.0 * cell_size(size),
+        cell_color=look.cell,
+        section_color=look.section,
+        cell_thickness=0.8,
+        section_thickness=0.9,
+        fade_distance=7.0 * size,
+        fade_strength=1.6,
+        fade_from="origin",
+        shadow_opacity=look.shadow if shadows else 0.0,
+        # A little below the plate, or the two would fight for the same pixels.
+        position=(0.0, 0.0, foot - 0.002 * size),
+    )
 
 
 LAYER = Layer("stage", order=0, watches=(Display,), build=build)

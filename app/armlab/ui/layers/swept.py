@@ -14,7 +14,8 @@ from armlab.session.parts.notation import Notation
 from armlab.session.state import State
 from armlab.ui.colours import joint_colour
 from armlab.ui.drawing import LayerCanvas
-from armlab.ui.layers._strokes import Segments, add_line, add_name, move, polyline, reveal, turn, write
+from armlab.ui.layers._nodes import move, seen, turn, write
+from armlab.ui.layers._strokes import Segments, add_line, add_name, polyline
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import Switch
 from armlab.ui.units import units_of
@@ -70,10 +71,10 @@ class _Curves:
         found = sweeps(self._arm, q)
         tags = found.at(self._tags(q, found.radius))
         for i, (line, name) in enumerate(zip(self._lines, self._names, strict=True)):
-            seen = not found.revolute[i] or float(found.radius[i]) > SMALLEST * self._size
-            reveal(line, seen)
-            reveal(name, seen)
-            if not seen:
+            drawn = not found.revolute[i] or float(found.radius[i]) > SMALLEST * self._size
+            seen(line, drawn)
+            seen(name, drawn)
+            if not drawn:
                 continue
             if found.revolute[i]:
                 line.scale = float(found.radius[i])

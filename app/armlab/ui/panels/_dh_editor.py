@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
-
 from armlab.kin.arm import MAX_JOINTS, Arm
 from armlab.kin.dh import Row
 from armlab.session.edits import AddJoint, RemoveJoint, ReorderJoint, SetCell, SetKind, SetLimits
 from armlab.session.state import Command
+from armlab.ui import markup
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import MINUS, dot
-from armlab.ui.panels._tables import cell_text, is_variable
+from armlab.ui.panels._tables import cell_text, is_variable, without_symbol
 from armlab.ui.units import NAMES, Units
 from armlab.ui.widgets import Fields
 
-_SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
 _PAGE = "dh"
 """Before the names of all cells, since a page has fields of other panels, too."""
-
-Edit = Callable[[Command], None]
 
 
 class DhEditor:
@@ -72,7 +67,7 @@ class DhEditor:
         if text == _shown(row, field, self._units):
             return None
         if is_variable(row, field):
-            text = _SYMBOL.sub("", text).strip() or "0"
+            text = without_symbol(text) or "0"
         where = f"row {i + 1}, {self._units.book.symbols[field]}"
         return SetCell(i, field, self._units.read(text, field in ("alpha", "theta"), where))
 
@@ -106,16 +101,13 @@ class DhEditor:
         return f"<th>joint</th>{heads}"
 
     def _row(self, row: Row, i: int) -> str:
-        chosen = "true" if i == self._chosen else "false"
         other = "prismatic" if row.revolute else "revolute"
         kind = "revolute" if row.revolute else "prismatic"
-        head = self._button(
-            i,
-            "row",
-            f"{dot(css(joint_colour(i)))}{i + 1}",
-            f"Joint {i + 1}: click for its limits and to move or remove it",
-            f' class="head" aria-pressed="{chosen}"',
-        ) + self._button(i, "kind", row.kind, f"Joint {i + 1} is {kind}: click to make it {other}", ' class="kind"')
+        channel, name = self._fields.channel_id, f"{dot(css(joint_colour(i)))}{i + 1}"
+        about = f"Joint {i + 1}: click for its limits and to move or remove it"
+        change = f"Joint {i + 1} is {kind}: click to make it {other}"
+        head = markup.button(channel, _name(i, "row"), name, "head", about, pressed=i == self._chosen)
+        head += markup.button(channel, _name(i, "kind"), row.kind, "kind", change)
         cells = "".join(self._cell(row, i, field) for field in self._units.book.order)
         mark = ' class="chosen"' if i == self._chosen else ""
         return f"<tr{mark}><td>{head}</td>{cells}</tr>"
@@ -148,23 +140,14 @@ class DhEditor:
             self._fields.field(_name(i, name), self._limit(value, revolute), f"{name} limit of joint {i + 1}")
             for name, value in (("low", low), ("high", high))
         )
-        return (
-            f'<div class="row wide"><span>joint {i + 1}</span><div>{moves}</div></div>'
-            f'<div class="row wide"><span>from, to, {self._units.unit(revolute)}</span>'
-            f'<div class="cells">{limits}</div></div>'
-        )
+        ends = markup.row(f"from, to, {self._units.unit(revolute)}", limits, wide=True, cells=True)
+        return markup.row(f"joint {i + 1}", moves, wide=True) + ends
 
     def _limit(self, value: float, revolute: bool) -> str:
         return cell_text(value, "theta" if revolute else "d", self._units)
 
     def _chip(self, i: int, name: str, inside: str, title: str, off: bool) -> str:
-        return self._button(i, name, inside, title, f' class="chip"{" disabled" if off else ""}')
-
-    def _button(self, i: int, name: str, inside: str, title: str, more: str) -> str:
-        return (
-            f'<button data-chan="{self._fields.channel_id}" data-cell="{_name(i, name)}" title="{title}"{more}>'
-            f"{inside}</button>"
-        )
+        return markup.chip(self._fields.channel_id, _name(i, name), inside, title, off=off)
 
 
 def _name(i: int, name: str) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,7 +13,8 @@ from armlab.session.edits import SetEnd
 from armlab.session.parts.point import Point, SetPoint, world_point
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
-from armlab.ui.format import mathml, pairs
+from armlab.ui.format import MINUS, mathml, pairs
+from armlab.ui.markup import row
 from armlab.ui.panels._tables import cell_text
 from armlab.ui.units import Units
 from armlab.ui.widgets import Fields
@@ -72,7 +75,7 @@ def point_line(state: State, units: Units) -> str:
 
 def _row(fields: Fields, which: str, label: str, axes: tuple[str, ...], texts: dict[str, str], title: str) -> str:
     cells = "".join(fields.field(f"{which}-{axis}", texts[axis], f"{which}, {axis}") for axis in axes)
-    return f'<div class="row wide" title="{title}"><span>{label}</span><div class="cells">{cells}</div></div>'
+    return row(label, cells, wide=True, cells=True, hint=title)
 
 
 def _texts(state: State, which: str, units: Units) -> dict[str, str]:
@@ -84,7 +87,13 @@ def _texts(state: State, which: str, units: Units) -> dict[str, str]:
         pose = _pose(state[RobotPart].robot.arm, which)
     position, angles = pose[:3, 3], euler_zyx(pose[:3, :3])[0]
     texts = {axis: cell_text(float(value), "d", units) for axis, value in zip("xyz", position, strict=True)}
-    return texts | {name: cell_text(float(value), "theta", units) for name, value in zip(ANGLES, angles, strict=True)}
+    return texts | {name: _turned(float(value), units) for name, value in zip(ANGLES, angles, strict=True)}
+
+
+def _turned(angle: float, units: Units) -> str:
+    """Return an angle of an orientation: half a turn is 180°."""
+    text = cell_text(angle, "theta", units)
+    return text.removeprefix(MINUS) if text == cell_text(-math.pi, "theta", units) else text
 
 
 def _pose(arm: Arm, which: str) -> NDArray[np.float64]:

@@ -9,10 +9,11 @@ from armlab.kin.arm import Arm
 from armlab.kin.relations import AxisRelation, axis_relations, end_freedoms
 from armlab.kin.structure import Structure, structure_of
 from armlab.ui.format import escaped, subscript
+from armlab.ui.markup import chip
 from armlab.ui.units import Units
 
 SIGNS = {"parallel": "∥", "intersecting": "×", "coincident": "≡", "skew": "skew"}
-_INDEXED = re.compile(r"\b([a-zO]|α|θ)(\d{1,2})\b")
+_INDEXED = re.compile(r"\b([a-zO]|α|θ|ϑ)(\d{1,2})\b")
 
 
 @dataclass(frozen=True)
@@ -38,11 +39,7 @@ def axes_section(facts: Facts, chosen: int, channel: str, units: Units) -> str:
     ]
     names.append((f"{{{n}}}", f"frame {n}"))
     chosen = min(chosen, n)
-    chips = "".join(
-        f'<button class="chip" data-chan="{channel}" data-cell="axes-{k}" title="{title}"'
-        f' aria-pressed="{"true" if k == chosen else "false"}">{name}</button>'
-        for k, (name, title) in enumerate(names)
-    )
+    chips = "".join(chip(channel, f"axes-{k}", name, title, k == chosen) for k, (name, title) in enumerate(names))
     legend = "&ensp;".join(f"{sign}&nbsp;{kind}" for kind, sign in SIGNS.items() if sign != kind)
     return (
         f'<h3>Neighbouring axes, and what is free</h3><div class="bar">{chips}</div>'
@@ -53,10 +50,11 @@ def axes_section(facts: Facts, chosen: int, channel: str, units: Units) -> str:
 def _told(facts: Facts, chosen: int, units: Units) -> str:
     n = len(facts.relations) + 1
     if chosen in (0, n):
-        return _subscripts(facts.ends[0 if chosen == 0 else 1])
+        return _subscripts(facts.ends[0 if chosen == 0 else 1].replace("θ", units.book.symbols["theta"]))
     relation = facts.relations[chosen - 1]
-    link = f"a = {units.length(relation.a)}, α = {units.angle(relation.alpha)}"
-    return f'{_subscripts(relation.freedom)} <span class="dim">{escaped(link)}</span>'
+    link = f"a = {units.constant(relation.a, False)}, α = {units.constant(relation.alpha, True)}"
+    freedom = relation.freedom.replace("θ", units.book.symbols["theta"])
+    return f'{_subscripts(freedom)} <span class="dim">{escaped(link)}</span>'
 
 
 def closed_form_card(structure: Structure) -> str:

@@ -10,6 +10,7 @@ from armlab.content.write_table import write_table
 from armlab.session.edits import PasteTable
 from armlab.session.state import Command
 from armlab.ui.format import escaped
+from armlab.ui.markup import chip, copy_button, row
 from armlab.ui.units import Units
 from armlab.ui.widgets import Fields, Gui
 
@@ -31,16 +32,14 @@ class Files:
         """Show the buttons of this arm."""
         channel, angle = self._fields.channel_id, "deg" if self._units.in_degrees else "rad"
         copies = "".join(
-            f'<button class="chip" data-copy="{escaped(write_table(robot.arm, form, angle))}">{title}</button>'
-            for form, title in FORMATS.items()
+            copy_button(title, write_table(robot.arm, form, angle), "chip") for form, title in FORMATS.items()
         )
-        self._fields.show(
-            '<h3>Files</h3><div class="row"><span>File</span><div>'
-            f'<button class="chip" data-chan="{channel}" data-cell="save" title="As a robot file">Save TOML</button>'
+        load = (
             '<label class="chip" title="Load a robot file or a table; it is read here and sent nowhere else">Load file'
             f'<input type="file" accept=".toml,.csv,.tsv,.txt,.md,.tex" data-chan="{channel}" data-cell="load"></label>'
-            f'</div></div><div class="row"><span>Copy as</span><div>{copies}</div></div>'
         )
+        save = chip(channel, "save", "Save TOML", "As a robot file")
+        self._fields.show(f"<h3>Files</h3>{row('File', save + load)}{row('Copy as', copies)}")
 
 
 def save(gui: Gui, robot: Robot) -> None:
@@ -67,7 +66,7 @@ class PasteBox:
         fields.show(
             f'<textarea class="paste" rows="5" spellcheck="false" aria-label="table" data-chan="{channel}"'
             f' data-cell="paste" placeholder="{escaped(EXAMPLE)}"></textarea>'
-            f'<div class="bar"><button class="chip" data-chan="{channel}" data-cell="apply">Apply</button></div>'
+            f'<div class="bar">{chip(channel, "apply", "Apply")}</div>'
             f'<p class="dim">{escaped(HELP)}</p>'
         )
 

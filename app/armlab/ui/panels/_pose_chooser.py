@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from armlab.session.parts.pose_view import TOOL, WORLD, Invert, LookAt, PoseView
 from armlab.session.state import State
+from armlab.ui.markup import button, row
 from armlab.ui.panels._pose_notation import in_words, short_symbol
 from armlab.ui.plugin import Post
 from armlab.ui.widgets import Gui
@@ -23,12 +24,13 @@ class Chooser:
         view = state[PoseView]
         n = view.n
         ends = ((WORLD, TOOL), ("0", TOOL), (WORLD, "0"), (str(n), TOOL))
-        rows = [
-            self._row("", [self._pair(view, *pair, short_symbol(*pair)) for pair in ends] + [self._inverse(view)]),
-            self._row(short_symbol("0", "i"), [self._pair(view, "0", str(i), str(i)) for i in range(1, n + 1)]),
-            self._row("A<sub>i</sub>", [self._pair(view, str(i - 1), str(i), str(i)) for i in range(1, n + 1)]),
-        ]
-        self._fields.show(f'<div class="choose">{"".join(rows)}</div>')
+        rows = {
+            "": [self._pair(view, *pair, short_symbol(*pair)) for pair in ends] + [self._inverse(view)],
+            short_symbol("0", "i"): [self._pair(view, "0", str(i), str(i)) for i in range(1, n + 1)],
+            "A<sub>i</sub>": [self._pair(view, str(i - 1), str(i), str(i)) for i in range(1, n + 1)],
+        }
+        lines = "".join(row(label, "".join(chips)) for label, chips in rows.items())
+        self._fields.show(f'<div class="choose">{lines}</div>')
 
     def _pressed(self, cell: str) -> None:
         """Look at a pair; the inverse stays chosen while other pairs are."""
@@ -46,10 +48,4 @@ class Chooser:
         return self._chip(INVERSE, "inverse", "The inverse: reference and frame exchanged", view.inward)
 
     def _chip(self, cell: str, inside: str, hint: str, on: bool) -> str:
-        return (
-            f'<button class="chip" data-chan="{self._fields.channel_id}" data-cell="{cell}" title="{hint}"'
-            f' aria-label="{hint}" aria-pressed="{str(on).lower()}">{inside}</button>'
-        )
-
-    def _row(self, label: str, chips: list[str]) -> str:
-        return f'<div class="row"><span>{label}</span><div>{"".join(chips)}</div></div>'
+        return button(self._fields.channel_id, cell, inside, "chip", hint, hint, on)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from armlab.kin.arm import Arm
 from armlab.kin.symbolic import QUARTER, angle_offsets
-from armlab.ui.format import MINUS, mathml, subscript, trimmed
+from armlab.ui.format import MINUS, mathml, subscript
 from armlab.ui.units import Units
 
 LONGEST = 300
@@ -17,13 +17,12 @@ LONGEST = 300
 DIGITS = 5
 """Significant digits of numbers in formulas on screen and in LaTeX; Python keeps all of them."""
 
-OFFSET_DECIMALS = 4
-"""Of offsets of angles: a tenth of a millimetre at the end of a metre asks for it in radians."""
+OFFSET_DIGITS = 3
+"""More than of a moving angle, of offsets of angles: people compute with them."""
 
 MOST_TERMS = 100
 """Terms of a formula that is printed at all; seven joints of a real arm have a quarter of it."""
 
-_THETA = {"θ": r"\theta", "ϑ": r"\vartheta"}
 _VARIABLE = re.compile(r"q_(?:(\d)|\{(\d+)\})")
 _NUMBER = re.compile(r"\d+\.\d+")
 _CONSTANT = re.compile(r"-?[\d.]+")
@@ -57,7 +56,7 @@ class Written:
 def written(arm: Arm, units: Units, latex: str) -> Written:
     """Return a printed formula in the names of the student."""
     shown = _NUMBER.sub(lambda found: f"{float(found[0]):.{DIGITS}g}", latex)
-    theta = _THETA[units.book.symbols["theta"]]
+    theta = units.latex("theta")
     shown = shown.replace(r"\theta_", f"{theta}_")
     if units.notation.variable != "q":
         shown = _VARIABLE.sub(lambda found: _variable(arm, int(found[1] or found[2]), theta), shown)
@@ -146,10 +145,9 @@ def _letters(arm: Arm, units: Units) -> dict[int, str]:
 def offset_lines(arm: Arm, units: Units) -> list[str]:
     """Return theta of the table by the joint variable, of each revolute joint whose theta has a constant part."""
     theta = units.book.symbols["theta"]
-    unit = units.angle_unit if units.in_degrees else f" {units.angle_unit}"
     return [
         f"{subscript(theta, joint)} = {subscript('q', joint)} {MINUS if row.theta < 0.0 else '+'} "
-        f"{trimmed(abs(row.theta) / units.factor(True), OFFSET_DECIMALS)}{unit}"
+        f"{units.constant(abs(row.theta), True, OFFSET_DIGITS)}"
         for joint, row in enumerate(arm.rows, start=1)
         if row.revolute and abs(row.theta) > QUARTER
     ]

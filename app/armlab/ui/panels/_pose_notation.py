@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from armlab.kin.arm import Arm
+from armlab.kin.dh import Convention
 from armlab.session.parts.pose_view import TOOL, WORLD, PoseView, step_of
 from armlab.ui.format import MINUS, mathml
 from armlab.ui.units import Units
@@ -76,15 +77,18 @@ def link_product(arm: Arm, parameters: dict[str, float], units: Units) -> str:
     return " ".join(factors)
 
 
-def link_symbols(arm: Arm, i: int) -> str:
+def link_symbols(arm: Arm, i: int, units: Units) -> str:
     """Return A_i as the product of its elementary transforms in the symbols of the table, as MathML."""
-    letters = {"theta": r"\theta", "alpha": r"\alpha"}
-    before = arm.convention == "modified"
-    product = r"\,".join(
-        rf"{kind}_{axis}({letters.get(name, name)}_{{{i - 1 if before and name in ('a', 'alpha') else i}}})"
-        for kind, axis, name in FACTORS[arm.convention]
+    return mathml(f"A_{{{i}}}={product_latex(arm.convention, units, str(i), str(i - 1))}")
+
+
+def product_latex(convention: Convention, units: Units, index: str, before: str) -> str:
+    """Return the product of the moves of a row in LaTeX; the modified table counts a and alpha from the row before."""
+    modified = convention == "modified"
+    return r"\,".join(
+        rf"{kind}_{axis}({units.latex(name)}_{{{before if modified and name in ('a', 'alpha') else index}}})"
+        for kind, axis, name in FACTORS[convention]
     )
-    return mathml(f"A_{{{i}}}={product}")
 
 
 def turns(axes: str, fixed: bool, texts: Sequence[str]) -> str:

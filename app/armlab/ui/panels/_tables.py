@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
+
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.ui.colours import css, joint_colour
-from armlab.ui.format import dot, subscript, trimmed
+from armlab.ui.format import dot, subscript
 from armlab.ui.units import Units
+
+_SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
 
 
 def dh_table(arm: Arm, units: Units) -> str:
@@ -26,8 +30,12 @@ def is_variable(row: Row, field: str) -> bool:
 
 def cell_text(value: float, field: str, units: Units) -> str:
     """Return a number of the table, without zeros at its end."""
-    turns = field in ("alpha", "theta")
-    return trimmed(value / units.factor(turns), units.decimals(turns) + 1)
+    return units.entry(value, field in ("alpha", "theta"))
+
+
+def without_symbol(text: str) -> str:
+    """Return what was typed into the cell of a variable without the variable: ``+ 90`` of ``q₂ + 90``."""
+    return _SYMBOL.sub("", text).strip()
 
 
 def _cell(row: Row, k: int, field: str, units: Units) -> str:

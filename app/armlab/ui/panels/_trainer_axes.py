@@ -7,19 +7,18 @@ from armlab.session.state import Command
 from armlab.session.trainer_commands import ENOUGH_MISSES, CheckAxes, ChooseDirection, ShowAxes
 from armlab.session.trainer_exercise import DIRECTIONS
 from armlab.ui.format import MINUS, escaped, subscript
-from armlab.ui.panels._trainer_marks import button, mark
-from armlab.ui.panels._trainer_words import AXES_RULE, indexed, pose_line
+from armlab.ui.markup import button, chip, options, select
+from armlab.ui.panels._trainer_words import AXES_RULE, indexed, mark, parallel_line, pose_line
 from armlab.ui.units import Units
 
 
 def axes_stage(trainer: Trainer, channel: str, units: Units) -> str:
     """Return the markup of the stage."""
     rows = "".join(_row(trainer, i, channel) for i in range(trainer.exercise.n + 1))
-    check = button(channel, "trainer-check", "Check axes", "Mark the frames whose z and x are chosen", "main")
-    return (
-        f'<p class="dim">{AXES_RULE}</p><p class="dim">{pose_line(trainer, units)}</p>'
-        f'<div class="tr-axes">{rows}</div><div class="bar">{check}{_count(trainer)}</div>'
-    )
+    check = button(channel, "trainer-check", "Check axes", "main", "Mark the frames whose z and x are chosen")
+    told = (AXES_RULE, pose_line(trainer, units), parallel_line(trainer))
+    remarks = "".join(f'<p class="dim">{line}</p>' for line in told if line)
+    return f'{remarks}<div class="tr-axes">{rows}</div><div class="bar">{check}{_count(trainer)}</div>'
 
 
 def axes_typed(cell: str, text: str) -> Command | None:
@@ -47,21 +46,16 @@ def _row(trainer: Trainer, i: int, channel: str) -> str:
         return f"<div>{row}</div>"
     show = ""
     if trainer.answers.axes_misses[i] >= ENOUGH_MISSES:
-        show = button(channel, f"trainer-show-{i}", "Show solution", f"Put legal axes into frame {i}", "chip")
+        show = chip(channel, f"trainer-show-{i}", "Show solution", f"Put legal axes into frame {i}")
     return f'<div>{row}<p class="no">{escaped(indexed(verdict.text))}. {show}</p></div>'
 
 
 def _choice(trainer: Trainer, i: int, which: int, channel: str) -> str:
     axis, chosen = "zx"[which], trainer.answers.axes[i][which]
-    options = "".join(
-        f'<option value="{key}"{" selected" if key == chosen else ""}>{shown_direction(key) or "–"}</option>'
-        for key in ("", *DIRECTIONS)
-    )
+    ways = options({key: shown_direction(key) or "–" for key in ("", *DIRECTIONS)}, chosen)
     name = subscript(axis, i)
-    return (
-        f'<label><span class="axis-{axis}">{name}</span><select data-chan="{channel}" data-cell="trainer-{axis}-{i}"'
-        f' aria-label="direction of {name}">{options}</select></label>'
-    )
+    choice = select(channel, f"trainer-{axis}-{i}", f"direction of {name}", ways)
+    return f'<label><span class="axis-{axis}">{name}</span>{choice}</label>'
 
 
 def _count(trainer: Trainer) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 
 from armlab.kin.assignment import CellVerdict
@@ -12,14 +11,13 @@ from armlab.session.trainer_answers import FIELDS
 from armlab.session.trainer_commands import ENOUGH_MISSES, CheckTable, ReviseAxes, SetAnswer, ShowCell
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import dot, escaped, subscript
-from armlab.ui.panels._tables import cell_text
+from armlab.ui.markup import button, chip
+from armlab.ui.panels._tables import cell_text, without_symbol
 from armlab.ui.panels._trainer_axes import shown_direction
-from armlab.ui.panels._trainer_marks import button
 from armlab.ui.panels._trainer_words import end_line, parallel_line, reversed_line, rule, symbol
 from armlab.ui.units import NAMES, Units
 from armlab.ui.widgets import Gui
 
-_SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
 TURNS = ("alpha", "theta")
 WHICH = '<span class="dim">press the head of a row or column to choose the cell</span>'
 
@@ -54,7 +52,7 @@ class TableStage:
         self._checks = trainer.answers.table_checks
         self._row = min(self._row, trainer.exercise.n - 1)
         self._show_table(trainer)
-        check = button(self._check.channel_id, "trainer-check", "Check table", "Mark the cells that are filled", "main")
+        check = button(self._check.channel_id, "trainer-check", "Check table", "main", "Mark the cells that are filled")
         self._check.show("" if trainer.done else check)
         self._foot.show(self._about(trainer))
 
@@ -112,7 +110,7 @@ class TableStage:
         if text == self._text(value, field):
             return None
         if field == _variable(trainer, i):
-            text = _SYMBOL.sub("", text).strip() or ("0" if text.strip() else "")
+            text = without_symbol(text) or ("0" if text.strip() else "")
         if not text.strip():
             return SetAnswer(i, field, None)
         return SetAnswer(
@@ -141,7 +139,7 @@ class TableStage:
             axes = "".join(f'<td class="axis-{axis}">{shown_direction(way)}</td>' for axis, way in (("z", z), ("x", x)))
             rows.append(f"<tr><td>{{{i}}}</td>{place}{axes}</tr>")
         remarks = (reversed_line(trainer, self._units), parallel_line(trainer))
-        back = button(channel, "trainer-revise", "change", "Go back to the axes; the table is kept", "copy")
+        back = button(channel, "trainer-revise", "change", "copy", "Go back to the axes; the table is kept")
         return (
             f'<h3>Frames as you placed them<span class="copies">{back}</span></h3><table class="dh tr-frames"><tr>'
             f"<th>frame</th><th colspan=3>origin x, y, z in {self._units.length_unit}</th><th>z</th><th>x</th></tr>"
@@ -153,7 +151,7 @@ class TableStage:
         for field in self._units.book.order:
             inside = self._units.column(field, "standard")
             name = f"trainer-column-{field}"
-            heads.append(f"<th>{button(self._fields.channel_id, name, inside, NAMES[field], 'head')}</th>")
+            heads.append(f"<th>{button(self._fields.channel_id, name, inside, 'head', NAMES[field])}</th>")
         return "".join(heads)
 
     def _table(self, trainer: Trainer, texts: Mapping[str, str]) -> str:
@@ -163,7 +161,7 @@ class TableStage:
     def _line(self, trainer: Trainer, i: int, texts: Mapping[str, str]) -> str:
         kind = trainer.exercise.robot.arm.rows[i].kind
         name = f"{dot(css(joint_colour(i)))}{subscript(kind, i + 1)}"
-        head = button(self._fields.channel_id, f"trainer-row-{i + 1}", name, f"Ask about row {i + 1}", "head")
+        head = button(self._fields.channel_id, f"trainer-row-{i + 1}", name, "head", f"Ask about row {i + 1}")
         cells = "".join(self._cell(trainer, i, field, texts[f"{i + 1}-{field}"]) for field in self._units.book.order)
         return f"<tr><td>{head}</td>{cells}</tr>"
 
@@ -181,7 +179,7 @@ class TableStage:
 
     def _mark(self, i: int, field: str, verdict: CellVerdict) -> str:
         sign = "✓" if verdict.ok else "✕"
-        return button(self._fields.channel_id, f"trainer-ask-{i + 1}-{field}", sign, verdict.text, "sign")
+        return button(self._fields.channel_id, f"trainer-ask-{i + 1}-{field}", sign, "sign", verdict.text)
 
     def _about(self, trainer: Trainer) -> str:
         """Return how far it is, and what there is to say about the cell asked about."""
@@ -193,9 +191,9 @@ class TableStage:
         line = ""
         if verdict is not None:
             line = f'<p class="{"ok" if verdict.ok else "no"}">{name}: {escaped(verdict.text)}.</p>'
-        hint = button(channel, "trainer-rule", f"Hint for {name}", "The rule of this cell", "chip", self._rule_seen)
+        hint = chip(channel, "trainer-rule", f"Hint for {name}", "The rule of this cell", self._rule_seen)
         if trainer.answers.cell_misses[i][FIELDS.index(field)] >= ENOUGH_MISSES and not (verdict and verdict.ok):
-            hint += button(channel, "trainer-show", f"Show {name}", "Put the right value into this cell", "chip")
+            hint += chip(channel, "trainer-show", f"Show {name}", "Put the right value into this cell")
         told = f"<p>{rule(trainer, i, field, self._units)}</p>" if self._rule_seen else ""
         return f'<p class="dim">{_count(trainer)}</p>{line}<div class="bar">{hint}{WHICH}</div>{told}'
 

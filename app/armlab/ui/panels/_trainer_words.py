@@ -7,7 +7,7 @@ import re
 from armlab.kin.dh import Row
 from armlab.session.parts.trainer import Trainer
 from armlab.session.trainer_table import parallel_runs
-from armlab.ui.format import subscript
+from armlab.ui.format import escaped, subscript
 from armlab.ui.units import Units
 
 AXES_RULE = (
@@ -19,7 +19,7 @@ AXES_RULE = (
 
 def symbol(units: Units, field: str, i: int) -> str:
     """Return the name of a cell of row i (0-based), such as α₂."""
-    return subscript(units.book.symbols[field], i + 1)
+    return units.symbol(field, i + 1)
 
 
 def rule(trainer: Trainer, i: int, field: str, units: Units) -> str:
@@ -79,11 +79,11 @@ def reversed_line(trainer: Trainer, units: Units) -> str:
 
 def parallel_line(trainer: Trainer) -> str:
     """Return where origins may be shifted along parallel axes; nothing where all d are zero anyway."""
-    rows = _rows(trainer)
+    rows = (trainer.assignment or trainer.exercise.solved).rows
     runs = [run for run in parallel_runs(rows) if any(rows[i].d != 0.0 for i in run)]
     return " ".join(
-        f"Axes {run[0] + 1} to {run[-1] + 1} are parallel: their origins are drawn where d is 0 as long as it can be; "
-        "any d with the right sum is right, too."
+        f"Axes {run[0] + 1} to {run[-1] + 1} are parallel: an origin may lie anywhere on its axis. They are drawn "
+        "where d is 0 as long as it can be, so not always on the arm; any d with the right sum is right, too."
         for run in runs
     )
 
@@ -98,6 +98,11 @@ def end_line(trainer: Trainer) -> str:
     answers = trainer.answers
     text = f"{_times(answers.axes_checks, 'check')} of the axes, {answers.table_checks} of the table"
     return text + (f", {_times(answers.shown, 'solution')} shown." if answers.shown else ", no solution shown.")
+
+
+def mark(ok: bool, text: str) -> str:
+    """Return ✓ or ✕ with its sentence as a hint."""
+    return f'<i class="{"ok" if ok else "no"}" title="{escaped(text)}">{"✓" if ok else "✕"}</i>'
 
 
 def _times(count: int, noun: str) -> str:

@@ -318,4 +318,13 @@ PANEL = Panel(
     (Joints, Manipulability, Sweep, Timeline, Display),
     build,
     rebuilds=(RobotPart, Notation, Manipulability),
+    about=(
+        "5.3",
+        "S5.1.4-singularity",
+        "S5.1.4-2R",
+        "S5.2.3-svd",
+        "velocity ellipsoid",
+        "condition number",
+        "singular places",
+    ),
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.kin.moves import MOVES, Factors, Move, factors
 from armlab.session.clips.film import (
@@ -38,12 +39,15 @@ SIGNS = {"turn": "↻", "shift": "→"}
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the rows to choose from, the factors and the products; put the film on."""
-    head = gui.fields(lambda cell, _: post(_command(cell)))
+    head = gui.fields(lambda cell, _: post(_command(cell, arm)))
     matrices = gui.html()
+    arm = state[Joints].arm
     if not state[Timeline].clip:
         post(OpenClip(CLIP.key))
 
     def show(state: State) -> None:
+        nonlocal arm
+        arm = state[Joints].arm
         on = state[Timeline].clip == CLIP.key
         head.show(_head(head, state) if on else _invitation(head))
         matrices.show(_matrices(state) if on else "")
@@ -51,11 +55,11 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _command(cell: str) -> Command:
+def _command(cell: str, arm: Arm) -> Command:
     if cell == "show":
         return OpenClip(CLIP.key)
     row, _, move = cell.partition(",")
-    return Seek(end_of(int(row), int(move)) if move else start_of(int(row)))
+    return Seek(end_of(arm, int(row), int(move)) if move else start_of(arm, int(row)))
 
 
 def _invitation(fields: Fields) -> str:
@@ -209,5 +213,6 @@ PANEL = Panel(
     tab="robot",
     rebuilds=(),
     see_through=True,
-    hides=("gizmo", "gap"),
+    hides=("gizmo", "gap", "names"),
+    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step"),
 )

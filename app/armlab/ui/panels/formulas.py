@@ -10,7 +10,8 @@ from armlab.kin.symbolic import PoseFormulas, constants
 from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui.format import escaped, mathml, number, subscript
+from armlab.ui.format import mathml, number, subscript
+from armlab.ui.markup import copy_button
 from armlab.ui.panels._pose_formulas import (
     LONGEST,
     MOST_TERMS,
@@ -68,6 +69,8 @@ def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> s
         "Python": "\n".join(f"{name} = {text}" for name, text in python.items()),
     }
     notes = []
+    if any(has_numbers(formula.latex) for name, formula in formulas.items() if name[0] == "p"):
+        notes.append("Numbers in the formulas of p are lengths in m, in every unit chosen under View.")
     hidden = sum(formula.left_out > 0 for formula in formulas.values())
     if hidden:
         notes.append(
@@ -105,10 +108,8 @@ def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str,
     known = constants(arm)
     for name in used_constants(python.values()):
         letter, index = name.rstrip("0123456789"), int(name.lstrip("alphd"))
-        value = units.angle(known[name]) if letter == "alpha" else units.length(known[name])
+        value = units.constant(known[name], letter == "alpha")
         lines.append(f"{subscript({'alpha': 'α'}.get(letter, letter), index)} = {value}")
-    if any(has_numbers(formula.latex) for name, formula in formulas.items() if name[0] == "p"):
-        lines.append("numbers in p are in m")
     return f'<h3>Where</h3><div class="where">{"".join(f"<span>{line}</span>" for line in lines)}</div>'
 
 
@@ -127,7 +128,16 @@ def _symbol(name: str) -> str:
 def _copy(kind: str, text: str) -> str:
     if len(text) > MOST_COPIED:
         return ""
-    return f'<button class="copy" data-copy="{escaped(text)}" title="Copy as {kind}">{kind}</button>'
+    return copy_button(kind, text)
 
 
-PANEL = Panel("formulas", "Formulas", "MATH_FUNCTION", 27, (Joints,), build, tab="pose")
+PANEL = Panel(
+    "formulas",
+    "Formulas",
+    "MATH_FUNCTION",
+    27,
+    (Joints,),
+    build,
+    tab="pose",
+    about=("S1.1-direct-kinematics", "S4.0-2R", "S4.1-dh-chain", "symbolic", "closed form of the direct kinematics"),
+)

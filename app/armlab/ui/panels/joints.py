@@ -9,7 +9,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
-from armlab.ui.format import escaped, mathml, matrix, number, pairs, subscript
+from armlab.ui.format import mathml, matrix, number, pairs, subscript
+from armlab.ui.markup import button, chip, row
 from armlab.ui.panels._pose_notation import turns
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
@@ -29,7 +30,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     names = [*state[RobotPart].robot.poses, "zero"]
     poses = gui.fields(lambda cell, _: post(RandomPose() if cell == "random" else TakePose(cell)))
     buttons = [(name, name.capitalize()) for name in dict.fromkeys(names)] + [("random", "Random")]
-    poses.show(_row("Pose", "".join(_chip(poses.channel_id, key, title) for key, title in buttons)))
+    poses.show(row("Pose", "".join(chip(poses.channel_id, key, title) for key, title in buttons)))
     readout = gui.html()
     held = list(joints.locked)
 
@@ -39,9 +40,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             slider.show(_shown(joints, i, units))
             slider.enable(not joints.locked[i])
         held[:] = joints.locked
-        locks.show(
-            _row("Hold", "".join(_lock(locks.channel_id, i, on, _name(joints, i, units)) for i, on in enumerate(held)))
-        )
+        locks.show(row("Hold", "".join(_lock(locks.channel_id, joints, i, units) for i in range(joints.arm.n))))
         readout.show(_readout(joints, units))
 
     return show
@@ -59,9 +58,6 @@ def _slider(gui: Gui, joints: Joints, i: int, post: Post, units: Units) -> Contr
     revolute = joints.arm.rows[i].revolute
     unit, scale, decimals = units.unit(revolute), units.factor(revolute), units.decimals(revolute)
     low, high = (float(value) / scale for value in joints.arm.limits[i])
-    symbol = subscript("θ" if revolute else "d", i + 1)
-    kind = "revolute, turns about" if revolute else "prismatic, slides along"
-    axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
     return gui.slider(
         f"{_name(joints, i, units)} {unit}",
         round(low, decimals),
@@ -69,8 +65,7 @@ def _slider(gui: Gui, joints: Joints, i: int, post: Post, units: Units) -> Contr
         10.0**-decimals,
         _shown(joints, i, units),
         lambda value: post(MoveJoint(i, value * scale)),
-        f"Joint {i + 1}: {kind} {axis}, {symbol} of the table. "
-        f"From {number(low, decimals)} to {number(high, decimals)} {unit}.",
+        None,  # viser's would cover the slider above; the chip that holds the joint says it
     )
 
 
@@ -89,20 +84,14 @@ def _colours(sliders: list[Control]) -> str:
     return f"<style>{''.join(rules)}</style>"
 
 
-def _row(label: str, content: str) -> str:
-    return f'<div class="row"><span>{label}</span><div>{content}</div></div>'
-
-
-def _chip(channel: str, key: str, title: str) -> str:
-    return f'<button class="chip" data-chan="{channel}" data-cell="{escaped(key)}">{escaped(title)}</button>'
-
-
-def _lock(channel: str, i: int, on: bool, name: str) -> str:
-    title = f"Joint {i + 1} is held: click to let it go" if on else f"Hold joint {i + 1} where it is"
-    return (
-        f'<button class="chip lock" data-chan="{channel}" data-cell="{i}" aria-pressed="{str(on).lower()}"'
-        f' title="{title}">{name}</button>'
-    )
+def _lock(channel: str, joints: Joints, i: int, units: Units) -> str:
+    """Return the chip that holds a joint; its hint also says what the joint does, and between which limits."""
+    revolute, on = joints.arm.rows[i].revolute, joints.locked[i]
+    axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
+    low, high = (units.text(float(value), revolute) for value in joints.arm.limits[i])
+    does = f"{'turns about' if revolute else 'slides along'} {axis}, {low} to {high} {units.unit(revolute)}"
+    wish = "held: click to let it go" if on else "click to hold it where it is"
+    return button(channel, str(i), _name(joints, i, units), "chip lock", f"Joint {i + 1} {does}; {wish}", pressed=on)
 
 
 def _readout(joints: Joints, units: Units) -> str:
@@ -155,4 +144,20 @@ def length_power(arm: Arm) -> int | None:
     return position if arm.task.m < n and slides == 0 else None
 
 
-PANEL = Panel("joints", "Joints", "ADJUSTMENTS_HORIZONTAL", 20, (Joints,), build)
+PANEL = Panel(
+    "joints",
+    "Joints",
+    "ADJUSTMENTS_HORIZONTAL",
+    20,
+    (Joints,),
+    build,
+    about=(
+        "S1.1-joint-types",
+        "S4.0-spaces",
+        "S4.0-2R",
+        "sliders",
+        "joint limits",
+        "move the arm",
+        "forward kinematics",
+    ),
+)

@@ -1,59 +1,120 @@
-"""Choose a lesson: by chapter, each with its arm and how far the student has come."""
+"""Find and choose a lesson: by chapter, or by an equation, a section or a word of the notes."""
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import groupby
 
-from armlab.content.lessons import Lesson, lessons
-from armlab.content.robots import catalogue
-from armlab.session.parts.lesson import LessonPart, OpenLesson
+from armlab.content.index import Bench, Entry, search
+from armlab.content.lesson import Lesson
+from armlab.content.lessons import lessons
+from armlab.session.lesson_commands import OpenLesson
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State
+from armlab.ui import markup
 from armlab.ui.format import escaped
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.panels._picks import broken_files, pick
+from armlab.ui.plugin import Panel, Post, Show, panels
 from armlab.ui.widgets import Gui
+
+LESSON, BENCH = "lesson:", "bench:"
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the list of lessons."""
-    del state
-    entries = gui.fields(lambda key, _: post(OpenLesson(key)))
+    """Make the field of the index and the list of lessons."""
+    query, shown = "", state
+
+    def asked(cell: str, text: str) -> None:
+        nonlocal query
+        if cell.startswith(LESSON):
+            post(OpenLesson(cell.removeprefix(LESSON)))
+        elif cell.startswith(BENCH):
+            gui.open_panel(cell.removeprefix(BENCH))
+        elif cell == "query":
+            query = text.strip()
+            show(shown)
+
+    field = gui.fields(asked)
+    entries = gui.fields(asked)
+
+    hint = "Find: 3.66, section 4.1, quaternion …"
+    line = markup.field(field.channel_id, "query", "", "Find", data_live="1", type="search", placeholder=hint)
+    field.show(f'<div class="find">{line}</div>')
 
     def show(state: State) -> None:
-        part = state[LessonPart]
-        chapters = groupby(lessons().lessons.values(), lambda lesson: lesson.chapter)
-        entries.show(
-            "".join(
-                f"<h3>{escaped(chapter)}</h3>" + "".join(_entry(lesson, part, entries.channel_id) for lesson in found)
-                for chapter, found in chapters
-            )
-            + _problems()
-        )
+        nonlocal shown
+        shown = state
+        entries.show(_found(query, entries.channel_id) if query else _all(state, entries.channel_id))
 
     return show
 
 
-def _entry(lesson: Lesson, part: LessonPart, channel: str) -> str:
-    mark = ' aria-current="true"' if lesson.key == part.open else ""
+def _all(state: State, channel: str) -> str:
+    """Return the lessons by chapter, each with its arm and how far the student has come."""
+    part = state[LessonPart]
+    chapters = groupby(lessons().lessons.values(), lambda lesson: lesson.chapter)
+    return "".join(
+        f"<h3>{escaped(chapter)}</h3>" + "".join(_lesson(lesson, part, channel) for lesson in found)
+        for chapter, found in chapters
+    ) + broken_files("lesson", lessons().problems)
+
+
+def _lesson(lesson: Lesson, part: LessonPart, channel: str) -> str:
     count = len(lesson.steps)
     steps = f"{count} step{'s' if count > 1 else ''}"
-    progress = part.progress_of.get(lesson.key)
-    passed = len(progress.passed(lesson)) if progress else 0
+    progress = [each for place, each in part.progress_of.items() if place.partition("/")[0] == lesson.key]
+    passed = max((len(each.passed(lesson)) for each in progress), default=0)
     come = "✓ done" if passed == count else f"{passed} of {count}" if progress else ""
-    return (
-        f'<button class="pick" data-chan="{channel}" data-cell="{lesson.key}"{mark}>'
-        f"<b>{escaped(lesson.title)}</b><i>{come}</i>"
-        f"<span>{escaped(catalogue()[lesson.robot].name)}, {steps}</span></button>"
-    )
+    about = f"{lesson.robot_used.name}, {steps}"
+    return pick(channel, LESSON + lesson.key, lesson.title, come, about, lesson.key == part.open.partition("/")[0])
 
 
-def _problems() -> str:
-    """Return what is wrong with lesson files that cannot be used."""
-    problems = lessons().problems
-    if not problems:
-        return ""
-    head = f"✕ {len(problems)} broken lesson file{'s' if len(problems) > 1 else ''}"
-    texts = "".join(f"<p>{escaped(str(problem))}</p>" for problem in problems)
-    return f'<div class="verdict no"><b>{head}</b>{texts}</div>'
+@cache
+def _benches() -> tuple[Bench, ...]:
+    return tuple(Bench(key, panel.title, panel.about) for key, panel in panels().items())
 
 
-PANEL = Panel("lessons", "Lessons", "BOOK", 5, (LessonPart,), build, rebuilds=())
+def _found(query: str, channel: str) -> str:
+    """Return what the index finds: lessons and benches to go to, rows of the course, functions of the core."""
+    found = search(query, benches=_benches())
+    if not found:
+        return '<p class="dim">Nothing is found. Try an equation (3.66), a section (4.1) or a word.</p>'
+    return "".join(_entry(entry, channel) for entry in found)
+
+
+def _entry(entry: Entry, channel: str) -> str:
+    if entry.kind == "lesson":
+        return pick(channel, LESSON + entry.key, entry.title, "lesson", entry.detail, False)
+    if entry.kind == "bench":
+        return pick(channel, BENCH + entry.key, entry.title, "bench", entry.detail, False)
+    if entry.kind == "function":
+        name = entry.key.removeprefix("armlab.kin.")
+        return (
+            f'<div class="found"><b>{escaped(name)}</b><i>function</i><span>{escaped(entry.detail)}</span>'
+            f"{markup.copy_button('import line', _import_line(entry.key))}</div>"
+        )
+    ways = [
+        *(markup.chip(channel, LESSON + key, lessons()[key].title, "Lesson") for key in entry.lessons),
+        *(markup.chip(channel, BENCH + key, panels()[key].title, "Bench") for key in entry.benches),
+    ]
+    kind = "chapter" if entry.kind == "chapter" else "topic"
+    chips = f'<div class="chips">{"".join(ways)}</div>' if ways else ""
+    return f'<div class="found"><b>{escaped(entry.title)}</b><i>{kind}</i><span>{escaped(entry.detail)}</span>{chips}</div>'
+
+
+def _import_line(key: str) -> str:
+    module, _, name = key.rpartition(".")
+    return f"from {module} import {name}"
+
+
+PANEL = Panel(
+    "lessons",
+    "Lessons",
+    "BOOK",
+    5,
+    (LessonPart,),
+    build,
+    rebuilds=(),
+    about=("exercises", "course", "chapters", "index of the notes"),
+    always=True,
+)

@@ -23,6 +23,7 @@ from armlab.session.state import State
 from armlab.ui.colours import css
 from armlab.ui.format import dot, mathml, number, pairs, subscript
 from armlab.ui.layers.normal import COLOURS
+from armlab.ui.markup import chips
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import SIGNS
@@ -30,6 +31,9 @@ from armlab.ui.widgets import Gui
 
 CASES = {"skew": "Skew", "parallel": "Parallel", "intersecting": "Intersecting", "coincident": "Coincident"}
 OWN = "own"
+ARM = ("arm", "skeleton", "names", "frames", "symbols", "angles", "lengths", "projections", "trace", "swept")
+"""Layers that draw the arm and what belongs to it."""
+
 SAME = 1e-9
 """m and rad within which the table and the lines agree."""
 
@@ -85,12 +89,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _cases(channel: str, kind: str) -> str:
-    chips = "".join(
-        f'<button class="chip" data-chan="{channel}" data-cell="{key}" title="Put the lines into this case"'
-        f' aria-pressed="{str(key == kind).lower()}">{title}</button>'
-        for key, title in CASES.items()
-    )
-    return f'<div class="cases">{chips}</div>'
+    return f'<div class="cases">{chips(channel, CASES, kind, "Put the lines into this case")}</div>'
 
 
 def _pair(i: int, state: State) -> str:
@@ -143,9 +142,10 @@ def _table(state: State, units: Units) -> str:
     row, a, alpha = entry
     modified = state[RobotPart].robot.arm.convention == "modified"
     index = row if modified else row + 1
+    twist = f"{units.latex('alpha')}_{{{index}}}"
     values = [
-        (f"{mathml(f'a_{{{index}}}')} of the table", units.length(a)),
-        (f"{mathml(chr(92) + f'alpha_{{{index}}}')} of the table", units.angle(alpha)),
+        (f"{mathml(f'a_{{{index}}}')} of the table", units.constant(a, False)),
+        (f"{mathml(twist)} of the table", units.constant(alpha, True)),
     ]
     return f"<h3>Row {row + 1} of the table</h3>{pairs(values)}<p>{_agreement(state[Lines].normal, a, alpha)}</p>"
 
@@ -186,6 +186,11 @@ def _products(lines: Lines) -> str:
     return pairs(rows) + (f'<p class="dim">{mathml("n=0")}: {taken}</p>' if taken else "")
 
 
+def in_the_way(state: State) -> tuple[str, ...]:
+    """Return the layers of the arm while the lines are the student's own, which run through it."""
+    return ARM if state[Lines].pair is None else ()
+
+
 PANEL = Panel(
     "normal",
     "Common normal",
@@ -196,4 +201,6 @@ PANEL = Panel(
     tab="robot",
     see_through=True,
     hides=("gizmo", "gap"),
+    hides_then=in_the_way,
+    about=("S4.1-common-normal", "(4.8-4.9)", "common normal", "skew lines", "twist angle"),
 )

@@ -86,7 +86,7 @@ def _one_turn(R: NDArray[np.floating], units: Units) -> str:
 
 
 def _opposite(axis: NDArray[np.floating], angle: float, units: Units) -> str:
-    return f"{vector((-axis).tolist())}&ensp;{units.angle(angle)}"
+    return f"{vector((-axis).tolist())}&ensp;{units.orientation(angle)}"
 
 
 def _three_turns(R: NDArray[np.floating], view: PoseView, units: Units) -> str:
@@ -101,7 +101,7 @@ def _three_turns(R: NDArray[np.floating], view: PoseView, units: Units) -> str:
         f'<th>{letter} <small>about <b class="axis-{axis}">{axis}</b></small></th>'
         for letter, axis in zip(letters, view.axes, strict=True)
     )
-    texts = [[units.angle(float(value)) for value in triple] for triple in found.solutions]
+    texts = [[units.orientation(float(value)) for value in triple] for triple in found.solutions]
     rows = "".join(
         f"<tr><th>{k + 1}</th>{''.join(f'<td>{text}</td>' for text in triple)}</tr>" for k, triple in enumerate(texts)
     )
@@ -115,11 +115,11 @@ def _singular(found: EulerSolutions, letters: list[str], view: PoseView, units: 
     plus = int(found.combination) > 0
     defined = f"{letters[0]} {'+' if plus else MINUS} {letters[2]}"
     value = first + third if plus else first - third
-    written = turns(view.axes, view.fixed, [units.angle(angle) for angle in (first, middle, third)])
+    written = turns(view.axes, view.fixed, [units.orientation(angle) for angle in (first, middle, third)])
     return (
         f'<div class="verdict warn"><b>◐ Singular: only {defined} is defined</b>'
-        f"{letters[1]} = {units.angle(middle)} lays the first and the third turn on one line. "
-        f"{defined} = {units.angle(value)}; here {letters[2]} is 0.</div>"
+        f"{letters[1]} = {units.orientation(middle)} lays the first and the third turn on one line. "
+        f"{defined} = {units.orientation(value)}; here {letters[2]} is 0.</div>"
         f'<div class="eq small">R = {written}</div>'
     )
 
@@ -132,4 +132,24 @@ def _residual(R: NDArray[np.floating], found: EulerSolutions, view: PoseView) ->
     return f'<p class="dim">The products differ from R by {residual:.0e}.</p>'
 
 
-PANEL = Panel("orientation", "Orientation", "ROTATE", 26, (Joints, PoseView), build, tab="pose", see_through=True)
+PANEL = Panel(
+    "orientation",
+    "Orientation",
+    "ROTATE",
+    26,
+    (Joints, PoseView),
+    build,
+    tab="pose",
+    see_through=True,
+    about=(
+        "3.2",
+        "3.3",
+        "S3.1-atan2",
+        "S3.1-elementary",
+        "SA-rot3",
+        "axis and angle",
+        "quaternion",
+        "Euler angles",
+        "roll pitch yaw",
+    ),
+)

@@ -11,6 +11,7 @@ from armlab.session.session import StartFresh
 from armlab.session.state import State
 from armlab.ui.camera import PRESETS
 from armlab.ui.format import escaped
+from armlab.ui.markup import button
 from armlab.ui.plugin import Panel, Post, Show, switches
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.units import BOOKS
@@ -89,11 +90,15 @@ class _Switches:
         return f'<h3>{title}</h3><div class="switches">{"".join(self._switch(switch) for switch in group)}</div>'
 
     def _switch(self, switch: Switch) -> str:
-        checked = "true" if self._on[switch.name] else "false"
-        return (
-            f'<button class="switch" role="checkbox" aria-checked="{checked}" aria-label="{escaped(switch.title)}"'
-            f' title="{escaped(_hint(switch))}" data-chan="{self._fields.channel_id}" data-cell="{switch.name}">'
-            f"{escaped(switch.title)}<kbd>{switch.key}</kbd></button>"
+        return button(
+            self._fields.channel_id,
+            switch.name,
+            f"{escaped(switch.title)}<kbd>{switch.key}</kbd>",
+            "switch",
+            _hint(switch),
+            switch.title,
+            role="checkbox",
+            aria_checked="true" if self._on[switch.name] else "false",
         )
 
 
@@ -110,4 +115,13 @@ def _hint(switch: Switch) -> str:
     return f"{switch.hint} Key {switch.key}." if switch.key else switch.hint
 
 
-PANEL = Panel("picture", "View", "EYE", 40, (Display, Notation), build)
+PANEL = Panel(
+    "picture",
+    "View",
+    "EYE",
+    40,
+    (Display, Notation),
+    build,
+    about=("camera", "theme", "labels", "units", "overlays"),
+    always=True,
+)

@@ -48,7 +48,7 @@ def _product(state: State, units: Units) -> str:
     """Return what the transform is a product of; of a single step with its numbers."""
     view, joints = state[PoseView], state[Joints]
     i = step_of(view)
-    parts = [chain(view)] if i is None else [link_symbols(joints.arm, i)]
+    parts = [chain(view)] if i is None else [link_symbols(joints.arm, i, units)]
     if i is not None:
         parts.append(f"= {link_product(joints.arm, link_parameters(joints.arm, joints.q, i), units)}")
     if view.inward:
@@ -62,7 +62,7 @@ def _position(pair: Pair, units: Units) -> str:
     r, azimuth, height = (float(value) for value in cylindrical(p))
     radius, _, polar = (float(value) for value in spherical(p))
     at_origin = float(np.linalg.norm(p)) < ON_AXIS
-    theta = "–" if r < ON_AXIS else units.angle(azimuth)
+    theta = "–" if r < ON_AXIS else units.orientation(azimuth)
     rows = (
         ("Cartesian", [(axis, units.length(float(value))) for axis, value in zip("xyz", p, strict=True)]),
         ("cylindrical", [("r", units.length(r)), ("θ", theta), ("z", units.length(height))]),
@@ -80,4 +80,25 @@ def _position(pair: Pair, units: Units) -> str:
     return f'<h3>Position p</h3><table class="coordinates">{lines}</table><p class="dim">{note}</p>'
 
 
-PANEL = Panel("pose", "Pose", "BRACKETS", 25, (Joints, PoseView, Selection), build, see_through=True)
+PANEL = Panel(
+    "pose",
+    "Pose",
+    "BRACKETS",
+    25,
+    (Joints, PoseView, Selection),
+    build,
+    see_through=True,
+    about=(
+        "S1.1-direct-kinematics",
+        "S1.1-world-frame",
+        "S3.1-rotation-matrix",
+        "S3.1-chain",
+        "S3.1-cylindrical",
+        "S3.1-three-meanings",
+        "(3.109-3.115)",
+        "S4.1-dh-chain",
+        "matrix",
+        "position",
+        "coordinates",
+    ),
+)

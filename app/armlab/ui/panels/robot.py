@@ -6,6 +6,7 @@ from armlab.content.robots import FAMILIES, Robot, catalogue
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import State
 from armlab.ui.format import escaped, pairs
+from armlab.ui.panels._picks import broken_files, pick
 from armlab.ui.panels._tables import dh_table
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
@@ -36,7 +37,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def list_arms() -> None:
         robots = [robot for robot in catalogue().robots.values() if robot.family == shown]
-        arms.show("".join(_entry(robot, robot is present, arms.channel_id) for robot in robots) + _problems())
+        entries = "".join(_entry(robot, robot is present, arms.channel_id) for robot in robots)
+        arms.show(entries + broken_files("robot", catalogue().problems))
 
     list_arms()
 
@@ -48,22 +50,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _entry(robot: Robot, present: bool, channel: str) -> str:
-    mark = ' aria-current="true"' if present else ""
     kinds = "".join(row.kind for row in robot.arm.rows)
-    return (
-        f'<button class="pick" data-chan="{channel}" data-cell="{robot.key}"{mark}>'
-        f"<b>{escaped(robot.name)}</b><i>{kinds}</i><span>{escaped(robot.summary)}</span></button>"
-    )
-
-
-def _problems() -> str:
-    """Return what is wrong with robot files that cannot be used."""
-    problems = catalogue().problems
-    if not problems:
-        return ""
-    return f'<div class="verdict no"><b>✕ {len(problems)} broken robot file{"s" if len(problems) > 1 else ""}</b>' + (
-        "".join(f"<p>{escaped(str(problem))}</p>" for problem in problems) + "</div>"
-    )
+    return pick(channel, robot.key, robot.name, kinds, robot.summary, present)
 
 
 def _description(robot: Robot, units: Units) -> str:
@@ -78,4 +66,12 @@ def _description(robot: Robot, units: Units) -> str:
     return f"<h3>{escaped(robot.name)}</h3>{pairs(rows)}{table}<h3>Source</h3>{source}"
 
 
-PANEL = Panel("robot", "Robot", "ROBOT", 10, (RobotPart,), build)
+PANEL = Panel(
+    "robot",
+    "Robot",
+    "ROBOT",
+    10,
+    (RobotPart,),
+    build,
+    about=("R", "S1.1-joint-types", "S1.1-r4-robot", "S1.7-history", "catalogue of arms", "choose an arm"),
+)

@@ -6,6 +6,7 @@ from armlab.content.robots import Robot
 from armlab.errors import ArmlabError
 from armlab.kin.arm import Arm
 from armlab.kin.convert import Link
+from armlab.kin.dh import Convention
 from armlab.session.edits import Convert, PasteTable, RestoreTable
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
@@ -14,20 +15,19 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped, mathml
+from armlab.ui.markup import button, chips
 from armlab.ui.panels._dh_editor import DhEditor
 from armlab.ui.panels._dh_ends import ends_fields, ends_typed, point_line
 from armlab.ui.panels._dh_facts import Facts, axes_section, closed_form_card, facts_of
 from armlab.ui.panels._dh_files import Files, PasteBox, save
+from armlab.ui.panels._pose_notation import product_latex
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields, Gui, Html
 
-FORMULAS = {
-    "standard": r"{}^{i-1}T_i=R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)",
-    "modified": r"{}^{i-1}T_i=R_x(\alpha_{i-1})\,T_x(a_{i-1})\,R_z(\theta_i)\,T_z(d_i)",
-}
 CONVENTIONS = {"standard": "Standard (Siciliano, notes)", "modified": "Modified (Craig)"}
 HINT = "Write the same arm in the other convention"
+BACK = "Back to the file's table"
 
 
 class TablePanel:
@@ -38,7 +38,7 @@ class TablePanel:
         self._robot: Robot | None = None
         self._facts: Facts | None = None
         self._pair = 1
-        self._head = gui.fields(lambda cell, _: self._edit(RestoreTable() if cell == "restore" else Convert(cell)))
+        self._head = gui.fields(lambda cell, _: self._post(RestoreTable() if cell == "restore" else Convert(cell)))
         self._table = gui.fields(self._cell)
         self._editor = DhEditor(self._table, self._units)
         self._axes = gui.fields(self._choose_pair)
@@ -57,17 +57,17 @@ class TablePanel:
         try:
             command = self._editor.typed(self._arm, cell, text)
         except ArmlabError as refusal:
-            self._refuse(refusal)
+            self._refuse(self._table, cell, text, refusal)
         else:
-            self._edit(command)
+            self._edit(command, self._table, cell, text)
 
     def _end(self, cell: str, text: str) -> None:
         try:
             command = ends_typed(self._state, cell, text, self._units)
         except ArmlabError as refusal:
-            self._refuse(refusal)
+            self._refuse(self._ends, cell, text, refusal)
         else:
-            self._edit(command)
+            self._edit(command, self._ends, cell, text)
 
     def _choose_pair(self, cell: str, _: str) -> None:
         number = cell.removeprefix("axes-")
@@ -86,14 +86,22 @@ class TablePanel:
         if command is not None:
             self._post(command)
 
-    def _edit(self, command: Command | None) -> None:
-        if command is not None:
-            self._post(command)
-        else:
+    def _edit(self, command: Command | None, fields: Fields, cell: str, text: str) -> None:
+        """Hand in a command; one that the present state refuses is told beside its field."""
+        if command is None:
             self._show_fields()
+            return
+        try:
+            command.apply(self._state)
+        except ArmlabError as refusal:
+            self._refuse(fields, cell, text, refusal)
+        else:
+            self._post(command)
 
-    def _refuse(self, refusal: ArmlabError) -> None:
+    def _refuse(self, fields: Fields, cell: str, text: str, refusal: ArmlabError) -> None:
+        fields.refuse(cell, text, str(refusal))
         self._post(Refuse(str(refusal)))
+        self._show_fields()
 
     # -- showing -------------------------------------------------------------------------------------------------
 
@@ -104,6 +112,9 @@ class TablePanel:
     def show(self, state: State) -> None:
         """Show a state; what follows from the table is made anew only when that has changed."""
         before, self._state, robot = self._state, state, state[RobotPart].robot
+        if robot is not self._robot:  # a mistake was about the table before
+            self._table.forgive()
+            self._ends.forgive()
         if robot is not self._robot or state[Point] is not before[Point] or self._table.stale or self._ends.stale:
             self._show_fields()
         if robot is not self._robot:
@@ -127,19 +138,20 @@ class TablePanel:
         arm = part.robot.arm
         back = ""
         if part.own and part.origin:
-            back = f'<span class="copies"><button class="copy" data-chan="{channel}" data-cell="restore">'
-            back += "Back to the file's table</button></span>"
-        chips = "".join(
-            f'<button class="chip" data-chan="{channel}" data-cell="{key}" title="{HINT}"'
-            f' aria-pressed="{"true" if key == arm.convention else "false"}">{title}</button>'
-            for key, title in CONVENTIONS.items()
-        )
+            back = f'<span class="copies">{button(channel, "restore", BACK, "copy")}</span>'
+        forms = chips(channel, CONVENTIONS, arm.convention, HINT)
         name = escaped(part.robot.name) + (", edited" if part.own and part.origin else "")
         summary = f'<p class="dim">{escaped(part.robot.summary)}</p>' if part.own and not part.origin else ""
-        formula = f'<div class="eq small">{mathml(FORMULAS[arm.convention], block=True)}</div>'
+        formula = f'<div class="eq small">{mathml(step_formula(arm.convention, self._units), block=True)}</div>'
         self._head.show(
-            f'<h3>{name}{back}</h3>{summary}<div class="bar">{chips}</div>{formula}{moved_lines(part, self._units)}'
+            f'<h3>{name}{back}</h3>{summary}<div class="bar">{forms}</div>{formula}{moved_lines(part, self._units)}'
         )
+
+
+def step_formula(convention: Convention, units: Units) -> str:
+    """Return the matrix of a row as the product of its moves, in LaTeX with the letters of the book."""
+    i = units.book.index
+    return rf"{{}}^{{{i}-1}}T_{{{i}}}={product_latex(convention, units, i, f'{i}-1')}"
 
 
 def moved_lines(part: RobotPart, units: Units) -> str:
@@ -161,9 +173,9 @@ def moved_lines(part: RobotPart, units: Units) -> str:
 def _moves(link: Link, units: Units) -> str:
     moves = []
     if link.a != 0.0:
-        moves.append(f"T<sub>x</sub>({units.length(link.a)})")
+        moves.append(f"T<sub>x</sub>({units.constant(link.a, False)})")
     if link.alpha != 0.0:
-        moves.append(f"R<sub>x</sub>({units.angle(link.alpha)})")
+        moves.append(f"R<sub>x</sub>({units.constant(link.alpha, True)})")
     return " ".join(moves)
 
 
@@ -181,4 +193,15 @@ PANEL = Panel(
     build,
     tab="robot",
     rebuilds=(Notation,),
+    about=(
+        "S4.1-dh",
+        "S4.1-dh-chain",
+        "S4.1-dh-caveats",
+        "(4.10-4.16)",
+        "S4.3.2-methods",
+        "DH table",
+        "standard and modified convention",
+        "Craig",
+        "edit an arm",
+    ),
 )

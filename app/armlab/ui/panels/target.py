@@ -25,6 +25,7 @@ from armlab.session.parts.target import (
 from armlab.session.session import Refuse
 from armlab.session.state import State
 from armlab.ui.format import capitalised, mathml
+from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import verdict_card
@@ -170,7 +171,25 @@ def _fields(fields: Fields, state: State, units: Units) -> str:
 
 
 def _row(label: str, cells: list[str]) -> str:
-    return f'<div class="row wide"><span>{label}</span><div class="cells">{"".join(cells)}</div></div>'
+    return row(label, "".join(cells), wide=True, cells=True)
 
 
-PANEL = Panel("target", "Target", "TARGET_ARROW", 30, (Joints, Target), build)
+PANEL = Panel(
+    "target",
+    "Target",
+    "TARGET_ARROW",
+    30,
+    (Joints, Target),
+    build,
+    about=(
+        "S1.1-inverse-kinematics",
+        "S4.3-multiplicity",
+        "S4.3.1-ik-cases",
+        "S4.3.2-methods",
+        "4.4",
+        "S5.2.1-dls",
+        "inverse kinematics",
+        "reach a point",
+        "drag",
+    ),
+)

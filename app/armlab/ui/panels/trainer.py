@@ -9,11 +9,11 @@ from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.trainer import Trainer
 from armlab.session.session import Refuse
 from armlab.session.state import Command, State
-from armlab.session.trainer_commands import StartTrainer, TakeTrainerPose, at_reference
+from armlab.session.trainer_commands import EndTrainer, StartTrainer, TakeTrainerPose, at_reference
 from armlab.session.trainer_exercise import usable_robots
 from armlab.ui.format import escaped
+from armlab.ui.markup import button, chip
 from armlab.ui.panels._trainer_axes import axes_stage, axes_typed
-from armlab.ui.panels._trainer_marks import button
 from armlab.ui.panels._trainer_table import TableStage
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import units_of
@@ -23,6 +23,7 @@ INTRODUCTION = (
     "The arm is drawn without frames. First choose the directions of z and x of each frame, then fill the table that "
     "follows from them. Each step is marked, and the arm of your table is drawn over the right one."
 )
+END = "Put the arm back as it was before the exercise; the answers are forgotten"
 SIZES = (("Up to 3 joints", 1, 3), ("4 and 5 joints", 4, 5), ("6 joints", 6, 6), ("7 joints and more", 7, 99))
 
 
@@ -71,6 +72,8 @@ class TrainerPanel:
             return ChooseRobot(cell.removeprefix("trainer-robot-"))
         if cell == "trainer-start":
             return StartTrainer()
+        if cell == "trainer-end":
+            return EndTrainer()
         if cell == "trainer-pose":
             return TakeTrainerPose()
         if trainer.answers.placed:
@@ -89,26 +92,27 @@ class TrainerPanel:
         )
 
     def _beginning(self, trainer: Trainer) -> str:
-        start = button(self._channel, "trainer-start", "Start", "Put the arm into the pose of the exercise", "main")
+        start = button(self._channel, "trainer-start", "Start", "main", "Put the arm into the pose of the exercise")
         return (
             f"<h3>Exercise: {escaped(trainer.exercise.robot.name)}</h3><p>{INTRODUCTION}</p>"
             f'<div class="bar">{start}</div><h3>Other arms</h3>{self._arms(trainer)}'
         )
 
     def _running(self, trainer: Trainer) -> str:
-        again = button(self._channel, "trainer-start", "start again", "Forget all answers and begin anew", "copy")
+        again = button(self._channel, "trainer-start", "start again", "copy", "Forget all answers and begin anew")
+        end = button(self._channel, "trainer-end", "end", END, "copy")
         stage = "2 Table" if trainer.answers.placed else "1 Axes"
         name = escaped(trainer.exercise.robot.name)
         if trainer.answers.placed:
             body = self._table.frames(trainer, self._channel)
         else:
             body = axes_stage(trainer, self._channel, self._units)
-        return f'<h3>{stage}: {name}<span class="copies">{again}</span></h3>{self._moved()}{body}'
+        return f'<h3>{stage}: {name}<span class="copies">{again}{end}</span></h3>{self._moved()}{body}'
 
     def _moved(self) -> str:
         if at_reference(self._state):
             return ""
-        back = button(self._channel, "trainer-pose", "Back to it", "Put the arm back", "chip")
+        back = chip(self._channel, "trainer-pose", "Back to it", "Put the arm back")
         return f'<p class="warn">The arm has left the pose the directions are chosen in. {back}</p>'
 
     def _next(self, trainer: Trainer) -> str:
@@ -118,7 +122,8 @@ class TrainerPanel:
         keys = [robot.key for robot in robots]
         after = keys.index(trainer.exercise.robot.key) + 1 if trainer.exercise.robot.key in keys else 0
         chip = self._chip(robots[after % len(robots)], self._after.channel_id)
-        return f'<div class="bar"><span class="dim">Next arm</span>{chip}</div>'
+        end = button(self._after.channel_id, "trainer-end", "End the exercise", END, "chip")
+        return f'<div class="bar"><span class="dim">Next arm</span>{chip}{end}</div>'
 
     def _arms(self, trainer: Trainer) -> str:
         lines = []
@@ -131,7 +136,7 @@ class TrainerPanel:
         return "".join(lines)
 
     def _chip(self, robot: Robot, channel: str) -> str:
-        return button(channel, f"trainer-robot-{robot.key}", escaped(robot.name), robot.summary, "chip")
+        return chip(channel, f"trainer-robot-{robot.key}", robot.name, robot.summary)
 
     @property
     def _channel(self) -> str:
@@ -153,4 +158,5 @@ PANEL = Panel(
     tab="robot",
     see_through=True,
     hides=("gizmo", "gap"),
+    about=("S4.1-common-normal", "S4.1-dh", "S4.1-dh-caveats", "assign frames", "practise the DH rules", "exercise"),
 )

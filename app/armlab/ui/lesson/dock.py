@@ -14,7 +14,7 @@ import viser
 
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State
-from armlab.ui._lesson_page import LessonPage
+from armlab.ui.lesson.page import LessonPage
 from armlab.ui.plugin import Post
 from armlab.ui.widgets import Gui
 

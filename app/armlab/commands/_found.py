@@ -1,0 +1,159 @@
+"""Which lessons are meant by what was typed: a name, a file or a folder; and their files."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from armlab import resources
+from armlab.content.lesson_file import digest_of
+from armlab.content.lesson_folder import ENDING, LESSON, Source, sources_of
+from armlab.content.lessons import Lesson, add_folder, lessons
+from armlab.content.robots import KEY
+from armlab.errors import ContentError, InputError
+
+README = "readme.md"
+
+
+@dataclass(frozen=True)
+class Found:
+    """A lesson that was typed.
+
+    Attributes
+    ----------
+    key : str
+    file : str
+        Its file, as a person can open it.
+    source : Source
+    """
+
+    key: str
+    file: str
+    source: Source
+
+    def text(self) -> str:
+        """Return the text of its file.
+
+        Raises
+        ------
+        ContentError
+            It cannot be read.
+        """
+        return self.source.read()[0]
+
+    def lesson(self) -> Lesson:
+        """Return the lesson, variant 0.
+
+        Raises
+        ------
+        ContentError
+            It cannot be used, or another lesson has its name.
+        """
+        digest = digest_of(*self.source.read())
+        lesson = lessons()[self.key]
+        if lesson.digest != digest:
+            raise ContentError(self.file, "", f"there is another lesson {self.key!r}, {lesson.file}; rename this one")
+        return lesson
+
+
+class Place:
+    """Where lessons are looked for: in the lab, in the folders given, and in those of the files typed.
+
+    Parameters
+    ----------
+    folders : iterable of Path
+
+    Raises
+    ------
+    InputError
+        One is no folder.
+    """
+
+    def __init__(self, folders: Iterable[Path] = ()) -> None:
+        self._folders: list[Traversable] = [resources.folder("lessons")]
+        for folder in folders:
+            add_folder(folder)
+            self._folders.append(folder)
+
+    def all(self) -> list[Found]:
+        """Return all lessons of the lab and of the folders given."""
+        return [found for folder in self._folders for found in _in(folder)]
+
+    def one(self, typed: str) -> Found:
+        """Return the lesson that is meant.
+
+        Raises
+        ------
+        UnknownName, InputError, ContentError
+        """
+        found = self.some(typed)
+        if len(found) > 1:
+            names = ", ".join(each.key for each in found)
+            raise InputError(f"{typed}: expected one lesson, got a folder of {len(found)}: {names}")
+        return found[0]
+
+    def some(self, typed: str) -> list[Found]:
+        """Return the lesson that is meant, or all lessons of a folder; at least one.
+
+        Raises
+        ------
+        UnknownName, InputError, ContentError
+        """
+        known = [found for found in self.all() if found.key == typed]
+        if known:
+            return known[:1]
+        path = Path(typed)
+        if not path.exists():
+            if typed.endswith(ENDING) or not KEY.match(typed):
+                raise InputError(f"{typed}: there is no such lesson, file or folder")
+            lessons()[typed]  # says which names there are
+        return _at(typed, Path(os.path.abspath(typed)))
+
+
+def add_lessons_option(parser: argparse.ArgumentParser) -> None:
+    """Add ``--lessons DIR``."""
+    parser.add_argument(
+        "--lessons", type=Path, action="append", default=[], metavar="DIR", help="a folder of lessons; may be repeated"
+    )
+
+
+def _at(typed: str, path: Path) -> list[Found]:
+    """Return the lessons of a file or folder, and add its folder to those of the lab."""
+    if path.is_dir() and not (path / LESSON).is_file():
+        add_folder(path)
+        found = _in(path)
+        if not found:
+            raise InputError(f"{typed}: there is no lesson in this folder; expected NAME{ENDING} or NAME/{LESSON}")
+        return found
+    whole = path.parent if path.name == LESSON else path
+    if path.is_file() and (not path.name.endswith(ENDING) or path.name.lower() == README):
+        raise InputError(f"{typed}: expected a lesson, NAME{ENDING}")
+    add_folder(whole.parent)
+    found = [each for each in _in(whole.parent) if each.key == whole.name.removesuffix(ENDING)]
+    # Beside NAME.md there may be a folder NAME: the one that was typed is meant.
+    meant = [each for each in found if isinstance(each.source.text, Path) and _of(each.source.text, whole)]
+    if not meant:
+        raise InputError(f"{typed}: expected a lesson, NAME{ENDING} or NAME/{LESSON}")
+    return meant
+
+
+def _of(text: Path, whole: Path) -> bool:
+    return whole in (text.absolute(), text.absolute().parent)
+
+
+def _in(folder: Traversable) -> list[Found]:
+    """Return the lessons of a folder, with their files as a person at the working folder can open them."""
+    sources, _ = sources_of(folder, f"{folder.name}/")
+    return [Found(source.key, shown(source.text), source) for source in sources]
+
+
+def shown(file: Traversable) -> str:
+    """Return the name of a file: from the working folder where it is inside, else whole."""
+    if not isinstance(file, Path):
+        return file.name
+    path = file.absolute()
+    return os.path.relpath(path) if path.is_relative_to(Path.cwd()) else str(path)

@@ -1,0 +1,112 @@
+"""``armlab lesson check``: whether lessons can be read, solved and trusted."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from armlab.commands import CommandType
+from armlab.errors import ContentError, InputError
+
+if TYPE_CHECKING:
+    from armlab.commands._found import Found
+    from armlab.content.lesson import Lesson
+
+VARIANTS = 5
+MOST_VARIANTS = 1000
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments."""
+    from armlab.commands._found import add_lessons_option
+
+    parser.add_argument("lesson", nargs="*", metavar="LESSON", help="names, files or folders; all when left out")
+    parser.add_argument(
+        "--variants", type=int, default=VARIANTS, metavar="N", help=f"how many variants to try ({VARIANTS})"
+    )
+    add_lessons_option(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the problems of each lesson; return 0 when there are none."""
+    from armlab.commands._found import Place
+
+    if not 0 <= options.variants <= MOST_VARIANTS:
+        raise InputError(f"--variants: expected 0 to {MOST_VARIANTS}, got {options.variants}")
+    place = Place(options.lessons)
+    chosen = [found for typed in options.lesson for found in place.some(typed)] if options.lesson else place.all()
+    count = 0
+    for found in {each.file: each for each in chosen}.values():
+        problems = list(problems_of(found, options.variants))
+        count += len(problems)
+        for line in problems:
+            print(line)
+        if not problems:
+            steps = len(found.lesson().steps)
+            print(f"{found.key}: {steps} step{'s' if steps > 1 else ''}, no problems", flush=True)
+    return 1 if count else 0
+
+
+def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
+    """Yield a line for each thing wrong with a lesson, ``file:line: step 2: ...``.
+
+    Its names are looked for, and it is played in its variant 0 and, if it varies, in variants 1 to ``variants``.
+    """
+    from armlab.content.lessons import lesson
+
+    try:
+        first = found.lesson()
+    except ContentError as error:
+        yield _of_error(found, error)
+        return
+    yield from _names(found, first)
+    told: set[tuple[int, str]] = set()
+    for number in range(variants + 1 if first.varies else 1):
+        try:
+            given = lesson(found.key, number)
+        except ContentError as error:
+            yield _of_error(found, error, number)
+            return
+        yield from _played(found, given, told)
+
+
+def _names(found: Found, lesson: Lesson) -> Iterator[str]:
+    from armlab.commands import _references
+
+    for key, says in _references.of_front(lesson):
+        yield f"{found.file}:{_line_of(found.text(), key)}: {key}: {says}"
+    for i, step in enumerate(lesson.steps):
+        for says in _references.of_step(lesson, step):
+            yield f"{found.file}:{step.line}: step {i + 1}: {says}"
+
+
+def _played(found: Found, lesson: Lesson, told: set[tuple[int, str]]) -> Iterator[str]:
+    """Yield the problems of a variant that no earlier one has."""
+    from armlab.session.play import problems
+
+    for problem in problems(lesson.key, lesson.variant):
+        if (problem.step, problem.says) not in told:
+            told.add((problem.step, problem.says))
+            where = f" (variant {lesson.variant})" if lesson.varies else ""
+            yield f"{found.file}:{problem.line}: step {problem.step}{where}: {problem.says}"
+
+
+def _of_error(found: Found, error: ContentError, variant: int = 0) -> str:
+    where = f"variant {variant}: " if variant else ""
+    line = getattr(error, "line", 1)
+    return f"{found.file}:{line}: {where}{f'{error.key}: ' if error.key else ''}{error.problem}"
+
+
+def _line_of(text: str, key: str) -> int:
+    """Return the line of a key at the top of a lesson."""
+    from armlab.content.lesson_lines import line_of
+
+    _, *lines = text.splitlines()
+    end = next((i for i, line in enumerate(lines) if line.strip() == "+++"), len(lines))
+    return line_of("\n".join(["", *lines[:end]]), key) or 1
+
+
+PART = CommandType(
+    "check", 20, "Find what is wrong with lessons: mistakes in files, wrong solutions.", add_arguments, run
+)

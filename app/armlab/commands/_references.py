@@ -1,0 +1,64 @@
+"""Whether what a lesson names is there: rows of the inventory, panels, switches, films."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from armlab.content import rows
+from armlab.content.actions import SetSwitch
+from armlab.content.check import Check
+from armlab.content.checks.all_of import AllOf
+from armlab.content.checks.looked_at import LookedAt
+from armlab.content.lesson import Lesson, Step
+from armlab.errors import suggestion
+from armlab.session.parts.timeline import clips
+
+
+def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with the names at the top of a lesson: the key, and the words for it."""
+    panels, switches = _panels(), _switches()
+    yield from (("teaches", rows.unknown(row)) for row in lesson.teaches if not rows.known(row))
+    yield from (("panel", text) for text in _unknown("panel", [lesson.panel], panels))
+    yield from (("hidden", text) for text in _unknown("panel", lesson.hidden, panels))
+    yield from (("overlays", text) for text in _unknown("switch", lesson.overlays, switches))
+    if lesson.panel and lesson.panel in lesson.hidden:
+        yield "hidden", f"the panel {lesson.panel!r} is to be opened, and it is hidden"
+
+
+def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
+    """Yield what is wrong with the names in a step."""
+    panels, switches = _panels(), _switches()
+    set_by_solution = [action.name for action in step.solution if isinstance(action, SetSwitch)]
+    yield from (f"solution: {text}" for text in _unknown("switch", set_by_solution, switches))
+    checks = [] if step.check is None else [step.check.check, *(wrong.check for wrong in step.check.wrong)]
+    for looked in (found for check in checks for found in _looked_at(check)):
+        yield from (f"check: {text}" for text in _unknown("panel", [looked.panel], panels))
+        yield from (f"check: {text}" for text in _unknown("switch", [looked.switch], switches))
+        yield from (f"check: {text}" for text in _unknown("film", [looked.film], clips()))
+        if looked.panel and looked.panel in lesson.hidden:
+            yield f"check: the panel {looked.panel!r} is to be opened, and the lesson hides it"
+
+
+def _looked_at(check: Check) -> Iterator[LookedAt]:
+    if isinstance(check, LookedAt):
+        yield check
+    elif isinstance(check, AllOf):
+        for each in check.checks:
+            yield from _looked_at(each)
+
+
+def _unknown(kind: str, names: Iterable[str], known: Iterable[str]) -> Iterator[str]:
+    there = list(known)
+    return (f"unknown {kind} {name!r}{suggestion(name, there)}" for name in names if name and name not in there)
+
+
+def _panels() -> Iterable[str]:
+    from armlab.ui.plugin import panels
+
+    return panels()
+
+
+def _switches() -> Iterable[str]:
+    from armlab.ui.plugin import switches
+
+    return [switch.name for switch in switches()]

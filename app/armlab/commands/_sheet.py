@@ -1,0 +1,133 @@
+"""The solution sheet of a lesson as Markdown: for each variant its values, right answers and solutions."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.content import actions
+from armlab.content.lesson import Lesson, Step
+from armlab.content.lesson_values import written
+from armlab.content.question import Choices, Question
+from armlab.content.questions.number import NumberQuestion
+from armlab.session.hand_in import plain, printable
+
+_MEANS_SOMETHING = re.compile(r"([\\`*_{}\[\]<>#|~&$])")
+
+
+def sheet(first: Lesson, variants: Sequence[tuple[int, Lesson]], students: Mapping[int, str]) -> str:
+    """Return the sheet.
+
+    Parameters
+    ----------
+    first : Lesson
+        Variant 0.
+    variants : sequence of (int, Lesson)
+        In the order of the sheet.
+    students : mapping of int to str
+        Names by variant; empty for none.
+    """
+    lines = [f"# {escaped(first.title)}: solutions", "", f"Lesson `{first.key}`, {escaped(first.chapter)}.", ""]
+    if first.varies:
+        lines += [f"The numbers of variants are those of the lab; `/lesson/{first.key}/7` opens variant 7.", ""]
+    lines += [*_asked(first), ""]
+    columns = _columns(first, students)
+    lines += [_row(columns), _row(["---"] * len(columns))]
+    lines += [_row([column(number, lesson) for column in columns.values()]) for number, lesson in variants]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def escaped(text: str) -> str:
+    """Return a text on one line of Markdown, in which nothing of it means anything.
+
+    >>> escaped("a|b")
+    'a\\\\|b'
+    """
+    return _MEANS_SOMETHING.sub(r"\\\1", printable(" ".join(text.split())))
+
+
+def right_answer(question: Question) -> str:
+    """Return the right answer to a question, to be read: with its tolerance, or with the words of its option."""
+    if isinstance(question, NumberQuestion):
+        unit = f" {question.unit}" if question.unit else ""
+        return f"{written(question.answer)}{unit} ± {written(question.tolerance)}{unit}"
+    if isinstance(question.form, Choices):
+        options = question.form.options
+        chosen = (int(number) for number in re.findall(r"\d+", question.right_answer))
+        return "; ".join(f"{number}: {plain(options[number - 1])}" for number in chosen)
+    return question.right_answer
+
+
+def solution(lesson: Lesson, step: Step) -> str:
+    """Return what is to be done in a step; empty when its file does not say."""
+    return ", then ".join(_done(action, lesson) for action in step.solution)
+
+
+def _asked(lesson: Lesson) -> Iterator[str]:
+    """Yield the questions, with the values of variant 0."""
+    for i, step in enumerate(lesson.steps):
+        if step.question is not None:
+            in_first = ", in variant 0" if lesson.varies else ""
+            yield f"- Step {i + 1}, {escaped(step.title)}{in_first}: {escaped(plain(step.question.html))}"
+
+
+Column = Callable[[int, Lesson], str]
+
+
+def _columns(first: Lesson, students: Mapping[int, str]) -> dict[str, Column]:
+    """Return the columns by their headings."""
+    columns: dict[str, Column] = {"variant": lambda number, _: str(number)}
+    if students:
+        columns["student"] = lambda number, _: escaped(students.get(number, ""))
+    for name in first.values:
+        columns[f"`{name}`"] = lambda _, lesson, name=name: escaped(written(lesson.values[name]))  # type: ignore[misc]
+    for i, step in enumerate(first.steps):
+        if step.question is not None:
+            columns[f"{i + 1} answer"] = lambda _, lesson, i=i: _answer(lesson.steps[i])  # type: ignore[misc]
+        if step.check is not None:
+            columns[f"{i + 1} do"] = lambda _, lesson, i=i: escaped(solution(lesson, lesson.steps[i]))  # type: ignore[misc]
+    return columns
+
+
+def _answer(step: Step) -> str:
+    return "" if step.question is None else escaped(right_answer(step.question))
+
+
+def _row(cells: Sequence[str] | Mapping[str, Column]) -> str:
+    return f"| {' | '.join(cells)} |"
+
+
+def _done(action: actions.Action, lesson: Lesson) -> str:
+    if isinstance(action, actions.Move):
+        return f"q = ({_joint_values(action.q, lesson)})"
+    if isinstance(action, actions.MoveTarget):
+        return f"target at ({', '.join(written(float(value)) for value in action.T[:3, 3])}) m"
+    if isinstance(action, actions.SetCell):
+        value = _angle(action.value) if action.field in ("alpha", "theta") else f"{written(action.value)} m"
+        return f"row {action.row + 1}, {action.field} = {value}"
+    if isinstance(action, actions.TakeRobot):
+        return f"choose {action.key}"
+    if isinstance(action, actions.SetSwitch):
+        return f"switch {action.name} {'on' if action.on else 'off'}"
+    if isinstance(action, actions.Wait):
+        return f"wait {written(action.seconds)} s"
+    return f"answer {action.text}" if isinstance(action, actions.TypeAnswer) else "play the film"
+
+
+def _joint_values(q: NDArray[np.float64], lesson: Lesson) -> str:
+    """Return joint values with units; those of another arm, which a solution may take, only as far as it has joints."""
+    revolute = lesson.robot_used.arm.revolute
+    if len(q) != len(revolute):
+        return ", ".join(written(float(value)) for value in q) + " in rad or m"
+    return ", ".join(
+        _angle(float(value)) if turns else f"{written(float(value))} m"
+        for value, turns in zip(q, revolute, strict=True)
+    )
+
+
+def _angle(value: float) -> str:
+    return f"{written(math.degrees(value))}°"

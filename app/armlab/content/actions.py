@@ -1,0 +1,208 @@
+"""What solves a step: actions in order, as lesson files write them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.content import robots
+from armlab.content.check import JOINT_VALUES, configuration
+from armlab.content.lesson_fields import Fields
+from armlab.content.reader import Table, shown
+from armlab.content.robots import Catalogue, Robot, read_pose
+from armlab.errors import ContentError, UnknownName, suggestion
+
+MOST_ACTIONS = 100
+LONGEST_WAIT = 600.0
+"""Seconds."""
+
+
+@dataclass(frozen=True, eq=False)
+class Move:
+    """Move the arm to q, shape (n,), in radians and metres."""
+
+    q: NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class MoveTarget:
+    """Put the handle of the target to a pose in the world, shape (4, 4)."""
+
+    T: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SetCell:
+    """Write one cell of the table.
+
+    Attributes
+    ----------
+    row : int
+        From 0, as in commands; lesson files count from 1.
+    field : "a", "alpha", "d" or "theta"
+    value : float
+        Metres or radians.
+    """
+
+    row: int
+    field: str
+    value: float
+
+
+@dataclass(frozen=True)
+class TakeRobot:
+    """Choose an arm of the catalogue."""
+
+    key: str
+
+
+@dataclass(frozen=True)
+class SetSwitch:
+    """Set a switch of the picture."""
+
+    name: str
+    on: bool
+
+
+@dataclass(frozen=True)
+class PlayFilm:
+    """Play the whole film of the table."""
+
+
+@dataclass(frozen=True)
+class Wait:
+    """Let time pass."""
+
+    seconds: float
+
+
+@dataclass(frozen=True)
+class TypeAnswer:
+    """Answer the question of the step, as typed."""
+
+    text: str
+
+
+Action = Move | MoveTarget | SetCell | TakeRobot | SetSwitch | PlayFilm | Wait | TypeAnswer
+
+
+def read_solution(table: Table, robot: Robot, catalogue: Catalogue | None = None) -> tuple[Action, ...]:
+    """Read the table of a solution: joint values, or tables ``do``, each of a kind.
+
+    Parameters
+    ----------
+    table : Table
+    robot : Robot
+        The arm of the lesson; after an action of kind "robot" joint values are those of the arm it takes.
+    catalogue : Catalogue, optional
+        The robots there are; those of the lab when left out.
+
+    Raises
+    ------
+    ContentError
+    """
+    fields = Fields.of(table)
+    if any(fields.has(key) for key in JOINT_VALUES):
+        if fields.has("do"):
+            raise fields.fail("do", "expected either joint values or tables [[do]], not both")
+        actions: tuple[Action, ...] = (_move(fields, robot),)
+        fields.done()
+        return actions
+    entries = fields.tables("do")
+    fields.done()
+    if not 1 <= len(entries) <= MOST_ACTIONS:
+        raise table.fail(
+            "do", f"expected q_deg, q_m or q_deg_m, or 1 to {MOST_ACTIONS} tables [[do]], got {len(entries)}"
+        )
+    found: list[Action] = []
+    for entry in entries:
+        action = _action(Fields.of(entry), robot, catalogue or robots.catalogue())
+        if isinstance(action, TakeRobot):
+            robot = (catalogue or robots.catalogue())[action.key]
+        found.append(action)
+    return tuple(found)
+
+
+def _action(entry: Fields, robot: Robot, catalogue: Catalogue) -> Action:
+    kind = entry.choice("kind", (*_READERS, "robot"))
+    action = _take_robot(entry, catalogue) if kind == "robot" else _READERS[kind](entry, robot)
+    entry.done()
+    return action
+
+
+def _move(entry: Fields, robot: Robot) -> Move:
+    return Move(configuration(entry, robot))
+
+
+def _move_target(entry: Fields, robot: Robot) -> MoveTarget:
+    del robot
+    entry.numbers("position", 3)
+    T = read_pose(entry)
+    T.setflags(write=False)
+    return MoveTarget(T)
+
+
+def _set_cell(entry: Fields, robot: Robot) -> SetCell:
+    row = entry.whole("row", 1, robot.arm.n) - 1
+    name, value = entry.choice("field", ("a", "alpha_deg", "d", "theta_deg")), entry.number("value")
+    if name.endswith("_deg"):
+        return SetCell(row, name.removesuffix("_deg"), float(np.radians(value)))
+    return SetCell(row, name, value)
+
+
+def _take_robot(entry: Fields, catalogue: Catalogue) -> TakeRobot:
+    return TakeRobot(known_robot(entry, "key", catalogue).key)
+
+
+def known_robot(table: Table, key: str, catalogue: Catalogue) -> Robot:
+    """Take the key of a robot of the catalogue."""
+    name = table.text(key)
+    try:
+        return catalogue[name]
+    except UnknownName:
+        raise table.fail(key, f"unknown robot {name!r}{suggestion(name, catalogue.robots)}") from None
+    except ContentError as error:
+        raise table.fail(key, f"its file cannot be used: {error}") from None
+
+
+def _set_switch(entry: Fields, robot: Robot) -> SetSwitch:
+    del robot
+    return SetSwitch(entry.text("name"), entry.boolean("on", True))
+
+
+def _play_film(entry: Fields, robot: Robot) -> PlayFilm:
+    del entry, robot
+    return PlayFilm()
+
+
+def _wait(entry: Fields, robot: Robot) -> Wait:
+    del robot
+    seconds = entry.number("seconds")
+    if not 0.0 < seconds <= LONGEST_WAIT:
+        raise entry.fail("seconds", f"expected more than 0 and at most {LONGEST_WAIT:g}, got {seconds:g}")
+    return Wait(seconds)
+
+
+def _type_answer(entry: Fields, robot: Robot) -> TypeAnswer:
+    """Take a text, or a number, which an expression of the variant gives."""
+    del robot
+    typed = entry.value("text")
+    if isinstance(typed, (int, float)) and not isinstance(typed, bool):
+        return TypeAnswer(f"{entry.number('text'):.12g}")
+    if not isinstance(typed, str) or not typed.strip():
+        raise entry.fail("text", f"expected the answer as typed, got {shown(typed)}")
+    return TypeAnswer(typed)
+
+
+_READERS: dict[str, Callable[[Fields, Robot], Action]] = {
+    "move": _move,
+    "target": _move_target,
+    "cell": _set_cell,
+    "switch": _set_switch,
+    "film": _play_film,
+    "wait": _wait,
+    "answer": _type_answer,
+}

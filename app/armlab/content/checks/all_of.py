@@ -1,0 +1,50 @@
+"""Several checks, all of which have to be met at the same time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.content.check import PLAIN, Check, CheckType, Words, check_types, read_check
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True, eq=False)
+class AllOf:
+    """Every one of the checks."""
+
+    checks: tuple[Check, ...]
+
+    @property
+    def of_table(self) -> bool:
+        """Whether one of them is about the table."""
+        return any(getattr(check, "of_table", False) for check in self.checks)
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether all are met."""
+        return all(check.is_met(observation) for check in self.checks)
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return what the first check that is not met says."""
+        for check in self.checks:
+            if not check.is_met(observation):
+                return check.says(observation, words)
+        return " ".join(dict.fromkeys(check.says(observation, words) for check in self.checks))
+
+
+def read(table: Table, robot: Robot) -> AllOf:
+    """Read tables ``checks``, each with ``kind`` and its fields; none of them an ``all_of``."""
+    entries = table.tables("checks")
+    if len(entries) < 2:
+        raise table.fail("checks", f"expected at least two tables [[checks]], got {len(entries)}")
+    kinds = check_types()
+    for entry in entries:
+        if entry.choice("kind", kinds) == CHECK.key:
+            raise entry.fail("kind", f"{CHECK.key!r} cannot stand in itself; put all checks into one list")
+    if not any(kinds[entry.choice("kind", kinds)].alone for entry in entries):
+        raise table.fail("checks", "expected one that asks more than time")
+    return AllOf(tuple(read_check(entry, robot) for entry in entries))
+
+
+CHECK = CheckType("all_of", 100, read)

@@ -1,0 +1,94 @@
+"""All joints have their values: one configuration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, configuration, length_tolerance
+from armlab.content.checks._joint import joint_mistake
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+Vector = NDArray[np.float64]
+
+SAME_POINT = 0.02
+"""Of the reach: tools this near to each other count as in one place when another branch is recognised."""
+
+ANOTHER_BRANCH = 0.2
+"""Radians or metres by which a joint differs at least in another branch; less is a joint that is not there yet."""
+
+
+@dataclass(frozen=True, eq=False)
+class JointsAt:
+    """The configuration ``q``, shape (n,), each joint within its tolerance: rad, up to whole turns, or m."""
+
+    q: Vector
+    within: Vector
+    revolute: NDArray[np.bool_]
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether every joint is within its tolerance."""
+        return self._is_at(observation.q)
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return the mistake that explains the configuration, or the first joint that is off."""
+        if self.is_met(observation):
+            return "All joints are where they should be."
+        if observation.q.shape != self.q.shape:
+            return f"The arm has {len(observation.q)} joints; it should have {len(self.q)}."
+        return self._mistake(observation) or self._first_off(observation.q, words)
+
+    def _is_at(self, q: Vector) -> bool:
+        return q.shape == self.q.shape and not self._off(q).any()
+
+    def _off(self, q: Vector) -> NDArray[np.bool_]:
+        return np.asarray(self._missing(q) > self.within)
+
+    def _missing(self, q: Vector) -> Vector:
+        missing = self.q - q
+        turned = np.abs((missing + np.pi) % (2.0 * np.pi) - np.pi)
+        return np.asarray(np.where(self.revolute, turned, np.abs(missing)))
+
+    def _mistake(self, observation: Observation) -> str:
+        q = observation.q
+        if self._is_at(-q):
+            return "All joints have the right size and the wrong sign."
+        if self._is_at(q[::-1]) and len(q) > 2:
+            return "The values are right, but in reverse order."
+        for i, k in combinations(range(len(q)), 2):
+            exchanged = q.copy()
+            exchanged[[i, k]] = q[[k, i]]
+            if self.revolute[i] == self.revolute[k] and self._is_at(exchanged):
+                return f"The values of joints {i + 1} and {k + 1} are exchanged."
+        distance = np.linalg.norm(observation.tool_pose[:3, 3] - observation.arm.position(self.q))
+        if distance <= SAME_POINT * observation.arm.reach and self._missing(q).max() > ANOTHER_BRANCH:
+            return "The tool is in the right place, but the arm gets there in another way: this is another branch."
+        return ""
+
+    def _first_off(self, q: Vector, words: Words) -> str:
+        off = np.flatnonzero(self._off(q))
+        i = int(off[0])
+        revolute, now, asked = bool(self.revolute[i]), float(q[i]), float(self.q[i])
+        written = words.angle if revolute else words.length
+        more = f" {len(off) - 1} more {'joint is' if len(off) == 2 else 'joints are'} not there yet." * (len(off) > 1)
+        mistake = joint_mistake(now, asked, float(self.within[i]), revolute)
+        return f"Joint {i + 1} is at {written(now)} and should be at {written(asked)}.{mistake}{more}"
+
+
+def read(table: Table, robot: Robot) -> JointsAt:
+    """Read ``q_deg``, ``q_m`` or ``q_deg_m``; ``tolerance_deg`` and ``tolerance_m`` where there are such joints."""
+    q, revolute = configuration(table, robot), robot.arm.revolute
+    within = np.zeros(robot.arm.n)
+    if revolute.any():
+        within[revolute] = angle_tolerance(table)
+    if not revolute.all():
+        within[~revolute] = length_tolerance(table, robot)
+    return JointsAt(q, within, revolute)
+
+
+CHECK = CheckType("joints_at", 25, read)

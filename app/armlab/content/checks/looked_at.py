@@ -1,0 +1,53 @@
+"""Something was looked at: a switch is on, a panel is open, a film was played to its end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.content.check import PLAIN, CheckType, Words
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True)
+class LookedAt:
+    """All that is named; what is empty does not count."""
+
+    switch: str = ""
+    panel: str = ""
+    film: str = ""
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether all of it is so."""
+        return not self._missing(observation)
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return what is still to be done first."""
+        missing = self._missing(observation)
+        return missing[0] if missing else "You have looked at it."
+
+    def _missing(self, observation: Observation) -> list[str]:
+        missing = []
+        if self.panel and observation.panel != self.panel:
+            missing.append(f"Open the panel “{_words(self.panel)}”.")
+        if self.switch and self.switch not in observation.switches:
+            missing.append(f"Switch on “{_words(self.switch)}”.")
+        if self.film and self.film not in observation.films:
+            missing.append(f"Play the film “{_words(self.film)}” to its end.")
+        return missing
+
+
+def _words(key: str) -> str:
+    return key.replace("_", " ")
+
+
+def read(table: Table, robot: Robot) -> LookedAt:
+    """Read ``switch``, ``panel`` and ``film``, the names of the lab for them; at least one."""
+    names = {key: table.text(key) for key in ("switch", "panel", "film") if table.has(key)}
+    if not names:
+        raise table.fail("panel", "missing; expected one of switch, panel, film")
+    return LookedAt(**names)
+
+
+CHECK = CheckType("looked_at", 120, read)

@@ -1,0 +1,39 @@
+"""The manipulability is small enough."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.content.check import PLAIN, CheckType, Words, tolerance
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True)
+class ManipulabilityAtMost:
+    """The manipulability of the arm's task is at most a value (its unit depends on the arm)."""
+
+    value: float
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether it is."""
+        return self._of(observation) <= self.value
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return what it is and what it should be."""
+        now = self._of(observation)
+        if now <= self.value:
+            return "The manipulability is small enough."
+        return f"The manipulability is {now:.3f} and should be at most {self.value:.3f}."
+
+    def _of(self, observation: Observation) -> float:
+        return float(observation.arm.manipulability(observation.q))
+
+
+def read(table: Table, robot: Robot) -> ManipulabilityAtMost:
+    """Read ``value``."""
+    return ManipulabilityAtMost(tolerance(table, "value"))
+
+
+CHECK = CheckType("manipulability_at_most", 35, read)

@@ -1,0 +1,52 @@
+"""The arm is singular, or it is not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.content.check import PLAIN, CheckType, Words
+from armlab.content.checks._singular import read_sigma, singular_values
+from armlab.content.observation import Observation
+from armlab.content.reader import Table, shown
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True)
+class Singular:
+    """The smallest singular value of the task Jacobian, without unit, is below ``sigma``; or not, as ``want`` says."""
+
+    want: bool
+    sigma: float
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether it is."""
+        return (self._smallest(observation) < self.sigma) == self.want
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return the smallest singular value and what it should be."""
+        now = self._smallest(observation)
+        if (now < self.sigma) == self.want:
+            return "The arm is singular here." if self.want else "The arm is not singular here."
+        if self.want:
+            return (
+                f"The arm is not singular here: the smallest singular value is {now:.3f} and should be below "
+                f"{self.sigma:g} (lengths in units of half the reach)."
+            )
+        return (
+            f"The arm is singular here: the smallest singular value is {now:.3f} and should be at least "
+            f"{self.sigma:g} (lengths in units of half the reach)."
+        )
+
+    def _smallest(self, observation: Observation) -> float:
+        return float(singular_values(observation.arm, observation.q)[-1])
+
+
+def read(table: Table, robot: Robot) -> Singular:
+    """Read ``want`` (true when left out) and ``sigma`` (0.02)."""
+    want = table.value("want", True)
+    if not isinstance(want, bool):
+        raise table.fail("want", f"expected true or false, got {shown(want)}")
+    return Singular(want, read_sigma(table))
+
+
+CHECK = CheckType("singular", 40, read)

@@ -1,0 +1,35 @@
+"""Not much time has passed since the step was shown; for use in ``all_of``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.content.check import PLAIN, CheckType, Words, tolerance
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True)
+class WithinSeconds:
+    """At most so many seconds."""
+
+    most: float
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether there is time left."""
+        return observation.seconds <= self.most
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return how long it took."""
+        if self.is_met(observation):
+            return f"In time: {observation.seconds:.0f} s of {self.most:g} s."
+        return f"It took {observation.seconds:.0f} s; at most {self.most:g} s are allowed. Begin the step again."
+
+
+def read(table: Table, robot: Robot) -> WithinSeconds:
+    """Read ``at_most_s``."""
+    return WithinSeconds(tolerance(table, "at_most_s"))
+
+
+CHECK = CheckType("within_seconds", 110, read, alone=False)

@@ -1,0 +1,363 @@
+"""Formulas as people type them: ``2 l1 cos(q1) + sqrt(2)/2``. A small parser; nothing is ever executed."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, replace
+from typing import NoReturn
+
+from armlab.content.symbols import plain_symbols
+from armlab.errors import InputError, suggestion
+
+LONGEST = 600
+"""Characters of one expression."""
+
+DEEPEST = 40
+"""Brackets, functions, signs and powers inside each other."""
+
+LONGEST_TOGETHER = 60
+"""Characters of names that are written together, such as ``l1c12``."""
+
+LARGEST_POWER = 1000.0
+"""The largest exponent, without its sign."""
+
+FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
+    "sqrt": (math.sqrt, 1, 1),
+    "sin": (math.sin, 1, 1),
+    "cos": (math.cos, 1, 1),
+    "tan": (math.tan, 1, 1),
+    "asin": (math.asin, 1, 1),
+    "acos": (math.acos, 1, 1),
+    "atan": (math.atan, 1, 1),
+    "atan2": (math.atan2, 2, 2),
+    "abs": (abs, 1, 1),
+    "min": (min, 2, 8),
+    "max": (max, 2, 8),
+    "rad": (math.radians, 1, 1),
+    "deg": (math.degrees, 1, 1),
+}
+"""Name to function, and the fewest and most arguments. Angles are in radians; rad turns degrees into radians."""
+
+RESERVED = frozenset({*FUNCTIONS, "pi"})
+"""What no variable may be called."""
+
+IN_DEGREES = {"sin": "sin of degrees", "cos": "cos of degrees", "tan": "tan of degrees"}
+"""For `Expression.with_functions`: what a calculator gives that is set to degrees."""
+
+
+def _power(base: float, exponent: float) -> float:
+    if abs(exponent) > LARGEST_POWER:
+        raise InputError(f"a power of {exponent:g} is too large; at most {LARGEST_POWER:g}")
+    return math.pow(base, exponent)
+
+
+_OPERATIONS: dict[str, Callable[..., float]] = {
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    "/": lambda a, b: a / b,
+    "^": _power,
+    "minus": lambda a: -a,
+    "sin of degrees": lambda a: math.sin(math.radians(a)),
+    "cos of degrees": lambda a: math.cos(math.radians(a)),
+    "tan of degrees": lambda a: math.tan(math.radians(a)),
+    **{name: function for name, (function, _, _) in FUNCTIONS.items()},
+}
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^(),°]))"
+)
+
+
+@dataclass(frozen=True)
+class _Node:
+    """A number, a name, or an operation on other nodes."""
+
+    operation: str = ""
+    arguments: tuple[_Node, ...] = ()
+    number: float = 0.0
+    name: str = ""
+
+    def value(self, values: Mapping[str, float]) -> float:
+        if self.operation:
+            result = _OPERATIONS[self.operation](*(node.value(values) for node in self.arguments))
+            return float(result)
+        if self.name:
+            if self.name not in values:
+                raise InputError(f"no value for {self.name!r}{suggestion(self.name, values)}")
+            return float(values[self.name])
+        return self.number
+
+    def with_functions(self, others: Mapping[str, str]) -> _Node:
+        if not self.operation:
+            return self
+        arguments = tuple(node.with_functions(others) for node in self.arguments)
+        return replace(self, operation=others.get(self.operation, self.operation), arguments=arguments)
+
+
+@dataclass(frozen=True)
+class Expression:
+    """A formula that has been read.
+
+    Attributes
+    ----------
+    text : str
+        As written.
+    names : frozenset of str
+        The variables in it.
+    """
+
+    text: str
+    names: frozenset[str]
+    _root: _Node
+
+    def value(self, values: Mapping[str, float]) -> float:
+        """Return its value; angles are in radians.
+
+        Raises
+        ------
+        InputError
+            A division by zero, a root or arc of a number that has none, a result that is not finite, no value for a
+            name.
+        """
+        try:
+            found = self._root.value(values)
+        except ZeroDivisionError:
+            raise InputError(f"{self._cut}: division by zero") from None
+        except OverflowError:
+            raise InputError(f"{self._cut}: the result is too large") from None
+        except ValueError as error:
+            if isinstance(error, InputError):
+                raise
+            raise InputError(f"{self._cut}: not a real number, such as the root of a negative one") from None
+        if not math.isfinite(found):
+            raise InputError(f"{self._cut}: the result is not finite")
+        return found
+
+    def with_functions(self, others: Mapping[str, str]) -> Expression:
+        """Return the formula with some functions in place of others, such as ``{"sin": "cos", "cos": "sin"}``."""
+        return replace(self, _root=self._root.with_functions(others))
+
+    @property
+    def _cut(self) -> str:
+        return repr(self.text if len(self.text) <= 40 else self.text[:37] + "...")
+
+
+def parse(text: str, names: Collection[str] = (), functions: Collection[str] = tuple(FUNCTIONS)) -> Expression:
+    """Read a formula of numbers, pi, names, + - * / ^, brackets and functions.
+
+    A product may leave out its sign, as in ``2 l1 cos(q1)`` or ``l1c12``; it is then evaluated from left to right like
+    any other. ``°`` after a factor turns degrees into radians.
+
+    Parameters
+    ----------
+    text : str
+    names : collection of str
+        The variables that may stand in it.
+    functions : collection of str
+        Those of `FUNCTIONS` that may stand in it.
+
+    Raises
+    ------
+    InputError
+        Anything else; the text says what was expected, and which names there are.
+
+    Examples
+    --------
+    >>> parse("2 l1 cos(q1) + 1", ["l1", "q1"]).value({"l1": 3.0, "q1": 0.0})
+    7.0
+    """
+    if not isinstance(text, str) or not text.strip():
+        raise InputError("expected a formula or a number, got nothing")
+    source = plain_symbols(text).strip() if len(text) <= LONGEST else text
+    if len(source) > LONGEST:
+        raise InputError(f"expected a formula of at most {LONGEST} characters, got {len(source)}")
+    reader = _Reader(_tokens(source, _Words(names, functions)))
+    root = reader.sum()
+    if reader.token != _END:
+        reader.fail()
+    return Expression(text, frozenset(reader.names), root)
+
+
+@dataclass(frozen=True)
+class _Token:
+    """``kind`` is number, name, function, sign or end."""
+
+    kind: str
+    text: str = ""
+
+
+_END = _Token("end")
+
+
+class _Words:
+    """Which names and functions there are, and how an identifier is made of them."""
+
+    def __init__(self, names: Collection[str], functions: Collection[str]) -> None:
+        self.names = {plain_symbols(name): name for name in names}
+        self.functions = functions
+        self._pieces = sorted({*self.names, "pi"}, key=len, reverse=True)
+
+    def tokens(self, word: str, before_bracket: bool) -> list[_Token]:
+        """Return what an identifier stands for: a name, a function, or a product of names written together."""
+        for spelling in (word, word.replace("_", "")):
+            if spelling in self.names:
+                return [_Token("name", self.names[spelling])]
+        lowered = word.lower()
+        if lowered in self.functions:
+            return [_Token("function", lowered)]
+        if lowered == "pi":
+            return [_Token("name", "pi")]
+        together = self._together(word, before_bracket) or self._together(word.replace("_", ""), before_bracket)
+        if together is None:
+            raise InputError(f"unknown name {word!r}{suggestion(word, {*self.names.values(), *self.functions, 'pi'})}")
+        return together
+
+    def _together(self, word: str, before_bracket: bool) -> list[_Token] | None:
+        """Return the names, and before a bracket the function at the end, that a word is made of; the longest first."""
+        if len(word) > LONGEST_TOGETHER:
+            return None
+        made: dict[int, list[_Token]] = {len(word): []}  # from each place to the end
+        for start in range(len(word) - 1, -1, -1):
+            if before_bracket and word[start:] in self.functions:
+                made[start] = [_Token("function", word[start:])]
+                continue
+            for piece in self._pieces:
+                if word.startswith(piece, start) and start + len(piece) in made:
+                    made[start] = [_Token("name", self.names.get(piece, piece)), *made[start + len(piece)]]
+                    break
+        return made.get(0)
+
+
+def _tokens(source: str, words: _Words) -> list[_Token]:
+    tokens: list[_Token] = []
+    position = 0
+    while position < len(source):
+        found = _TOKEN.match(source, position)
+        if found is None:
+            raise InputError(f"expected numbers, names, + - * / ^ and brackets, got {source[position:].strip()[:12]!r}")
+        position = found.end()
+        if found["number"]:
+            tokens.append(_Token("number", found["number"]))
+        elif found["name"]:
+            tokens += words.tokens(found["name"], source[position:].lstrip().startswith("("))
+        else:
+            tokens.append(_Token("sign", found["sign"].replace("**", "^")))
+    return tokens
+
+
+class _Reader:
+    """Recursive descent: a sum of products of powers of factors."""
+
+    def __init__(self, tokens: list[_Token]) -> None:
+        self._tokens, self._place, self._depth = [*tokens, _END], 0, 0
+        self.names: set[str] = set()
+
+    @property
+    def token(self) -> _Token:
+        """The next token."""
+        return self._tokens[self._place]
+
+    def fail(self) -> NoReturn:
+        """Raise the error for what cannot come next."""
+        if self.token is _END:
+            raise InputError("the formula breaks off: expected a number, a name or a bracket at its end")
+        before = self._tokens[self._place - 1].text if self._place else ""
+        raise InputError(f"{self.token.text!r} cannot stand {f'after {before!r}' if before else 'at the beginning'}")
+
+    def sum(self) -> _Node:
+        """Read terms with + and -."""
+        left = self._product()
+        while self._at("+", "-"):
+            left = _Node(self._take(), (left, self._product()))
+        return left
+
+    def _product(self) -> _Node:
+        left = self._signed()
+        while True:
+            if self._at("*", "/"):
+                left = _Node(self._take(), (left, self._signed()))
+            elif self.token.kind in ("name", "function") or self._at("("):
+                left = _Node("*", (left, self._raised()))
+            else:
+                return left
+
+    def _signed(self) -> _Node:
+        if not self._at("+", "-"):
+            return self._raised()
+        sign = self._take()
+        operand = self._deeper(self._signed)
+        return _Node("minus", (operand,)) if sign == "-" else operand
+
+    def _raised(self) -> _Node:
+        base = self._factor()
+        while self._at("°"):
+            self._take()
+            base = _Node("rad", (base,))
+        if not self._at("^"):
+            return base
+        self._take()
+        return _Node("^", (base, self._deeper(self._signed)))
+
+    def _factor(self) -> _Node:
+        token = self.token
+        if token.kind == "number":
+            self._take()
+            return _Node(number=float(token.text))
+        if token.kind == "name":
+            self._take()
+            if token.text == "pi":
+                return _Node(number=math.pi)
+            self.names.add(token.text)
+            return _Node(name=token.text)
+        if token.kind == "function":
+            return self._call()
+        if not self._at("("):
+            self.fail()
+        self._take()
+        inside = self._deeper(self.sum)
+        self._close()
+        return inside
+
+    def _call(self) -> _Node:
+        function = self._take()
+        if self._at("^"):
+            raise InputError(
+                f"write {function}(...)^2 for the power of {function}: the power stands behind the bracket"
+            )
+        if not self._at("("):
+            raise InputError(f"expected a bracket after {function}, as in {function}(q1)")
+        self._take()
+        arguments = [self._deeper(self.sum)]
+        while self._at(","):
+            self._take()
+            arguments.append(self._deeper(self.sum))
+        self._close()
+        _, fewest, most = FUNCTIONS[function]
+        if not fewest <= len(arguments) <= most:
+            expected = f"{fewest}" if fewest == most else f"{fewest} to {most}"
+            raise InputError(f"{function} takes {expected} values in its brackets, got {len(arguments)}")
+        return _Node(function, tuple(arguments))
+
+    def _close(self) -> None:
+        if self.token is _END:
+            raise InputError("a bracket is not closed")
+        if not self._at(")"):
+            self.fail()
+        self._take()
+
+    def _at(self, *signs: str) -> bool:
+        return self.token.kind == "sign" and self.token.text in signs
+
+    def _take(self) -> str:
+        self._place += 1
+        return self._tokens[self._place - 1].text
+
+    def _deeper(self, read: Callable[[], _Node]) -> _Node:
+        self._depth += 1
+        if self._depth > DEEPEST:
+            raise InputError(f"brackets and signs are nested too deep; at most {DEEPEST}")
+        node = read()
+        self._depth -= 1
+        return node

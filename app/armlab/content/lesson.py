@@ -1,0 +1,120 @@
+"""What a lesson is: its arm and how it stands at first, and the steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.content.actions import Action
+from armlab.content.check import StateCheck
+from armlab.content.question import Question
+from armlab.content.robots import Camera, Robot
+
+LOCKS = ("robot", "table", "joints", "target")
+"""What a lesson can lock: the choice of another arm, the DH table, the joints, the handle of the target."""
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """One step: what to read, and what to do or to answer, if anything.
+
+    Attributes
+    ----------
+    title : str
+    line : int
+        Of its heading in the file, from 1.
+    html : str
+    check : StateCheck or None
+    question : Question or None
+    hints : tuple of str
+        HTML; unlocked one after the other.
+    reveal_html : str
+        Shown when the question is answered or the check is met; empty for none.
+    solution : tuple of Action
+        What does the step; empty when the file does not say.
+    live : tuple of str
+        Names of the live values in any text of the step, sorted; see `armlab.content.live`.
+    """
+
+    title: str
+    line: int
+    html: str
+    check: StateCheck | None
+    question: Question | None
+    hints: tuple[str, ...]
+    reveal_html: str
+    solution: tuple[Action, ...]
+    live: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Lesson:
+    """A lesson file, with the values of one variant.
+
+    Attributes
+    ----------
+    key : str
+        Name of the file or folder without ending.
+    file : str
+        Its name in messages.
+    title, chapter : str
+    teaches : tuple of str
+        Rows of the inventory.
+    robot : str
+        Key of its arm in the catalogue; "own" for an arm of the lesson's own.
+    robot_used : Robot
+        The arm itself.
+    start : ndarray, shape (n,)
+        Where the arm stands at first; radians and metres, read-only.
+    panel : str
+        The panel that is opened; empty for none.
+    overlays : tuple of str
+        What is drawn besides the arm.
+    target : ndarray, shape (4, 4), or None
+        Where the handle stands at first, in the world.
+    camera : Camera or None
+        Where the arm is looked at from at first; None leaves that to the robot.
+    locked : frozenset of str
+        Some of `LOCKS`.
+    locked_joints : tuple of int
+        Joints that cannot be moved, from 1.
+    hidden : tuple of str
+        Keys of panels that are not there.
+    variant : int
+    values : mapping of str to float or str
+        Of the variant.
+    varies : bool
+        Whether other variants differ.
+    digest : str
+        16 hexadecimal digits of SHA-256 over text and pictures.
+    intro_html : str
+    live : tuple of str
+        Names of the live values of the introduction.
+    steps : tuple of Step
+    """
+
+    key: str
+    file: str
+    title: str
+    chapter: str
+    teaches: tuple[str, ...]
+    robot: str
+    robot_used: Robot
+    start: NDArray[np.float64]
+    panel: str
+    overlays: tuple[str, ...]
+    target: NDArray[np.float64] | None
+    camera: Camera | None
+    locked: frozenset[str]
+    locked_joints: tuple[int, ...]
+    hidden: tuple[str, ...]
+    variant: int
+    values: Mapping[str, float | str]
+    varies: bool
+    digest: str
+    intro_html: str
+    live: tuple[str, ...]
+    steps: tuple[Step, ...]

@@ -1,0 +1,160 @@
+"""Lesson files: TOML between two lines ``+++``, then Markdown with LaTeX.
+
+Steps are the sections that begin with ``## Title``. A step may carry fenced blocks: ``check``, ``question`` and
+``solution`` in TOML, ``hint`` and ``reveal`` in Markdown. What is written before the first step introduces the lesson.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from armlab.content import robots
+from armlab.content.lesson import Lesson
+from armlab.content.lesson_fields import Fields
+from armlab.content.lesson_front import read_front
+from armlab.content.lesson_lines import LessonError, located
+from armlab.content.lesson_steps import TABLES, TEXTS, Setting, read_step, sections_of
+from armlab.content.lesson_text import Prose
+from armlab.content.lesson_values import filled, filled_data
+from armlab.content.markdown import tokens_of
+from armlab.content.robots import KEY, Catalogue
+from armlab.content.variants import NoValue, Value, Variants
+from armlab.errors import ContentError, InputError
+from armlab.kin.checks import whole_number
+
+_FENCE = "+++"
+_OPENED = "{{="
+
+
+def parse_lesson(
+    key: str,
+    text: str,
+    file: str | None = None,
+    catalogue: Catalogue | None = None,
+    variant: int = 0,
+    pictures: Mapping[str, str] | None = None,
+) -> Lesson:
+    """Read the text of a lesson file.
+
+    Parameters
+    ----------
+    key, text : str
+    file : str, optional
+        Its name in messages.
+    catalogue : Catalogue, optional
+        The robots there are; those of the lab when left out.
+    variant : int, optional
+        From 0. A lesson that does not vary is the same, with variant 0, for every number.
+    pictures : mapping of str to str, optional
+        Names of the pictures beside it to ``data:`` addresses; a single file has None and can show none.
+
+    Raises
+    ------
+    ContentError
+        Anything wrong, with file, line, step and key, what was expected and what is available.
+    InputError
+        The variant is not a whole number from 0.
+    """
+    file, variant = file or f"{key}.md", whole_number(variant, "variant", 0)
+    if not KEY.match(key):
+        raise ContentError(
+            file, "", f"expected a file name of lower-case letters, digits and underscores, got {key!r}; rename it"
+        )
+    toml, body, before = _split(file, text)
+    with located(file, "", toml, 1):
+        top, values, varies = _filled_front(key, file, toml, variant)
+        front = read_front(top, catalogue or robots.catalogue())
+    prose = Prose.of(file, front.robot.arm, pictures)
+    setting = Setting(file, before, front.robot, catalogue or robots.catalogue(), values, prose)
+    intro, *sections = sections_of(tokens_of(_filled_body(file, body, before, values)))
+    if not sections:
+        line = before + body.count("\n") + 1
+        raise LessonError(file, "", "expected at least one step, a section that begins with '## Title'", line)
+    intro_html = prose.html(intro, "introduction", before)
+    return Lesson(
+        key=key,
+        file=file,
+        title=front.title,
+        chapter=front.chapter,
+        teaches=front.teaches,
+        robot=front.robot.key,
+        robot_used=front.robot,
+        start=front.start,
+        panel=front.panel,
+        overlays=front.overlays,
+        target=front.target,
+        camera=front.camera,
+        locked=front.locked,
+        locked_joints=front.locked_joints,
+        hidden=front.hidden,
+        variant=variant if varies else 0,
+        values=MappingProxyType(values),
+        varies=varies,
+        digest=digest_of(text, pictures),
+        intro_html=intro_html,
+        live=prose.used,
+        steps=tuple(read_step(setting, i + 1, section) for i, section in enumerate(sections)),
+    )
+
+
+def digest_of(text: str, pictures: Mapping[str, str] | None = None) -> str:
+    """Return 16 hexadecimal digits that are others as soon as the text or a picture is another."""
+    found = hashlib.sha256(text.encode("utf-8", "surrogatepass"))
+    for name, address in sorted((pictures or {}).items()):
+        found.update(f"\0{name}\0{address}".encode())
+    return found.hexdigest()[:16]
+
+
+def _split(file: str, text: str) -> tuple[str, str, int]:
+    """Return the front matter, the Markdown, and the number of lines before the Markdown.
+
+    The front matter begins with an empty line, so that its lines have the numbers of the file.
+    """
+    lines = text.removeprefix("\ufeff").splitlines()
+    if not lines or lines[0].strip() != _FENCE:
+        raise LessonError(file, "", f"expected a first line {_FENCE} before title, robot and the rest", 1)
+    for i, line in enumerate(lines[1:], start=1):
+        if line.strip() == _FENCE:
+            return "\n".join(["", *lines[1:i]]), "\n".join(lines[i + 1 :]), i + 1
+    raise LessonError(file, "", f"expected a second line {_FENCE} after the front matter", len(lines))
+
+
+def _filled_front(key: str, file: str, toml: str, variant: int) -> tuple[Fields, dict[str, Value], bool]:
+    """Return the table at the top with the values of the variant, these, and whether there are others."""
+    top = Fields.parse(file, toml)
+    variants = Variants.read(key, top.table("variants"))
+    try:
+        values = variants.draw(variant if variants.varies else 0)
+    except NoValue as error:
+        raise top.fail(f"variants.{error.name}", f"it has no value in variant {variant}: {error.problem}") from None
+    data = {name: entry for name, entry in top.data.items() if name != "variants"}
+    return Fields(file, filled_data(data, values, file, "")), values, variants.varies
+
+
+def _filled_body(file: str, body: str, before: int, values: Mapping[str, Value]) -> str:
+    """Return the Markdown with the values of the variant; blocks in TOML, which are filled in later, stay."""
+    if _OPENED not in body:
+        return body
+    lines, signs = body.split("\n"), _minus_signs(body)
+    for i, line in enumerate(lines):
+        if _OPENED not in line or not signs[i]:
+            continue
+        try:
+            lines[i] = filled(line, values, signs[i])
+        except InputError as error:
+            raise LessonError(file, "", str(error), before + i + 1) from None
+    return "\n".join(lines)
+
+
+def _minus_signs(body: str) -> list[str]:
+    """Return how a minus sign is written in each line: a hyphen in code; empty in blocks in TOML."""
+    signs = ["\u2212"] * (body.count("\n") + 1)
+    for token in tokens_of(body):
+        if token.type == "fence" and token.map:
+            name = token.info.strip()
+            sign = "" if name in TABLES else "\u2212" if name in TEXTS else "-"
+            first, end = token.map
+            signs[first:end] = [sign] * (end - first)
+    return signs

@@ -1,0 +1,152 @@
+"""Folders of lessons: which files there are, whether they have changed, and what they hold."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from armlab.content.pictures import MOST_BYTES, MOST_PICTURES, TYPES, picture
+from armlab.errors import ContentError
+
+MOST_LESSONS = 500
+MOST_TEXT = 1_000_000
+"""Bytes of one lesson file."""
+
+LESSON = "lesson.md"
+ENDING = ".md"
+_README = "readme.md"
+
+Stamp = tuple[tuple[str | int, ...], ...]
+"""What is another as soon as a file of a lesson is written again."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """The files of one lesson.
+
+    Attributes
+    ----------
+    key : str
+    file : str
+        Its name in messages.
+    text : Traversable
+        The file of its text.
+    pictures : tuple of Traversable or None
+        The pictures beside it; None for a lesson that is a single file.
+    root : Path or None
+        The folder that must not be left; None for what lies inside an archive.
+    stamp : Stamp
+    """
+
+    key: str
+    file: str
+    text: Traversable
+    pictures: tuple[Traversable, ...] | None
+    root: Path | None
+    stamp: Stamp
+
+    def read(self) -> tuple[str, dict[str, str] | None]:
+        """Return the text, and the pictures by name as ``data:`` addresses.
+
+        Raises
+        ------
+        ContentError
+            A file cannot be read, is too large, leads out of the folder, or is no text or picture.
+        """
+        data = self._bytes(self.text, self.file, MOST_TEXT)
+        try:
+            text = data.decode("utf-8")
+        except UnicodeDecodeError as error:
+            raise ContentError(self.file, "", f"not a text in UTF-8: {error.reason}") from None
+        if self.pictures is None:
+            return text, None
+        if len(self.pictures) > MOST_PICTURES:
+            raise ContentError(self.file, "", f"expected at most {MOST_PICTURES} pictures, got {len(self.pictures)}")
+        place = self.file.removesuffix(LESSON)
+        found: dict[str, str] = {}
+        for entry in self.pictures:
+            file = f"{place}{entry.name}"
+            found[entry.name] = picture(file, entry.name, self._bytes(entry, file, MOST_BYTES))
+        return text, found
+
+    def _bytes(self, entry: Traversable, file: str, most: int) -> bytes:
+        try:
+            if self.root is not None and isinstance(entry, Path) and not _inside(entry, self.root):
+                raise ContentError(file, "", f"it leads out of the folder {self.root.name}; put the file itself there")
+            with entry.open("rb") as stream:
+                data = stream.read(most + 1)
+        except OSError as error:
+            raise ContentError(file, "", f"cannot be read: {error.strerror}") from None
+        if len(data) > most:
+            raise ContentError(file, "", f"expected at most {most // 1000} kB, got more")
+        return data
+
+
+def sources_of(folder: Traversable, label: str = "") -> tuple[list[Source], list[ContentError]]:
+    """Return the lessons of a folder by name, and what is wrong with the folder itself.
+
+    Parameters
+    ----------
+    folder : Traversable
+    label : str
+        What stands before the names of files in messages, such as ``mine/``.
+    """
+    root = folder if isinstance(folder, Path) else None
+    found: list[Source] = []
+    problems: list[ContentError] = []
+    try:
+        entries = sorted(folder.iterdir(), key=lambda entry: entry.name) if folder.is_dir() else []
+    except OSError as error:
+        return [], [ContentError(label or "lessons", "", f"cannot be read: {error.strerror}")]
+    for entry in entries:
+        try:
+            source = _source(entry, label, root)
+        except ContentError as error:
+            problems.append(error)
+            continue
+        if source is not None:
+            found.append(source)
+    if len(found) > MOST_LESSONS:
+        problem = f"expected at most {MOST_LESSONS} lessons, got {len(found)}; those from {found[MOST_LESSONS].file} on"
+        problems.append(ContentError(label or "lessons", "", f"{problem} are left out"))
+    return found[:MOST_LESSONS], problems
+
+
+def _source(entry: Traversable, label: str, root: Path | None) -> Source | None:
+    """Return the lesson an entry of the folder is, or None."""
+    name = entry.name
+    try:
+        if name.startswith(".") or name.lower() == _README:
+            return None
+        if name.endswith(ENDING) and entry.is_file():
+            return Source(name.removesuffix(ENDING), f"{label}{name}", entry, None, root, _stamp([entry]))
+        if not entry.is_dir():
+            return None
+        if isinstance(entry, Path) and entry.is_symlink() and root is not None and not _inside(entry, root):
+            raise ContentError(
+                f"{label}{name}", "", f"it leads out of the folder {root.name}; put the files themselves there"
+            )
+        text = entry.joinpath(LESSON)
+        if not text.is_file():
+            return None
+        beside = [each for each in entry.iterdir() if each.name.rpartition(".")[2].lower() in TYPES and each.is_file()]
+        pictures = tuple(sorted(beside, key=lambda each: each.name))
+        return Source(name, f"{label}{name}/{LESSON}", text, pictures, root, _stamp([text, *pictures]))
+    except OSError:
+        return None  # it was taken away while we looked
+
+
+def _stamp(files: Iterable[Traversable]) -> Stamp:
+    """Return names, times, sizes and numbers of files; of those in an archive, which does not change, the names."""
+    return tuple((file.name, *_of_stat(os.stat(file))) if isinstance(file, Path) else (file.name,) for file in files)
+
+
+def _of_stat(found: os.stat_result) -> tuple[int, ...]:
+    return found.st_mtime_ns, found.st_ctime_ns, found.st_size, found.st_ino
+
+
+def _inside(path: Path, root: Path) -> bool:
+    return path.resolve().is_relative_to(root.resolve())

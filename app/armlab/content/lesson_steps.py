@@ -1,0 +1,176 @@
+"""The steps of a lesson: sections of Markdown with fenced blocks for what is to be done."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from armlab.content.actions import Action, read_solution
+from armlab.content.check import StateCheck, read_state_check
+from armlab.content.lesson import Step
+from armlab.content.lesson_fields import Fields
+from armlab.content.lesson_lines import LessonError, located
+from armlab.content.lesson_text import Prose
+from armlab.content.lesson_values import filled_data
+from armlab.content.question import Question, read_question
+from armlab.content.reader import Table
+from armlab.content.robots import Catalogue, Robot
+from armlab.content.variants import Value
+from armlab.errors import suggestion
+
+TABLES = ("check", "question", "solution")
+"""Blocks in TOML; at most one of each in a step."""
+
+TEXTS = ("hint", "reveal")
+"""Blocks in Markdown; any number of hints."""
+
+CODE = ("", "python", "text", "toml")
+"""Languages of fenced blocks that are shown as they are."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all steps of a lesson share.
+
+    Attributes
+    ----------
+    file : str
+    before : int
+        Lines of the file before the Markdown.
+    robot : Robot
+    catalogue : Catalogue
+    values : mapping of str to Value
+        Of the variant.
+    prose : Prose
+    """
+
+    file: str
+    before: int
+    robot: Robot
+    catalogue: Catalogue
+    values: Mapping[str, Value]
+    prose: Prose
+
+    def line(self, token: Token) -> int:
+        """Return the line of a block in the file, from 1."""
+        return self.before + (token.map[0] if token.map else 0) + 1
+
+
+def sections_of(tokens: list[Token]) -> list[list[Token]]:
+    """Return the blocks before the first heading of level 2, then those from each such heading on."""
+    sections: list[list[Token]] = [[]]
+    for token in tokens:
+        if token.type == "heading_open" and token.tag == "h2" and token.level == 0:
+            sections.append([])
+        sections[-1].append(token)
+    return sections
+
+
+def read_step(setting: Setting, number: int, section: list[Token]) -> Step:
+    """Read a section.
+
+    Parameters
+    ----------
+    setting : Setting
+    number : int
+        From 1.
+    section : list of Token
+        From the heading on.
+
+    Raises
+    ------
+    LessonError
+    """
+    where, prose = f"step {number}", setting.prose.anew()
+    _, title, _, *blocks = section
+    text, found = _sorted(setting, where, blocks)
+    line = setting.line(section[0])
+    if not title.content.strip():
+        raise LessonError(setting.file, where, "expected a title after ##", line)
+    if any(child.type == "live" for child in title.children or ()):
+        raise LessonError(setting.file, where, "expected a title without live values", line)
+    reader = _Blocks(setting, where, prose, found)
+    check, question = reader.check(), reader.question()
+    if found["reveal"] and check is None and question is None:
+        block = found["reveal"][0]
+        problem = "expected a check or a question in the step, after which it is shown"
+        raise LessonError(setting.file, f"{where}.reveal", problem, setting.line(block))
+    return Step(
+        title=title.content,
+        line=line,
+        html=prose.html(text, where, setting.before),
+        check=check,
+        question=question,
+        hints=reader.texts("hint"),
+        reveal_html="".join(reader.texts("reveal")),
+        solution=reader.solution(),
+        live=prose.used,
+    )
+
+
+def _sorted(setting: Setting, where: str, blocks: list[Token]) -> tuple[list[Token], dict[str, list[Token]]]:
+    """Return the text of a step, and its blocks by their names."""
+    found: dict[str, list[Token]] = {name: [] for name in (*TABLES, *TEXTS)}
+    text = []
+    for token in blocks:
+        name = token.info.strip() if token.type == "fence" else ""
+        if name in found:
+            if found[name] and name != "hint":
+                problem = "expected one in a step; begin another step with '## Title'"
+                raise LessonError(setting.file, f"{where}.{name}", problem, setting.line(token))
+            found[name].append(token)
+        elif name in CODE:
+            text.append(token)
+        else:
+            problem = f"unknown block {name!r}{suggestion(name, (*found, *CODE[1:]))}"
+            raise LessonError(setting.file, where, problem, setting.line(token))
+    return text, found
+
+
+@dataclass(frozen=True)
+class _Blocks:
+    """The blocks of one step."""
+
+    setting: Setting
+    where: str
+    prose: Prose
+    found: dict[str, list[Token]]
+
+    def check(self) -> StateCheck | None:
+        if not self.found["check"]:
+            return None
+        with self._located("check"):
+            return read_state_check(self._table("check"), self.setting.robot, self.prose.of_table)
+
+    def question(self) -> Question | None:
+        if not self.found["question"]:
+            return None
+        with self._located("question"):
+            return read_question(self._table("question"), self.prose.of_table)
+
+    def solution(self) -> tuple[Action, ...]:
+        if not self.found["solution"]:
+            return ()
+        with self._located("solution"):
+            return read_solution(self._table("solution"), self.setting.robot, self.setting.catalogue)
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        where = f"{self.where}.{name}"
+        return tuple(self.prose.block(token, where, self.setting.before) for token in self.found[name])
+
+    def _located(self, name: str) -> AbstractContextManager[None]:
+        token = self.found[name][0]
+        return located(self.setting.file, f"{self.where}.{name}", self._padded(token), self.setting.line(token))
+
+    def _padded(self, token: Token) -> str:
+        return "\n" * self.setting.line(token) + token.content
+
+    def _table(self, name: str) -> Table:
+        """Return the table of a block, with the values of the variant."""
+        file, where = self.setting.file, f"{self.where}.{name}"
+        table = Fields.parse(file, self._padded(self.found[name][0]))
+        minus = "-" if name == "solution" else "\u2212"
+        return Table(file, filled_data(table.data, self.setting.values, file, where, minus), where)

@@ -1,0 +1,73 @@
+"""The texts of one lesson: Markdown to HTML, with its live values and its pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from armlab.content.lesson_lines import LessonError
+from armlab.content.live import all_live_values
+from armlab.content.markdown import Extras, TextError, html_of, tokens_of
+from armlab.errors import ContentError
+from armlab.kin.arm import MAX_JOINTS, Arm
+
+
+@dataclass(frozen=True)
+class Prose:
+    """What makes HTML of the texts of a lesson, or of one of its steps.
+
+    Attributes
+    ----------
+    file : str
+    extras : Extras
+        Collects the names of live values.
+    """
+
+    file: str
+    extras: Extras
+
+    @classmethod
+    def of(cls, file: str, arm: Arm, pictures: Mapping[str, str] | None) -> Prose:
+        """Return the one for a lesson about an arm."""
+        missing = {name: value.missing(arm) for name, value in all_live_values(MAX_JOINTS).items()}
+        return cls(file, Extras(missing, pictures))
+
+    def anew(self) -> Prose:
+        """Return the same one with no live value used yet."""
+        return Prose(self.file, Extras(self.extras.live, self.extras.pictures))
+
+    @property
+    def used(self) -> tuple[str, ...]:
+        """The live values used so far, sorted."""
+        return tuple(sorted(self.extras.used))
+
+    def html(self, tokens: Sequence[Token], where: str, before: int) -> str:
+        """Return the HTML of blocks of the file; ``before`` is the number of lines before the text they are of.
+
+        Raises
+        ------
+        LessonError
+        """
+        try:
+            return html_of(tokens, self.extras)
+        except TextError as error:
+            raise LessonError(self.file, where, str(error), before + error.line + 1) from None
+
+    def block(self, token: Token, where: str, before: int) -> str:
+        """Return the HTML of the Markdown inside a fenced block."""
+        return self.html(tokens_of(token.content), where, before + (token.map[0] if token.map else 0) + 1)
+
+    def of_table(self, text: str, key: str) -> str:
+        """Return the HTML of a text in a table.
+
+        Raises
+        ------
+        ContentError
+            With its key; its line is not known here.
+        """
+        try:
+            return html_of(tokens_of(text), self.extras)
+        except TextError as error:
+            raise ContentError(self.file, key, str(error)) from None

@@ -1,0 +1,120 @@
+"""Pictures of lessons: checked, and written into the page as ``data:`` addresses."""
+
+from __future__ import annotations
+
+import base64
+import re
+import xml.etree.ElementTree as ElementTree
+
+from armlab.errors import ContentError, suggestion
+
+MOST_PICTURES = 20
+MOST_BYTES = 300_000
+
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}\.[a-z]+\Z")
+"""What a picture may be called, so that Markdown has it as it is."""
+
+TYPES = {"png": "image/png", "jpg": "image/jpeg", "jpeg": "image/jpeg", "webp": "image/webp", "svg": "image/svg+xml"}
+"""Ending to media type."""
+
+_BEGINNINGS = {
+    "image/png": re.compile(rb"\x89PNG\r\n\x1a\n"),
+    "image/jpeg": re.compile(rb"\xff\xd8\xff"),
+    "image/webp": re.compile(rb"RIFF....WEBP", re.DOTALL),
+}
+_EMBEDDED = re.compile(r"#|data:image/(png|jpeg|webp);base64,", re.IGNORECASE)
+_FORBIDDEN = (
+    *("script", "foreignobject", "iframe", "embed", "object", "audio", "video", "handler", "listener", "link", "meta"),
+)
+_ANIMATED = ("animate", "set", "animatetransform", "animatemotion")
+_URL = re.compile(r"url\s*\(\s*[\"']?\s*[^#\"'\s]", re.IGNORECASE)
+_DECLARATION = re.compile(r"\A\s*<\?xml\s[^?]*\?>")
+_OTHER_ENCODING = re.compile(r"encoding\s*=\s*[\"'](?!utf-8[\"'])", re.IGNORECASE)
+_NAMESPACES = ("", "http://www.w3.org/1999/xlink", "http://www.w3.org/XML/1998/namespace")
+"""Attributes of other namespaces mean nothing to a browser."""
+
+
+def picture(file: str, name: str, data: bytes) -> str:
+    """Return a picture as a ``data:`` address.
+
+    Parameters
+    ----------
+    file : str
+        Its name in messages.
+    name : str
+        Its name without folders.
+    data : bytes
+
+    Raises
+    ------
+    ContentError
+        Its name, size or content cannot be used.
+    """
+    if not NAME.match(name):
+        raise ContentError(file, "", "expected a name of letters, digits, underscores and hyphens; rename the picture")
+    kind = TYPES.get(name.rpartition(".")[2])
+    if kind is None:
+        raise ContentError(file, "", f"not a kind of picture{suggestion(name.rpartition('.')[2], TYPES)}")
+    if len(data) > MOST_BYTES:
+        raise ContentError(file, "", f"expected at most {MOST_BYTES // 1000} kB, got {-(-len(data) // 1000)} kB")
+    if kind == "image/svg+xml":
+        _check_svg(file, data)
+    elif not _BEGINNINGS[kind].match(data):
+        raise ContentError(file, "", f"expected a picture of the kind its name says, {kind}; save it again as such")
+    return f"data:{kind};base64,{base64.b64encode(data).decode()}"
+
+
+def _check_svg(file: str, data: bytes) -> None:
+    """Refuse a drawing that could run or fetch anything."""
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise ContentError(file, "", "expected a drawing in UTF-8") from None
+    declaration = _DECLARATION.match(text)
+    if declaration and _OTHER_ENCODING.search(declaration[0]):
+        raise ContentError(file, "", "expected a drawing in UTF-8")
+    after = _DECLARATION.sub("", text)
+    if "<!DOCTYPE" in after or "<!ENTITY" in after or "<?" in after:
+        raise ContentError(file, "", "expected a drawing without document type, entities and instructions")
+    try:
+        root = ElementTree.fromstring(text)
+    except (ElementTree.ParseError, ValueError, LookupError) as error:
+        raise ContentError(file, "", f"not a drawing in SVG: {error}") from None
+    if _local(root.tag) != "svg":
+        raise ContentError(file, "", f"expected an element svg, got {_local(root.tag)}")
+    for element in root.iter():
+        problem = _problem(element)
+        if problem:
+            raise ContentError(file, "", f"{problem}; draw it without")
+
+
+def _problem(element: ElementTree.Element) -> str:
+    """Return what is wrong with an element of a drawing, or nothing."""
+    tag, inside = _local(element.tag), element.text or ""
+    if tag in _FORBIDDEN:
+        return f"the drawing has an element {tag}"
+    if tag == "style" and (re.search(r"[\\@]", inside) or len(element) or _URL.search(inside)):
+        return "the drawing's style refers to something outside"
+    for name, value in element.attrib.items():
+        if name.rpartition("}")[0].lstrip("{") in _NAMESPACES:
+            problem = _wrong_attribute(tag, _local(name), value)
+            if problem:
+                return problem
+    return ""
+
+
+def _wrong_attribute(tag: str, name: str, value: str) -> str:
+    if name.startswith("on"):
+        return f"the drawing has a handler {name}"
+    if name == "base" or (name in ("href", "src") and not _EMBEDDED.match(value.strip())):
+        return f"the drawing refers to something outside, {value[:40]!r}"
+    if tag in _ANIMATED and name == "attributename" and value.lower().rpartition(":")[2] in ("href", "src"):
+        return "the drawing changes an address"
+    if _URL.search(value) or "\\" in value:
+        return f"the drawing refers to something outside in {name}"
+    return ""
+
+
+def _local(name: object) -> str:
+    """Return a name without its namespace, in small letters."""
+    return str(name).rpartition("}")[2].lower()

@@ -1,0 +1,108 @@
+"""Read a matrix as people type or paste it: ``1 0; 0 1``, with commas, lines, NumPy's or MATLAB's brackets."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.content.expressions import parse
+from armlab.content.symbols import MINUS_SIGNS
+from armlab.errors import InputError
+
+LONGEST = 2000
+"""Characters of a matrix."""
+
+_SIGNS = str.maketrans({**dict.fromkeys(MINUS_SIGNS, "-"), **dict.fromkeys("\u00a0\u2007\u2009\u202f\u200a\t", " ")})
+_MADE_BY = re.compile(r"\b(?:np\.|numpy\.|sp\.|sympy\.)?(?:array|matrix|Matrix)\s*\(")
+
+
+def read_matrix(text: str, shape: tuple[int, int]) -> NDArray[np.float64]:
+    """Return a matrix as typed; its entries are formulas such as ``sqrt(2)/2``.
+
+    Parameters
+    ----------
+    text : str
+    shape : tuple of int
+        The shape that is asked: of the ways a row can be split the one that gives it is taken.
+
+    Returns
+    -------
+    ndarray
+        Of any shape.
+
+    Raises
+    ------
+    InputError
+        An entry cannot be read, or the rows differ in length; the text names row and column.
+    """
+    if len(text) > LONGEST:
+        raise InputError(f"A matrix has at most {LONGEST} characters; this has {len(text)}.")
+    lines = _lines(text)
+    if not lines:
+        raise InputError("Write the rows with ; between them, such as 1 0; 0 1.")
+    ways = [[split(line) for line in lines] for split in (_at_commas, _decimal_commas, _at_both)]
+    entries = next((rows for rows in ways if (len(rows), *{len(row) for row in rows}) == shape), ways[0])
+    if len({len(row) for row in entries}) > 1:
+        lengths = ", ".join(str(len(row)) for row in entries)
+        raise InputError(f"The rows differ in length: they have {lengths} entries.")
+    return np.array([[_entry(word, i, k) for k, word in enumerate(row, 1)] for i, row in enumerate(entries, 1)])
+
+
+def _lines(text: str) -> list[str]:
+    """Return the rows, without any brackets around them."""
+    source = text.translate(_SIGNS).strip()
+    made = _MADE_BY.match(source)
+    if made:
+        source = source[made.end() :].rstrip().removesuffix(")")
+    bracketed = re.search(r"\[\s*\[|\(\s*\[", source) is not None
+    source = re.sub(r"\]\s*[,;]?\s*\[", ";", source)
+    source = re.sub(r"[\[\]{}]", " ", source)
+    # NumPy breaks long rows into lines; its rows have brackets of their own.
+    source = source.replace("\n", " " if bracketed else ";")
+    lines = [line.strip().strip(",").strip() for line in source.split(";")]
+    return [line for line in lines if line]
+
+
+def _at_commas(line: str) -> list[str]:
+    """Split at the commas outside of brackets; at spaces where there are none."""
+    words = _outside(line, ",")
+    return [word.strip() for word in words] if len(words) > 1 else _at_spaces(line)
+
+
+def _decimal_commas(line: str) -> list[str]:
+    """Split at spaces, commas being decimal points."""
+    return [re.sub(r"(?<=\d),(?=\d)", ".", word.rstrip(",")) for word in _at_spaces(line)]
+
+
+def _at_both(line: str) -> list[str]:
+    """Split at commas and at spaces."""
+    return [word for part in _outside(line, ",") for word in _at_spaces(part.strip())]
+
+
+def _at_spaces(line: str) -> list[str]:
+    """Split at spaces outside of brackets, but for those around an operator: ``1 - 2`` is one entry, ``1 -2`` two."""
+    line = re.sub(r"\s*([*/^·×])\s*", r"\1", line)
+    line = re.sub(r"(?<=[\w)])\s+([-+])\s+(?=\S)", r"\1", line)
+    line = re.sub(r"([a-z])\s+\(", r"\1(", line)
+    return [word for word in _outside(line, " ") if word]
+
+
+def _outside(line: str, separator: str) -> list[str]:
+    """Split at a character outside of round brackets."""
+    parts, depth = [""], 0
+    for letter in line:
+        depth += {"(": 1, ")": -1}.get(letter, 0)
+        if letter == separator and depth <= 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return parts
+
+
+def _entry(word: str, i: int, k: int) -> float:
+    try:
+        return parse(word).value({})
+    except InputError as error:
+        raise InputError(f"Row {i}, column {k}: {error}") from None

@@ -1,0 +1,149 @@
+"""The answer is a number with a unit; common mistakes are named."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from armlab.content.arithmetic import shortest
+from armlab.content.expressions import IN_DEGREES, Expression
+from armlab.content.quantities import UNITS, is_near, read_formula
+from armlab.content.question import NOT_YET, RIGHT, Asked, Field, QuestionType, ToHtml, Verdict, Wrong, says, unreadable
+from armlab.content.reader import Table
+from armlab.errors import InputError
+
+PLAIN_FACTOR = 4.0
+"""An answer this many tolerances from zero is told from its double and its half."""
+
+
+@dataclass(frozen=True)
+class WrongNumber:
+    """A wrong answer a lesson expects, in the question's unit, and what it says to it (HTML)."""
+
+    answer: float
+    says: str
+
+
+@dataclass(frozen=True)
+class NumberQuestion:
+    """A question.
+
+    Attributes
+    ----------
+    html : str
+    answer : float
+        In ``unit``.
+    unit : str
+        One of `UNITS`; a number without a unit is taken in it.
+    tolerance : float
+        In ``unit``.
+    mistakes : tuple of WrongNumber
+    hide : tuple of str
+    """
+
+    html: str
+    answer: float
+    unit: str
+    tolerance: float
+    mistakes: tuple[WrongNumber, ...] = ()
+    hide: tuple[str, ...] = ()
+
+    @property
+    def form(self) -> Field:
+        """One line."""
+        return Field(self.unit)
+
+    @property
+    def right_answer(self) -> str:
+        """The answer with its unit."""
+        return f"{shortest(self.answer)} {self.unit}".strip()
+
+    @property
+    def wrong(self) -> tuple[Wrong, ...]:
+        """The wrong answers the lesson names."""
+        return tuple(Wrong(f"{shortest(wrong.answer)} {self.unit}".strip(), wrong.says) for wrong in self.mistakes)
+
+    def judge(self, text: str) -> Verdict:
+        """Return the verdict on an answer as typed, such as ``0.5``, ``0,5``, ``50 cm``, ``pi/2`` or ``90°``."""
+        try:
+            formula, unit = read_formula(text)
+            value = formula.value({})
+        except InputError as error:
+            return unreadable(error)
+        quantity, own = UNITS[self.unit]
+        size = own
+        if unit is not None:
+            got, size = UNITS[unit]
+            if got != quantity:
+                return Verdict(False, f"This is {got}; the question asks for {quantity}{self._written_unit()}.", "unit")
+        converted = value * size / own
+        if self._near(converted):
+            return RIGHT
+        for i, wrong in enumerate(self.mistakes, start=1):
+            if is_near(converted, wrong.answer, self.tolerance):
+                return Verdict(False, wrong.says, f"wrong[{i}]")
+        found = self._mistakes(value, unit, converted, self._as_calculator(formula, size / own))
+        return next(found, Verdict(False, NOT_YET))
+
+    def _near(self, value: float | None) -> bool:
+        return value is not None and is_near(value, self.answer, self.tolerance)
+
+    def _mistakes(self, typed: float, unit: str | None, value: float, in_degrees: float | None) -> Iterator[Verdict]:
+        """Yield the common mistakes that lead to a value in the question's unit, the likelier first."""
+        quantity, own = UNITS[self.unit]
+        if self._near(-value):
+            yield Verdict(False, "The size is right, the sign is not.", "sign")
+        if self._near(in_degrees):
+            yield Verdict(
+                False, "sin, cos and tan take radians here: write cos(rad(60)) or cos(60°) for 60 degrees.", "degrees"
+            )
+        if quantity == "an angle" and self._near(self.answer + math.remainder(value - self.answer, math.tau / own)):
+            yield Verdict(False, "The direction is right, but it is a whole turn away.", "turn")
+        # Around zero every unit, the double and the half are right as well.
+        if abs(self.answer) > PLAIN_FACTOR * self.tolerance:
+            yield from self._other_units(typed, unit)
+            if self._near(value / 2.0):
+                yield Verdict(False, "This is twice what is asked: a factor 2 is too much.", "factor 2")
+            if self._near(value * 2.0):
+                yield Verdict(False, "This is half of what is asked: a factor 2 is missing.", "factor 2")
+
+    def _other_units(self, typed: float, unit: str | None) -> Iterator[Verdict]:
+        quantity, own = UNITS[self.unit]
+        for other, (kind, size) in UNITS.items():
+            if kind == quantity and other != (unit or self.unit) and self._near(typed * size / own):
+                if unit is None:
+                    says = f"The number is right in {other}; write its unit, or give it in {self.unit}."
+                    yield Verdict(False, says, "degrees" if "deg" in (other, self.unit) else "unit")
+                elif quantity == "an angle":
+                    yield Verdict(False, f"The number is right in {other}, but you wrote {unit}.", "degrees")
+
+    @staticmethod
+    def _as_calculator(formula: Expression, factor: float) -> float | None:
+        """Return what the formula gives with angles in degrees, in the question's unit; None without a value."""
+        try:
+            return formula.with_functions(IN_DEGREES).value({}) * factor
+        except InputError:
+            return None
+
+    def _written_unit(self) -> str:
+        return f" in {self.unit}" if self.unit else ""
+
+
+def read(table: Table, asked: Asked, to_html: ToHtml) -> NumberQuestion:
+    """Read ``answer``, ``unit`` (none: a pure number), ``tolerance`` and ``wrong`` with ``answer`` and ``says``."""
+    unit = table.choice("unit", UNITS, "") if table.has("unit") else ""
+    answer, tolerance = table.number("answer"), table.number("tolerance")
+    if tolerance <= 0:
+        raise table.fail("tolerance", f"expected a positive number, got {tolerance:g}")
+    wrong = []
+    for entry in table.tables("wrong"):
+        said = WrongNumber(entry.number("answer"), says(entry, to_html))
+        if abs(said.answer - answer) <= 2.0 * tolerance:
+            raise entry.fail("answer", f"{said.answer:g} is too close to the right answer {answer:g}")
+        entry.done()
+        wrong.append(said)
+    return NumberQuestion(asked.html, answer, unit, tolerance, tuple(wrong), asked.hide)
+
+
+QUESTION = QuestionType("number", 10, read)

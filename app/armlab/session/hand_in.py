@@ -1,0 +1,255 @@
+"""The work of a student as a file, and the verdicts on such a file: the same as on screen, without a browser.
+
+Nothing in the file is believed: answers are judged again, and every check looks again at what it saw when it was met.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass
+from html.parser import HTMLParser
+
+from armlab.version import VERSION
+from armlab.content.lesson import Lesson, Step
+from armlab.content.lessons import lesson
+from armlab.content.observation import Observation
+from armlab.errors import ArmlabError, InputError
+from armlab.session.lesson_progress import Progress, read, step_names, written
+from armlab.session.parts.lesson import LessonPart, same_table, signed
+from armlab.session.state import Json, State
+
+FORMAT = 1
+MOST = 1_000_000
+"""Characters of a file that are read."""
+
+LONGEST_KEY = 64
+"""Characters of the name of a lesson."""
+
+
+def hand_in(state: State) -> str:
+    """Return the open lesson's work as the text of a file.
+
+    Raises
+    ------
+    InputError
+        No lesson is open.
+    """
+    part = state[LessonPart]
+    found = part.lesson
+    if found is None:
+        raise InputError("lesson: none is open")
+    data = {
+        "format": FORMAT,
+        "armlab": VERSION,
+        "student": part.student,
+        "lesson": found.key,
+        "variant": found.variant,
+        "digest": found.digest,
+        "progress": written(part.progress),
+        "parts": {each.key: each.to_json() for each in state if each.key not in ("lesson", "shelf")},
+    }
+    return json.dumps(data, indent=1, ensure_ascii=False)
+
+
+def hand_in_name(state: State) -> str:
+    """Return a name for that file: the lesson and the student's name in plain letters."""
+    part = state[LessonPart]
+    who = re.sub(r"[^a-z0-9]+", "_", part.student.lower()).strip("_")[:40]
+    return "_".join(filter(None, (part.open.replace("/", "_"), who))) + ".json"
+
+
+@dataclass(frozen=True)
+class StepReport:
+    """The verdict on one step.
+
+    Attributes
+    ----------
+    title : str
+    met : bool or None
+        Whether its check was met; None where there is none.
+    right : bool or None
+        Whether its question is answered rightly; None where there is none.
+    predicted : bool
+        Whether the question asks for a prediction: any answer passes the step.
+    answered : bool
+        Whether there is an answer, right or not.
+    says : str
+        What there is to say, as plain text.
+    hints : int
+        How many hints were looked at.
+    """
+
+    title: str
+    met: bool | None
+    right: bool | None
+    predicted: bool
+    answered: bool
+    says: str
+    hints: int
+
+    @property
+    def counts(self) -> bool:
+        """Whether there was anything to do."""
+        return self.met is not None or self.right is not None
+
+    @property
+    def passed(self) -> bool:
+        """Whether everything is done."""
+        return self.met is not False and (self.right is not False or (self.predicted and self.answered))
+
+
+@dataclass(frozen=True)
+class Report:
+    """The verdict on a file.
+
+    Attributes
+    ----------
+    student : str
+        As they have signed it.
+    lesson, title : str
+    variant : int
+    changed : bool
+        Whether the lesson's file has changed since.
+    steps : tuple of StepReport
+        All steps, also those with nothing to do.
+
+    Notes
+    -----
+    Students choose their names and answers: control characters in them are replaced.
+    """
+
+    student: str
+    lesson: str
+    title: str
+    variant: int
+    changed: bool
+    steps: tuple[StepReport, ...]
+
+    @property
+    def passed(self) -> int:
+        """Return how many of the steps that count are passed."""
+        return sum(step.passed for step in self.steps if step.counts)
+
+    @property
+    def count(self) -> int:
+        """Return how many steps count."""
+        return sum(step.counts for step in self.steps)
+
+
+def judge(text: str, key: str | None = None) -> Report:
+    """Return the verdict on the text of a hand-in.
+
+    Parameters
+    ----------
+    text : str
+    key : str, optional
+        The lesson it must be of; its own when left out.
+
+    Raises
+    ------
+    InputError
+        It is no hand-in, or one of another lesson.
+    UnknownName, ContentError
+        Its lesson is not there or cannot be used.
+    """
+    data = _loaded(text)
+    if key is not None and data["lesson"] != key:
+        raise InputError(f"this is work on the lesson {data['lesson'][:LONGEST_KEY]!r}, not {key!r}")
+    found = lesson(data["lesson"][:LONGEST_KEY], data["variant"])
+    try:
+        progress = read(found, data["progress"])
+    except (TypeError, KeyError, AttributeError, ValueError, OverflowError):
+        raise InputError("the progress in this file is damaged") from None
+    steps = tuple(_step_report(found, i, progress) for i in range(len(found.steps)))
+    student = printable(signed(data["student"]))
+    return Report(student, found.key, found.title, found.variant, data["digest"] != found.digest, steps)
+
+
+def _loaded(text: str) -> dict[str, Json]:
+    if len(text) > MOST:
+        raise InputError(f"expected at most {MOST} characters, got {len(text)}")
+    try:
+        data: dict[str, Json] = json.loads(text)
+    except (ValueError, RecursionError):
+        raise InputError("this is no work saved by the lab: it is not JSON") from None
+    kinds = {"format": int, "student": str, "lesson": str, "variant": int, "digest": str, "progress": dict}
+    for name, kind in kinds.items():
+        if not isinstance(data, dict) or type(data.get(name)) is not kind:
+            raise InputError(f"this is no work saved by the lab: {name} is missing or not usable")
+    if data["format"] != FORMAT:
+        raise InputError(f"this file has format {data['format']}; this lab reads format {FORMAT}")
+    return data
+
+
+def _step_report(found: Lesson, i: int, progress: Progress) -> StepReport:
+    step, name = found.steps[i], step_names(found)[i]
+    met, seen = _check_again(found, step, progress.evidence.get(name))
+    right, answer = _answer_again(step, progress.answers.get(name))
+    return StepReport(
+        title=step.title,
+        met=met,
+        right=right,
+        predicted=step.question is not None and bool(step.question.hide),
+        answered=name in progress.answers,
+        says=printable(" ".join(filter(None, (seen, answer)))),
+        hints=max(0, progress.hints.get(name, 0)),
+    )
+
+
+def _check_again(found: Lesson, step: Step, evidence: Json) -> tuple[bool | None, str]:
+    """Return whether the check is met by what is said to have been seen, and what there is to say."""
+    if step.check is None:
+        return None, ""
+    if evidence is None:
+        return False, "Not done."
+    try:
+        seen = Observation.from_json(evidence, found.robot_used)
+    except ArmlabError as error:
+        return False, f"The evidence is not usable: {error}"
+    if not step.check.of_table and not same_table(seen.arm, found.robot_used.arm):
+        return False, "This was done with another arm."
+    met, says = step.check.judge(seen)
+    return met, "" if met else plain(says)
+
+
+def _answer_again(step: Step, typed: str | None) -> tuple[bool | None, str]:
+    if step.question is None:
+        return None, ""
+    if typed is None:
+        return False, "Not answered."
+    verdict = step.question.judge(typed)
+    return verdict.right, f"{typed!r}: {plain(verdict.says)}"
+
+
+def printable(text: str) -> str:
+    """Return a text without what could steer a terminal or cannot be written to a file.
+
+    >>> printable("Ada\\x1b[2J \\ud800")
+    'Ada�[2J �'
+    """
+    return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
+
+
+def plain(html: str) -> str:
+    """Return the text of markup on one line.
+
+    >>> plain("<p>one &lt; <b>two</b></p>")
+    'one < two'
+    """
+    parser = _Text()
+    parser.feed(html)
+    parser.close()
+    return " ".join("".join(parser.found).split())
+
+
+class _Text(HTMLParser):
+    """Collects what stands between the tags."""
+
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.found: list[str] = []
+
+    def handle_data(self, data: str) -> None:
+        """Keep a piece of text."""
+        self.found.append(data)

@@ -1,0 +1,149 @@
+"""Verdicts on the work of a class, written down: a table to read, rows for a spreadsheet, results for Gradescope."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from armlab.session.hand_in import Report, StepReport
+from armlab.session.state import Json
+
+DONE, NOT_DONE, NOTHING = "ok", "no", "-"
+"""Marks of a step in the table."""
+
+FORMULA = tuple("=+-@\t\r＝＋－＠")
+"""What makes a spreadsheet take a text for a formula when a cell begins with it."""
+
+COLUMNS = ("file", "student", "lesson", "variant", "changed", "passed", "count", "score")
+OF_STEP = ("passed", "hints", "says")
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A file and the verdict on it.
+
+    Attributes
+    ----------
+    file : str
+        Its name in reports.
+    report : Report or None
+        None when it cannot be judged.
+    problem : str
+        Why it cannot be judged.
+    """
+
+    file: str
+    report: Report | None
+    problem: str = ""
+
+    @property
+    def name(self) -> str:
+        """The student, or the file of work nobody has signed."""
+        return (self.report.student if self.report else "") or self.file
+
+
+def table(judged: Sequence[Judged], details: bool = False) -> str:
+    """Return one line a student with a mark for each step, then what is missing if ``details``; text to read."""
+    found = [(one, one.report) for one in judged if one.report is not None]
+    if not found:
+        return ""
+    width = max(len(report.steps) for _, report in found)
+    lines = [["student", "variant", *(str(i + 1) for i in range(width)), "score", ""]]
+    for one, report in found:
+        marks = [_mark(step) for step in report.steps] + [""] * (width - len(report.steps))
+        lines.append([one.name, str(report.variant), *marks, _score(report), _remark(report)])
+    text = _aligned(lines)
+    if details:
+        text += "".join(f"\n{''.join(_details(one.name, report))}" for one, report in found)
+    return text
+
+
+def rows(judged: Sequence[Judged]) -> str:
+    """Return comma-separated values, one row a file, that are safe to open in a spreadsheet.
+
+    Columns: `COLUMNS` with the score in whole percent, then for each step `OF_STEP` (``passed`` is empty where there
+    is nothing to do), then ``problem``, why a file cannot be judged.
+    """
+    width = max((len(one.report.steps) for one in judged if one.report), default=0)
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([*COLUMNS, *(f"{i + 1} {name}" for i in range(width) for name in OF_STEP), "problem"])
+    for one in judged:
+        cells = [one.file, *(_cells(one.report) if one.report else [])]
+        cells += [""] * (len(COLUMNS) + len(OF_STEP) * width - len(cells))
+        writer.writerow([_safe(cell) for cell in (*cells, one.problem)])
+    return out.getvalue()
+
+
+def gradescope(judged: Judged) -> Json:
+    """Return what Gradescope reads as ``results.json``: one point for each step in which there is something to do."""
+    report = judged.report
+    if report is None:
+        return {"score": 0.0, "output": judged.problem, "output_format": "text", "tests": []}
+    words = [f"{report.title}, variant {report.variant}: {_score(report)} steps.", _remark(report)]
+    return {
+        "score": float(report.passed),
+        "output": " ".join(filter(None, words)),
+        "output_format": "text",
+        "tests": [
+            {
+                "name": f"{i + 1} {step.title}",
+                "score": float(step.passed),
+                "max_score": 1.0,
+                "output": step.says,
+                "output_format": "text",
+                "status": "passed" if step.passed else "failed",
+            }
+            for i, step in enumerate(report.steps)
+            if step.counts
+        ],
+    }
+
+
+def _mark(step: StepReport) -> str:
+    if not step.counts:
+        return NOTHING
+    return DONE if step.passed else NOT_DONE
+
+
+def _score(report: Report) -> str:
+    return f"{report.passed} of {report.count}"
+
+
+def _remark(report: Report) -> str:
+    return "The lesson has changed since." if report.changed else ""
+
+
+def _details(name: str, report: Report) -> Iterator[str]:
+    """Yield lines about what is not done, and about all that was said."""
+    yield f"{name}\n"
+    for i, step in enumerate(report.steps):
+        if not step.counts:
+            continue
+        hints = f", {step.hints} hint{'s' if step.hints > 1 else ''}" if step.hints else ""
+        yield f"  Step {i + 1}, {step.title}: {'done' if step.passed else 'not done'}{hints}\n"
+        if step.says:
+            yield f"    {step.says}\n"
+
+
+def _aligned(lines: Sequence[Sequence[str]]) -> str:
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    padded = ("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)) for line in lines)
+    return "".join(f"{line.rstrip()}\n" for line in padded)
+
+
+def _cells(report: Report) -> list[str | int]:
+    score: str | int = round(100 * report.passed / report.count) if report.count else ""
+    changed = "yes" if report.changed else "no"
+    cells: list[str | int] = [report.student, report.lesson, report.variant, changed]
+    cells += [report.passed, report.count, score]
+    for step in report.steps:
+        cells += [("yes" if step.passed else "no") if step.counts else "", step.hints, step.says]
+    return cells
+
+
+def _safe(cell: str | int) -> str | int:
+    """Return a cell that no spreadsheet takes for a formula: one that looks like it begins with an apostrophe."""
+    return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell

@@ -1,0 +1,243 @@
+"""What can be done with lessons: open, go through, answer, ask for a hint, close."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import ClassVar
+
+import numpy as np
+
+from armlab.content.lesson import Lesson
+from armlab.content.lessons import lessons
+from armlab.errors import InputError
+from armlab.kin.ik.target import feasible
+from armlab.session.lesson_progress import MOST_TYPED, Progress, step_names
+from armlab.session.parts.display import Display
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import Command, State
+
+MOST_VARIANT = 9999
+
+
+@dataclass(frozen=True)
+class OpenLesson(Command):
+    """Open a lesson: its arm in its start pose, its target, its switches. It goes on where the student has left it.
+
+    Parameters
+    ----------
+    key : str
+    anew : bool
+        Whether to forget the progress in it, also when it is open already.
+    variant : int, optional
+        Of a lesson that has variants; the one last worked on, or the student's own, when left out.
+    """
+
+    key: str
+    anew: bool = False
+    variant: int | None = None
+    label: ClassVar[str] = "arm of the lesson"
+
+    def apply(self, state: State) -> State:
+        """Return the state at the start of the lesson, or the same state when it is open already."""
+        part = state[LessonPart]
+        place = self._place(part)
+        if part.open == place and not self.anew:
+            return state
+        opened = replace(part, open=place, set_up=part.set_up + 1)
+        kept = Progress() if self.anew else replace(opened.progress, since=None, films=frozenset())
+        return _set_up(state, at_place(place)).replace(opened.with_progress(kept))
+
+    def _place(self, part: LessonPart) -> str:
+        if self.variant is not None and not 0 <= self.variant <= MOST_VARIANT:
+            raise InputError(f"variant: expected 0 to {MOST_VARIANT}, got {self.variant}")
+        if self.variant is not None or not lessons()[self.key].varies:
+            return place_of(self.key, self.variant or 0)
+        known = (place for place in reversed(list(part.progress_of)) if place.startswith(f"{self.key}/"))
+        return next(known, place_of(self.key, part.number))
+
+
+@dataclass(frozen=True)
+class TakeLessonArm(Command):
+    """Put the arm of the open lesson back on the table, in its start pose; the progress stays."""
+
+    label: ClassVar[str] = "arm of the lesson"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the arm of the lesson."""
+        part = state[LessonPart]
+        return _set_up(state, _lesson(state)).replace(replace(part, set_up=part.set_up + 1))
+
+
+@dataclass(frozen=True)
+class CloseLesson(Command):
+    """Close the lesson; arm and progress stay as they are, and what it held is free again."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state without a lesson."""
+        part = state[LessonPart]
+        found = part.lesson
+        if found is None:
+            return state
+        joints = state[Joints]
+        if found.locked_joints and joints.arm.n >= max(found.locked_joints):
+            joints = _held(joints, found, False)
+        return state.replace(joints, replace(part, open=""))
+
+
+@dataclass(frozen=True)
+class ReloadLesson(Command):
+    """Show the open lesson again, whose file has changed; what was done in steps that are still there stays done."""
+
+    key: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the lesson as its file is now."""
+        part = state[LessonPart]
+        if part.open.partition("/")[0] != self.key:
+            return state
+        return state.replace(replace(part, loaded=part.loaded + 1))
+
+
+@dataclass(frozen=True)
+class LookAt(Command):
+    """Note which panel is looked at."""
+
+    panel: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the panel noted."""
+        part = state[LessonPart]
+        return state if part.panel == self.panel else state.replace(replace(part, panel=self.panel))
+
+
+@dataclass(frozen=True)
+class SignAs(Command):
+    """Take the name with which a student signs the work."""
+
+    name: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the name."""
+        part, name = state[LessonPart], signed(self.name)
+        return state if name == part.student else state.replace(replace(part, student=name))
+
+
+@dataclass(frozen=True)
+class GoToStep(Command):
+    """Show a step of the open lesson, done or not.
+
+    Parameters
+    ----------
+    step : int
+        From 0.
+    """
+
+    step: int
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the step shown."""
+        lesson, part = _lesson(state), state[LessonPart]
+        if not 0 <= self.step < len(lesson.steps):
+            raise InputError(f"step: expected 1 to {len(lesson.steps)}, got {self.step + 1}")
+        if self.step == part.index:
+            return state
+        shown = replace(part.progress, step=step_names(lesson)[self.step], since=None, films=frozenset())
+        return state.replace(part.with_progress(shown))
+
+
+@dataclass(frozen=True)
+class UnlockHint(Command):
+    """Show the next hint of the shown step."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with one hint more, or the same state when all are shown."""
+        part = state[LessonPart]
+        step, progress, name = part.step, part.progress, part.name
+        shown = progress.hints.get(name, 0)
+        if step is None or shown >= len(step.hints):
+            return state
+        hints = MappingProxyType({**progress.hints, name: shown + 1})
+        return state.replace(part.with_progress(replace(progress, hints=hints)))
+
+
+@dataclass(frozen=True)
+class Answer(Command):
+    """Answer the question of the shown step.
+
+    Parameters
+    ----------
+    text : str
+        As typed; an empty one takes the answer away. Of a prediction the first counts, and stays.
+    """
+
+    text: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the answer noted."""
+        part, typed = state[LessonPart], self.text.strip()[:MOST_TYPED]
+        step, progress, name = part.step, part.progress, part.name
+        if step is None or step.question is None:
+            raise InputError("answer: there is no question here")
+        if step.question.hide and name in progress.answers:
+            raise InputError("Your prediction is noted; the first one counts.")
+        verdict = step.question.judge(typed)
+        if step.question.hide and verdict.name == "unreadable":
+            raise InputError("This cannot be read as an answer; your prediction is still open.")
+        answers = {other: text for other, text in progress.answers.items() if other != name}
+        right = progress.right
+        if typed:
+            answers[name] = typed
+            right = right | {name} if verdict.right else right
+        return state.replace(part.with_progress(replace(progress, right=right, answers=MappingProxyType(answers))))
+
+
+def _lesson(state: State) -> Lesson:
+    lesson = state[LessonPart].lesson
+    if lesson is None:
+        raise InputError("lesson: none is open")
+    return lesson
+
+
+def _set_up(state: State, lesson: Lesson) -> State:
+    """Return the state with arm, pose, target and switches as a lesson begins; nothing plays."""
+    robot = lesson.robot_used
+    if robot is not state[RobotPart].robot:
+        state = state.with_robot(robot)
+    joints = _held(Joints.initial(robot).moved_to(lesson.start), lesson, True)
+    on = {**state[Display].switches, **dict.fromkeys(lesson.overlays, True)}
+    return state.replace(
+        joints,
+        _target(lesson, joints, state[Target]),
+        Display(MappingProxyType(on)),
+        replace(state[Timeline], clip="", time=0.0, playing=False),
+    )
+
+
+def _held(joints: Joints, lesson: Lesson, on: bool) -> Joints:
+    locked = tuple(on if j + 1 in lesson.locked_joints else held for j, held in enumerate(joints.locked))
+    return replace(joints, locked=locked)
+
+
+def _target(lesson: Lesson, joints: Joints, target: Target) -> Target:
+    if lesson.target is None:
+        return replace(target, pose=None, catching_up=False)
+    pose = np.array(feasible(joints.arm, lesson.target, joints.tool_pose), dtype=np.float64)
+    if joints.arm.task.rotation == "none":
+        # The orientation is free: show the target as the tool stands.
+        pose[:3, :3] = joints.tool_pose[:3, :3]
+    pose.setflags(write=False)
+    return replace(target, pose=pose, catching_up=False)

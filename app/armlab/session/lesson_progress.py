@@ -1,0 +1,113 @@
+"""How far a student has come in one lesson, by the names of its steps, which outlive a change of their order."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from types import MappingProxyType
+
+from armlab.content.lesson import Lesson
+from armlab.session.state import Json
+
+MOST_TYPED = 1000
+"""Characters of an answer that are kept."""
+
+
+def _empty() -> Mapping[str, Json]:
+    return MappingProxyType({})
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a student has come in one lesson.
+
+    Attributes
+    ----------
+    step : str
+        Name of the step that is shown; empty for the first.
+    met : frozenset of str
+        Steps whose check was met once, or that have been shown and have none.
+    right : frozenset of str
+        Steps whose question was answered rightly once.
+    answers : mapping of str to str
+        What was typed last at each question; at a prediction, what was typed first.
+    hints : mapping of str to int
+        How many hints were unlocked at each step.
+    evidence : mapping of str to Json
+        What the check of a step saw when it was met.
+    since : float or None
+        When the step was first shown, in seconds of the session's clock; not saved.
+    films : frozenset of str
+        Clips that were played to their end since then; not saved.
+    """
+
+    step: str = ""
+    met: frozenset[str] = frozenset()
+    right: frozenset[str] = frozenset()
+    answers: Mapping[str, str] = field(default_factory=_empty)
+    hints: Mapping[str, int] = field(default_factory=_empty)
+    evidence: Mapping[str, Json] = field(default_factory=_empty)
+    since: float | None = None
+    films: frozenset[str] = frozenset()
+
+    def shown(self, lesson: Lesson) -> int:
+        """Return the number of the step that is shown, from 0."""
+        names = step_names(lesson)
+        return names.index(self.step) if self.step in names else 0
+
+    def committed(self, lesson: Lesson, i: int) -> bool:
+        """Return whether step i asks for a prediction and has got it."""
+        question = lesson.steps[i].question
+        return question is not None and bool(question.hide) and step_names(lesson)[i] in self.answers
+
+    def answered(self, lesson: Lesson, i: int) -> bool:
+        """Return whether the question of step i is settled, or there is none."""
+        return lesson.steps[i].question is None or self.committed(lesson, i) or step_names(lesson)[i] in self.right
+
+    def passed(self, lesson: Lesson) -> frozenset[int]:
+        """Return the steps, from 0, of which everything is done; what was done once stays done."""
+        names = step_names(lesson)
+        return frozenset(i for i, name in enumerate(names) if name in self.met and self.answered(lesson, i))
+
+
+@lru_cache(maxsize=1024)
+def step_names(lesson: Lesson) -> tuple[str, ...]:
+    """Return a name for each step: its title, with a number where an earlier step has the same."""
+    seen: Counter[str] = Counter()
+    names = []
+    for step in lesson.steps:
+        seen[step.title] += 1
+        names.append(f"{step.title}#{seen[step.title]}" if seen[step.title] > 1 else step.title)
+    return tuple(names)
+
+
+def written(progress: Progress) -> Json:
+    """Return it written down."""
+    return {
+        "step": progress.step,
+        "met": sorted(progress.met),
+        "right": sorted(progress.right),
+        "answers": dict(sorted(progress.answers.items())),
+        "hints": dict(sorted(progress.hints.items())),
+        "evidence": dict(sorted(progress.evidence.items())),
+    }
+
+
+def read(lesson: Lesson, data: Json) -> Progress:
+    """Return it read back; steps that are no longer there are forgotten."""
+    names = step_names(lesson)
+    asked = {name for name, step in zip(names, lesson.steps, strict=True) if step.question is not None}
+    checked = {name for name, step in zip(names, lesson.steps, strict=True) if step.check is not None}
+    hints = {name: len(step.hints) for name, step in zip(names, lesson.steps, strict=True)}
+    return Progress(
+        step=data["step"] if data["step"] in names else "",
+        met=frozenset(data["met"]) & frozenset(names),
+        right=frozenset(data["right"]) & asked,
+        answers=MappingProxyType({n: str(text)[:MOST_TYPED] for n, text in data["answers"].items() if n in asked}),
+        hints=MappingProxyType(
+            {name: min(int(count), hints[name]) for name, count in data.get("hints", {}).items() if name in hints}
+        ),
+        evidence=MappingProxyType({n: seen for n, seen in data.get("evidence", {}).items() if n in checked}),
+    )

@@ -1,0 +1,215 @@
+"""The shelf: what a student has put aside to go to a sandbox of their own, or to look at a state somebody has shared.
+
+There are three places. At home are the lessons, and the work without one. The sandbox is where a student plays while a
+lesson waits at home. What somebody has shared lies over either. Going and coming are no steps of undo; each place has
+a history of its own (`armlab.session.session`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import ClassVar, Self
+
+from armlab.content.robots import Robot
+from armlab.errors import InputError
+from armlab.session.lesson_commands import CloseLesson
+from armlab.session.parts.display import Display
+from armlab.session.parts.lesson import LessonPart, is_place
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.timeline import Timeline
+from armlab.session.share import OF_THE_SCREEN, STAYS, TEXT, from_short, state_of_parts
+from armlab.session.state import Command, Json, Part, PartType, State
+
+HOME, SANDBOX, SHARED = "home", "sandbox", "shared"
+
+
+@dataclass(frozen=True)
+class Shelf(Part):
+    """Where the student is, and the states of the places where they are not.
+
+    Attributes
+    ----------
+    own : "home" or "sandbox"
+        Where the student's own work goes on.
+    shared : str
+        The text of the shared state that lies over it; empty for none.
+    parked : mapping of str to State
+        By place, ``home`` or ``sandbox``. The states have empty shelves and no progress in lessons: the present
+        progress always counts.
+    """
+
+    key: ClassVar[str] = "shelf"
+    kept_by_undo: ClassVar[bool] = True
+
+    own: str = HOME
+    shared: str = ""
+    parked: Mapping[str, State] = field(default_factory=lambda: MappingProxyType({}))
+
+    @property
+    def place(self) -> str:
+        """Where the student is: home, sandbox or shared."""
+        return SHARED if self.shared else self.own
+
+    @property
+    def waiting(self) -> str:
+        """The lesson that waits at home while the student is elsewhere, as `LessonPart.open`; empty for none."""
+        return self.parked[HOME][LessonPart].open if HOME in self.parked else ""
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return an empty shelf, the student at home."""
+        return cls()
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Keep everything."""
+        return self
+
+    def after(self, before: State, now: State) -> Self:
+        """Go home when a lesson is opened elsewhere: it takes the place of what waits there."""
+        if self.place == HOME or not now[LessonPart].open:
+            return self
+        parked = _left(before)
+        parked.pop(HOME)
+        return type(self)(parked=_frozen(parked))
+
+    def to_json(self) -> Json:
+        """Write the states without what they do not have."""
+        parked = {
+            place: {
+                "lesson": state[LessonPart].open,
+                "parts": {key: part for key, part in state.to_json().items() if key not in STAYS},
+            }
+            for place, state in self.parked.items()
+        }
+        return {"own": self.own, "shared": self.shared, "parked": parked}
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read it back; raises when a state that waits is not usable."""
+        own, shared = data["own"], data["shared"]
+        states = {place: _read(each) for place, each in data["parked"].items()}
+        needed = {HOME} if own == SANDBOX else set()
+        needed |= {own} if shared else set()
+        optional = {SANDBOX} if own == HOME else set()
+        if own not in (HOME, SANDBOX) or not needed <= set(states) <= needed | optional:
+            raise InputError(f"shelf: expected the states of other places, got {sorted(states)} at {own!r}")
+        if shared and not TEXT.match(shared):
+            raise InputError("shelf: not the text of a shared state")
+        return cls(own, shared, _frozen(states))
+
+
+PART = PartType(Shelf, order=96)
+
+
+@dataclass(frozen=True)
+class ToSandbox(Command):
+    """Put the open lesson aside and go where the last sandbox was; the first time it begins with the arm as it is."""
+
+    undoable: ClassVar[bool] = False
+    reacts: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state of the sandbox."""
+        shelf = state[Shelf]
+        if shelf.place == SANDBOX:
+            return state
+        if shelf.place == SHARED:
+            raise InputError("sandbox: a shared state is open; go back to your work first")
+        if not state[LessonPart].open:
+            raise InputError("sandbox: no lesson is open, so the arm is yours already")
+        parked = _left(state)
+        found = parked.pop(SANDBOX, None) or CloseLesson().apply(parked[HOME])
+        return _arrived(state, found, Shelf(SANDBOX, parked=_frozen(parked)))
+
+
+@dataclass(frozen=True)
+class BackToLesson(Command):
+    """Go home, where the lesson is as it was left; the sandbox is kept."""
+
+    undoable: ClassVar[bool] = False
+    reacts: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state at home."""
+        if state[Shelf].place == HOME:
+            return state
+        parked = _left(state)
+        found = parked.pop(HOME)
+        return _arrived(state, found, Shelf(parked=_frozen(parked)), found[LessonPart].open)
+
+
+@dataclass(frozen=True)
+class OpenShared(Command):
+    """Look at a state somebody has shared, and play with it; the present work waits.
+
+    Parameters
+    ----------
+    text : str
+        Of `armlab.session.share.short`.
+    """
+
+    text: str
+    undoable: ClassVar[bool] = False
+    reacts: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the shared state, or the same state when it is open already.
+
+        Raises
+        ------
+        InputError
+            The text does not hold a state.
+        """
+        shelf = state[Shelf]
+        if self.text == shelf.shared:
+            return state
+        found = from_short(self.text)
+        mine = {name: on for name, on in state[Display].switches.items() if name in OF_THE_SCREEN}
+        display = Display(MappingProxyType({**found[Display].switches, **mine}))
+        return _arrived(state, found.replace(display), Shelf(shelf.own, self.text, _frozen(_left(state))))
+
+
+@dataclass(frozen=True)
+class BackFromShared(Command):
+    """Leave the shared state and go on with one's own work, as it was left."""
+
+    undoable: ClassVar[bool] = False
+    reacts: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state of the student's own work."""
+        shelf = state[Shelf]
+        if not shelf.shared:
+            return state
+        parked = dict(shelf.parked)
+        found = parked.pop(shelf.own)
+        return _arrived(state, found, Shelf(shelf.own, parked=_frozen(parked)), found[LessonPart].open)
+
+
+def _left(state: State) -> dict[str, State]:
+    """Return what waits once the student has left; a shared state does not, its link brings it back."""
+    shelf = state[Shelf]
+    parked = dict(shelf.parked)
+    if not shelf.shared:
+        lesson = replace(LessonPart.initial(state[RobotPart].robot), open=state[LessonPart].open)
+        parked[shelf.own] = state.replace(Shelf(), lesson, replace(state[Timeline], playing=False))
+    return parked
+
+
+def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
+    """Return a found state with the present progress in lessons, and this lesson open."""
+    return found.replace(shelf, replace(state[LessonPart], open=lesson))
+
+
+def _frozen(parked: dict[str, State]) -> Mapping[str, State]:
+    return MappingProxyType(parked)
+
+
+def _read(data: Json) -> State:
+    parts, key = data["parts"], data["lesson"]
+    if not set(STAYS).isdisjoint(parts):
+        raise InputError("shelf: a state that waits has no shelf and no lessons of its own")
+    state = state_of_parts(parts)
+    return state.replace(replace(state[LessonPart], open=key if is_place(key) else ""))

@@ -1,0 +1,247 @@
+"""A lesson played by its own solution, and what is wrong with it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.content import actions
+from armlab.content.check import Check
+from armlab.content.checks.all_of import AllOf
+from armlab.content.checks.looked_at import LookedAt
+from armlab.content.checks.target_at import TargetAt
+from armlab.content.lesson import Lesson
+from armlab.content.lessons import lesson as find_lesson
+from armlab.content.observation import Observation
+from armlab.errors import InputError
+from armlab.kin.checks import finite_floats, whole_number
+from armlab.session import edits
+from armlab.session.hand_in import plain
+from armlab.session.lesson_commands import Answer, GoToStep, LookAt, OpenLesson
+from armlab.session.parts.display import Show
+from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.lesson import LessonPart, check_line, observed
+from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.target import PlaceTarget
+from armlab.session.parts.timeline import OpenClip, Seek, duration
+from armlab.session.session import Session
+from armlab.session.state import Command
+
+RANDOM_STATES = 100
+MOST_BY_CHANCE = 4
+"""How many of the random states may meet a check."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something wrong with a lesson that its file does not show.
+
+    Attributes
+    ----------
+    step : int
+        From 1.
+    line : int
+        Of the step in the file.
+    says : str
+    """
+
+    step: int
+    line: int
+    says: str
+
+
+class Player:
+    """A student who does exactly what the solutions say."""
+
+    def __init__(self, lesson: Lesson) -> None:
+        self.lesson = lesson
+        self.session = Session.fresh("solution", lesson.robot_used)
+        self.time = 0.0
+        self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None))
+        self.do(LookAt(lesson.panel))
+
+    @property
+    def part(self) -> LessonPart:
+        """The lesson as it is now."""
+        return self.session.state[LessonPart]
+
+    def do(self, command: Command) -> str:
+        """Apply a command; return why it was refused, or nothing."""
+        told = self.session.notice
+        self.session.apply(command, self.time)
+        return "" if self.session.notice is told or self.session.notice is None else self.session.notice.text
+
+    def act(self, action: actions.Action) -> str:
+        """Do what a solution says; return why it was refused, or nothing."""
+        if isinstance(action, actions.Wait):
+            self.time += action.seconds
+            return ""
+        return next(filter(None, (self.do(command) for command in self._commands(action))), "")
+
+    def _commands(self, action: actions.Action) -> Iterator[Command]:
+        if isinstance(action, actions.Move):
+            yield from (MoveJoint(i, float(value)) for i, value in enumerate(action.q))
+        elif isinstance(action, actions.MoveTarget):
+            yield PlaceTarget(action.T)
+        elif isinstance(action, actions.SetCell):
+            yield edits.SetCell(action.row, action.field, action.value)
+        elif isinstance(action, actions.TakeRobot):
+            yield ChooseRobot(action.key)
+        elif isinstance(action, actions.SetSwitch):
+            yield Show(action.name, action.on)
+        elif isinstance(action, actions.PlayFilm):
+            yield OpenClip("film")
+            yield Seek(duration(self.session.state))
+        elif isinstance(action, actions.TypeAnswer):
+            yield Answer(action.text)
+
+
+def problems(key: str, variant: int = 0) -> list[Problem]:
+    """Return what is wrong with a lesson: played by its solution, with its wrong answers, and with random states.
+
+    Parameters
+    ----------
+    key : str
+    variant : int
+
+    Raises
+    ------
+    UnknownName, ContentError
+        There is no such lesson, or its file cannot be used.
+    """
+    lesson = find_lesson(key, variant)
+    player = Player(lesson)
+    found = []
+    for i, step in enumerate(lesson.steps):
+        player.do(GoToStep(i))
+        says = (*_before(player), *_played(player, i), *_wrong_answers(lesson, i), *_wrong_states(lesson, i))
+        found += [Problem(i + 1, step.line, text) for text in (*says, *_by_chance(lesson, i))]
+    return found
+
+
+def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[bool, str]:
+    """Return whether joint values meet the check of a step, and what the lesson says, as plain text.
+
+    All else is as when the lesson begins.
+
+    Parameters
+    ----------
+    key : str
+    q : array_like, shape (n,)
+        Radians and metres.
+    step : int
+        From 1.
+    variant : int
+
+    Raises
+    ------
+    UnknownName, ContentError
+        There is no such lesson, or its file cannot be used.
+    InputError
+        There is no such step, or nothing to check in it; q is of another shape or outside the joint limits.
+    """
+    lesson = find_lesson(key, variant)
+    if whole_number(step, "step", 1) > len(lesson.steps):
+        raise InputError(f"step: expected 1 to {len(lesson.steps)}, got {step}")
+    check, arm = lesson.steps[step - 1].check, lesson.robot_used.arm
+    if check is None:
+        checked = ", ".join(str(i + 1) for i, each in enumerate(lesson.steps) if each.check is not None)
+        raise InputError(f"step: nothing is checked in step {step} of {key!r}; steps with a check: {checked or 'none'}")
+    values = finite_floats(q, "q", (arm.n,), f"{arm.n} joint values in radians and metres")
+    if not arm.within_limits(values):
+        raise InputError(f"q: outside the joint limits of {lesson.robot_used.name}")
+    met, says = check.judge(_seen_at(observed(Player(lesson).session.state), values))
+    return met, plain(says)
+
+
+def _before(player: Player) -> Iterator[str]:
+    """Say when there is nothing left to do at a step before anything is done."""
+    step = player.part.step
+    if step is not None and step.check is not None and check_line(player.session.state)[0]:
+        yield "its check is met already when the step begins"
+
+
+def _played(player: Player, i: int) -> Iterator[str]:
+    step, lesson = player.lesson.steps[i], player.lesson
+    if step.check is not None:
+        for panel in panels_asked(step.check.check):
+            player.do(LookAt(panel))
+    if step.check is not None and not step.solution and not check_line(player.session.state)[0]:
+        yield "it has a check and no block 'solution'"
+        return
+    for number, action in enumerate(step.solution, start=1):
+        refused = player.act(action)
+        if refused:
+            yield f"action {number} of its solution is refused: {refused}"
+            return
+    if step.question is not None and not any(isinstance(each, actions.TypeAnswer) for each in step.solution):
+        player.do(Answer(step.question.right_answer))
+    if step.question is not None and player.part.name not in player.part.progress.right:
+        verdict = player.part.verdict
+        yield f"its own answer is not right: {plain(verdict.says) if verdict else 'not taken'}"
+    if i not in player.part.progress.passed(lesson) and step.check is not None:
+        met, says = check_line(player.session.state)
+        if not met:
+            yield f"its solution does not meet its check: {plain(says) or 'the arm is no longer that of the lesson'}"
+
+
+def _wrong_answers(lesson: Lesson, i: int) -> Iterator[str]:
+    question = lesson.steps[i].question
+    for number, wrong in enumerate(question.wrong if question else (), start=1):
+        assert question is not None
+        verdict = question.judge(wrong.typed)
+        if verdict.right or verdict.says != wrong.says:
+            yield f"question.wrong[{number}] ({wrong.typed}) gets another verdict: {plain(verdict.says)}"
+
+
+def _wrong_states(lesson: Lesson, i: int) -> Iterator[str]:
+    check = lesson.steps[i].check
+    for number, wrong in enumerate(check.wrong if check else (), start=1):
+        assert check is not None
+        if wrong.q is None:
+            if _of_configuration(wrong.check):
+                yield f"check.wrong[{number}] needs q_deg, q_m or q_deg_m: a configuration that gets its verdict"
+            continue
+        met, says = check.judge(_seen_at(observed(Player(lesson).session.state), wrong.q))
+        if met or says != wrong.says:
+            yield f"check.wrong[{number}] gets another verdict at its own configuration: {plain(says)}"
+
+
+def _of_configuration(check: Check) -> bool:
+    """Return whether joint values alone can meet a check."""
+    if isinstance(check, AllOf):
+        return all(_of_configuration(each) for each in check.checks)
+    return not getattr(check, "of_table", False) and not isinstance(check, TargetAt | LookedAt)
+
+
+def panels_asked(check: Check) -> Iterator[str]:
+    """Yield the panels a check asks to open: anybody can at any time, so solutions do not say it."""
+    if isinstance(check, AllOf):
+        for each in check.checks:
+            yield from panels_asked(each)
+    elif isinstance(check, LookedAt) and check.panel:
+        yield check.panel
+
+
+def _by_chance(lesson: Lesson, i: int) -> Iterator[str]:
+    check = lesson.steps[i].check
+    if check is None:
+        return
+    count = sum(check.check.is_met(seen) for seen in random_states(lesson))
+    if count > MOST_BY_CHANCE:
+        yield f"{count} of {RANDOM_STATES} random states meet its check: make its tolerances smaller"
+
+
+def random_states(lesson: Lesson, count: int = RANDOM_STATES) -> Iterator[Observation]:
+    """Yield seeded random states of the lesson's arm, inside its limits, with everything else as at its start."""
+    start = observed(Player(lesson).session.state)
+    limits, rng = start.arm.limits, np.random.default_rng(0)
+    for _ in range(count):
+        yield _seen_at(start, rng.uniform(limits[:, 0], limits[:, 1]))
+
+
+def _seen_at(start: Observation, q: NDArray[np.float64]) -> Observation:
+    return Observation.of(start.arm, q, target=start.target, switches=start.switches, panel=start.panel)

@@ -1,0 +1,118 @@
+"""How the question of a step is asked: one field, options, or a grid of fields; always answered with one text."""
+
+from __future__ import annotations
+
+from armlab.content.question import Choices, Field, Form, Grid, Question, Verdict
+from armlab.ui.format import escaped
+from armlab.ui.markup import button, field
+
+UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m"}
+"""How units are written where they are not so in lesson files."""
+
+ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-", "lesson-entry-"
+
+
+class Draft:
+    """What has been chosen or filled in and not yet handed in, of one question.
+
+    Parameters
+    ----------
+    form : Field, Choices or Grid
+    typed : str
+        The answer that was given last; empty for none.
+    """
+
+    def __init__(self, form: Form, typed: str) -> None:
+        self._form = form
+        self.chosen = {int(word) for word in typed.replace(",", " ").split() if word.isdecimal()}
+        rows = [row.split() for row in typed.split(";")]
+        self.entries: dict[tuple[int, int], str] = {}
+        if isinstance(form, Grid) and [len(row) for row in rows] == [form.columns] * form.rows:
+            self.entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
+
+    def take(self, cell: str, text: str) -> str | None:
+        """Take what a person did; return the whole answer when it is handed in, else None."""
+        if cell == ANSWER:
+            return text
+        if cell == CHECK:
+            return self._whole()
+        if cell.startswith(CHOICE) and isinstance(self._form, Choices):
+            option = int(cell.removeprefix(CHOICE))
+            if not self._form.several:
+                return str(option)
+            self.chosen ^= {option}
+        elif cell.startswith(ENTRY) and isinstance(self._form, Grid):
+            i, j = (int(part) for part in cell.removeprefix(ENTRY).split("-"))
+            # Spaces part the entries of the whole, so that an entry may have none.
+            self.entries[i, j] = "".join(text.split())
+        return None
+
+    def _whole(self) -> str | None:
+        if isinstance(self._form, Choices):
+            return ",".join(map(str, sorted(self.chosen)))
+        if isinstance(self._form, Grid):
+            rows, columns = range(self._form.rows), range(self._form.columns)
+            return "; ".join(" ".join(self.entries.get((i, j), "") or "?" for j in columns) for i in rows)
+        return None  # the field beside it has told already
+
+
+def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: str) -> str:
+    """Return the question with what it is answered with.
+
+    Parameters
+    ----------
+    question : Question
+    typed : str
+        The last answer.
+    draft : Draft
+    settled : bool
+        Whether the answer counts and cannot be changed.
+    channel : str
+    """
+    note = ""
+    if question.hide:
+        said = "Your prediction is noted." if settled else "Predict: your first answer counts."
+        note = f'<p class="dim">{said}</p>'
+    return f'<div class="ask">{question.html}{note}{_form(question.form, typed, draft, settled, channel)}</div>'
+
+
+def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str) -> str:
+    check = "" if settled else button(channel, CHECK, "Check", "chip")
+    if isinstance(form, Field):
+        unit = escaped(UNIT_SIGNS.get(form.unit, form.unit))
+        label = f"Your answer in {unit}" if unit else "Your answer"
+        line = field(channel, ANSWER, typed, label, settled, spellcheck="false", placeholder="your answer")
+        return f'<div class="answer">{line}<i>{unit}</i>{check}</div>'
+    if isinstance(form, Choices):
+        return _choices(form, draft, settled, channel, check if form.several else "")
+    return _grid(form, draft, settled, channel, check)
+
+
+def _choices(form: Choices, draft: Draft, settled: bool, channel: str, check: str) -> str:
+    offered = "".join(
+        button(channel, f"{CHOICE}{k}", option, "choice", pressed=k in draft.chosen, off=settled)
+        for k, option in enumerate(form.options, start=1)
+    )
+    hint = '<p class="dim">Choose all that hold.</p>' if form.several else ""
+    return f'{hint}<div class="choices">{offered}</div>{check}'
+
+
+def _grid(form: Grid, draft: Draft, settled: bool, channel: str, check: str) -> str:
+    rows = []
+    for i in range(form.rows):
+        cells = (
+            field(channel, f"{ENTRY}{i}-{j}", draft.entries.get((i, j), ""), f"Row {i + 1}, column {j + 1}", settled)
+            for j in range(form.columns)
+        )
+        rows.append(f"<div>{''.join(cells)}</div>")
+    unit = f"<i>{escaped(UNIT_SIGNS.get(form.unit, form.unit))}</i>" if form.unit else ""
+    return f'<div class="entries">{"".join(rows)}</div><div class="answer">{unit}{check}</div>'
+
+
+def said(verdict: Verdict | None) -> str:
+    """Return the verdict on the last answer; nothing before one is given."""
+    if verdict is None:
+        return ""
+    if verdict.right:
+        return f'<div class="verdict ok" role="status"><b>✓ {verdict.says}</b></div>'
+    return f'<div class="verdict no" role="status"><b>✕ Not yet</b>{verdict.says}</div>'

@@ -1,0 +1,49 @@
+"""What a link asks of a session.
+
+``robot/puma560`` wants that arm on the table, ``lesson/first_arm`` that lesson, ``lesson/first_arm/7`` a variant of it,
+``state/1eN...`` a state somebody has shared.
+"""
+
+from __future__ import annotations
+
+from armlab.errors import InputError
+from armlab.session.lesson_commands import OpenLesson
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.parts.shelf import BackToLesson, OpenShared, Shelf
+from armlab.session.share import short
+from armlab.session.state import Command, State
+
+
+def wished(state: State, wish: str) -> Command | None:
+    """Return the command for a wish; None when it is granted already, so that a reload resets nothing."""
+    kind, _, what = wish.partition("/")
+    if kind == "robot" and what != state[RobotPart].robot.key:
+        return ChooseRobot(what)
+    if kind == "lesson":
+        return _lesson(state, *what.partition("/")[::2])
+    if kind == "state" and what not in (state[Shelf].shared, _shared(state)):
+        return OpenShared(what)
+    return None
+
+
+def _lesson(state: State, key: str, variant: str) -> Command | None:
+    """Return how to get into a lesson: into the variant last worked on when none is named."""
+    place = f"{key}/{int(variant)}" if variant else ""
+    if _is(state[LessonPart].open, key, place):
+        return None
+    if _is(state[Shelf].waiting, key, place):
+        return BackToLesson()
+    return OpenLesson(key, variant=int(variant) if variant else None)
+
+
+def _is(opened: str, key: str, place: str) -> bool:
+    return opened == place if place else opened.partition("/")[0] == key
+
+
+def _shared(state: State) -> str:
+    """Return the text of the state; empty when it has none."""
+    try:
+        return short(state)
+    except InputError:
+        return ""

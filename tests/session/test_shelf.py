@@ -1,0 +1,420 @@
+"""The sandbox and shared states: what waits is as it was left, whatever happens elsewhere."""
+
+import json
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.edits import AddJoint, SetCell, SetLimits
+from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson
+from armlab.session.parts.display import Show
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.lines import PlaceLines, TakeAxes
+from armlab.session.parts.notation import Label
+from armlab.session.parts.point import SetPoint
+from armlab.session.parts.pose_view import LookAt
+from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.parts.selection import Select
+from armlab.session.parts.shelf import (
+    HOME,
+    SANDBOX,
+    SHARED,
+    BackFromShared,
+    BackToLesson,
+    OpenShared,
+    Shelf,
+    ToSandbox,
+)
+from armlab.session.parts.sweep import SweepJoint
+from armlab.session.parts.target import PlaceTarget, Target, target_pose
+from armlab.session.parts.timeline import OpenClip, Play, PlayLike, Seek, Timeline
+from armlab.session.session import Redo, Session, StartFresh, Undo
+from armlab.session.share import short
+from armlab.session.state import State, part_types
+from armlab.session.store import state_from_text
+from armlab.session.trainer_commands import StartTrainer
+
+PUMA, PLANAR = catalogue()["puma560"], catalogue()["planar_2r"]
+NOT_COMPARED = (Shelf, LessonPart)
+
+
+def shared_text(key, value):
+    session = Session.fresh("teacher", catalogue()[key])
+    session.apply(MoveJoint(0, value), 0.0)
+    session.apply(Show("frames", True), 1.0)
+    return short(session.state)
+
+
+SCARA, UR10 = shared_text("scara", 0.5), shared_text("ur10", -0.25)
+
+
+def applied(session, *commands):
+    for command in commands:
+        session.apply(command, applied.clock)
+        applied.clock += 2.0
+    return session
+
+
+applied.clock = 0.0
+
+
+def reloaded(state):
+    return state_from_text(json.dumps({"format": 1, "parts": state.to_json()}))
+
+
+def written(state):
+    """All of a state but the shelf and what the lessons know, which travels along."""
+    return {key: part for key, part in state.to_json().items() if key not in ("shelf", "lesson")}
+
+
+def same(state, left):
+    """Check that every part is the one that was left."""
+    for kind in part_types():
+        if kind not in NOT_COMPARED:
+            assert state[kind] is left[kind] or state[kind] == left[kind], kind
+    assert state[LessonPart].open == left[LessonPart].open
+    assert written(state) == written(left)
+
+
+@pytest.fixture
+def session():
+    return applied(Session.fresh("token", PUMA), Show("names", True))
+
+
+@pytest.fixture
+def lesson(session):
+    T = np.eye(4)
+    T[:3, 3] = 1.0, 0.8, 0.0
+    return applied(session, OpenLesson("first_arm"), MoveJoint(0, 0.4), PlaceTarget(T), LockJoint(1, True))
+
+
+def test_a_sandbox_begins_with_the_arm_as_it_is_and_the_lesson_waits(lesson):
+    left = lesson.state
+    applied(lesson, ToSandbox())
+    state = lesson.state
+    assert state[Shelf].place == SANDBOX
+    assert state[Shelf].waiting == "first_arm"
+    assert state[LessonPart].lesson is None
+    assert state[LessonPart].progress_of == left[LessonPart].progress_of
+    assert state[RobotPart].robot is PLANAR
+    assert state[Joints] is left[Joints]
+    assert lesson.notice is None
+
+
+def test_the_lesson_and_the_sandbox_are_as_they_were_left(lesson):
+    left = lesson.state
+    applied(lesson, ToSandbox(), ChooseRobot("scara"), MoveJoint(0, 1.0), Show("names", False), Label("angle", "rad"))
+    played = lesson.state
+    applied(lesson, BackToLesson())
+    same(lesson.state, left)
+    assert lesson.state[LessonPart] == left[LessonPart]
+    assert lesson.state[Target].pose is left[Target].pose
+    applied(lesson, MoveJoint(0, -0.2), ToSandbox())
+    same(lesson.state, played)
+    applied(lesson, BackToLesson())
+    assert lesson.state[Joints].q[0] == -0.2
+
+
+def test_progress_is_always_the_present_one(lesson):
+    applied(lesson, ToSandbox(), ChooseRobot("ur10"), OpenShared(SCARA), BackToLesson(), GoToStep(2), Answer("0.5"))
+    answers = lesson.state[LessonPart].progress.answers
+    assert list(answers.values()) == ["0.5"]
+    applied(lesson, ToSandbox(), BackToLesson())
+    assert lesson.state[LessonPart].progress.answers == answers
+    applied(lesson, Undo(), Undo(), Undo())
+    assert lesson.state[LessonPart].progress.answers == answers
+
+
+def test_going_and_coming_are_no_steps_of_undo(lesson):
+    label, steps = lesson.history.undo_label, len(lesson.history.past)
+    applied(lesson, ToSandbox())
+    assert lesson.history.undo_label is None
+    applied(lesson, ChooseRobot("scara"), Undo())
+    assert lesson.robot is PLANAR
+    assert lesson.history.undo_label is None
+    before = lesson.state
+    applied(lesson, Undo())
+    assert lesson.state is before
+    applied(lesson, OpenShared(UR10), Undo())
+    assert lesson.robot.key == "ur10"
+    applied(lesson, BackFromShared())
+    assert lesson.history.redo_label == ChooseRobot.label
+    applied(lesson, BackToLesson())
+    assert (lesson.history.undo_label, len(lesson.history.past)) == (label, steps)
+    applied(lesson, Undo(), Undo(), Undo())
+    np.testing.assert_array_equal(lesson.state[Joints].q, lesson.state[LessonPart].lesson.start)
+    assert lesson.state[Shelf].place == HOME
+    assert SANDBOX in lesson.state[Shelf].parked
+
+
+def test_each_shared_state_has_a_history_of_its_own(session):
+    applied(session, OpenShared(SCARA), MoveJoint(1, 0.3), OpenShared(UR10))
+    assert session.history.undo_label is None
+    applied(session, MoveJoint(1, 0.3), Undo(), Undo())
+    assert session.robot.key == "ur10"
+    applied(session, OpenShared(SCARA))
+    assert session.history.undo_label is None
+
+
+def test_a_shared_state_covers_the_work_and_gives_it_back(session):
+    applied(session, SetCell(1, "a", 0.7), MoveJoint(0, 0.3), SetPoint((0.0, 0.0, 0.1)))
+    left = session.state
+    applied(session, OpenShared(SCARA))
+    assert session.robot.key == "scara"
+    assert session.state[Joints].q[0] == 0.5
+    assert session.state[Shelf].shared == SCARA
+    applied(session, MoveJoint(1, 0.2), OpenShared(UR10), MoveJoint(1, 0.2), OpenShared(SCARA), BackFromShared())
+    same(session.state, left)
+    assert session.state[RobotPart].robot is left[RobotPart].robot
+    assert not session.state[Shelf].parked
+    assert session.notice is None
+
+
+def test_opening_the_shared_state_that_is_open_changes_nothing(session):
+    state = applied(session, OpenShared(SCARA), MoveJoint(1, 0.2)).state
+    assert applied(session, OpenShared(SCARA)).state is state
+
+
+def test_from_a_shared_state_over_the_sandbox_there_are_two_ways_back(lesson):
+    left = lesson.state
+    applied(lesson, ToSandbox(), ChooseRobot("stanford"))
+    played = lesson.state
+    applied(lesson, OpenShared(SCARA), BackFromShared())
+    same(lesson.state, played)
+    applied(lesson, OpenShared(UR10), BackToLesson())
+    same(lesson.state, left)
+    applied(lesson, ToSandbox())
+    same(lesson.state, played)
+
+
+def test_what_is_no_state_is_refused_and_leaves_everything(lesson):
+    left = lesson.state
+    applied(lesson, OpenShared("1AAAA"))
+    assert lesson.state is left
+    assert "copy the whole link" in lesson.notice.text
+
+
+def test_what_makes_no_sense_is_refused_with_a_sentence(session):
+    applied(session, ToSandbox())
+    assert "no lesson is open" in session.notice.text
+    applied(session, OpenShared(SCARA), ToSandbox())
+    assert "go back to your work first" in session.notice.text
+    assert session.state[Shelf].place == SHARED
+
+
+@pytest.mark.parametrize("command", [BackToLesson(), BackFromShared()])
+def test_at_home_there_is_no_way_back(session, command):
+    before = session.state
+    assert applied(session, command).state is before
+
+
+def test_in_the_sandbox_there_is_no_way_to_the_sandbox(lesson):
+    before = applied(lesson, ToSandbox()).state
+    assert applied(lesson, ToSandbox()).state is before
+    assert applied(lesson, BackFromShared()).state is before
+
+
+def test_a_lesson_opened_elsewhere_takes_the_place_of_what_waits_and_undo_brings_that_back(lesson):
+    left = lesson.state
+    applied(lesson, ToSandbox(), ChooseRobot("scara"))
+    played = lesson.state
+    applied(lesson, OpenLesson("first_arm"))
+    assert lesson.state[Shelf].place == HOME
+    assert set(lesson.state[Shelf].parked) == {SANDBOX}
+    np.testing.assert_array_equal(lesson.state[Joints].q, lesson.state[LessonPart].lesson.start)
+    applied(lesson, Undo())
+    np.testing.assert_array_equal(lesson.state[Joints].q, left[Joints].q)
+    applied(lesson, ToSandbox())
+    same(lesson.state, played)
+
+
+def test_a_lesson_opened_over_a_shared_state_is_at_home(session):
+    applied(session, SetCell(1, "a", 0.7))
+    own = session.robot
+    applied(session, OpenShared(SCARA), OpenLesson("first_arm"))
+    assert session.state[Shelf].place == HOME
+    assert not session.state[Shelf].parked
+    applied(session, Undo())
+    assert session.robot is own
+
+
+def test_closing_the_lesson_at_home_leaves_the_sandbox_where_it_is(lesson):
+    applied(lesson, ToSandbox(), ChooseRobot("scara"), BackToLesson(), CloseLesson())
+    assert SANDBOX in lesson.state[Shelf].parked
+    applied(lesson, OpenLesson("first_arm"), ToSandbox())
+    assert lesson.robot.key == "scara"
+
+
+def test_a_film_that_played_waits_where_it_was(lesson):
+    applied(lesson, OpenClip("film"), Seek(2.0), Play(True), ToSandbox())
+    assert not lesson.state[Timeline].playing
+    applied(lesson, OpenClip(""), BackToLesson())
+    timeline = lesson.state[Timeline]
+    assert (timeline.clip, timeline.time, timeline.playing) == ("film", 2.0, False)
+
+
+def test_what_is_drawn_of_a_sweep_on_another_arm_does_not_touch_the_lesson(lesson):
+    """The parts react to changes of each other; a state that comes back whole must not be adapted."""
+    applied(lesson, LockJoint(1, False), SweepJoint(1), OpenClip("sweep"), Seek(1.0))
+    left = lesson.state
+    applied(lesson, ToSandbox(), OpenClip(""), ChooseRobot("cartesian_3p"), BackToLesson())
+    same(lesson.state, left)
+
+
+def test_starting_fresh_clears_the_shelf(lesson):
+    applied(lesson, ToSandbox(), OpenShared(SCARA), StartFresh(), OpenLesson("first_arm"), ToSandbox())
+    assert lesson.robot is PLANAR
+    assert lesson.history.undo_label is None
+
+
+def test_what_waits_does_not_pile_up(lesson):
+    for k in range(12):
+        applied(lesson, ToSandbox(), RandomPose(), OpenShared((SCARA, UR10)[k % 2]), BackFromShared(), BackToLesson())
+    assert set(lesson.state[Shelf].parked) == {SANDBOX}
+    for parked in lesson.state[Shelf].parked.values():
+        assert parked[Shelf] == Shelf()
+        assert not parked[LessonPart].progress_of
+    assert len(json.dumps(lesson.state.to_json())) < 12_000
+
+
+@pytest.mark.parametrize(
+    "trip",
+    [
+        (),
+        (ToSandbox(), ChooseRobot("scara")),
+        (ToSandbox(), ChooseRobot("scara"), BackToLesson()),
+        (OpenShared(UR10), MoveJoint(0, 0.1)),
+        (ToSandbox(), SetCell(0, "a", 0.3), OpenShared(UR10)),
+    ],
+)
+def test_a_restart_keeps_every_place(lesson, trip):
+    state = applied(lesson, *trip).state
+    again = reloaded(state)
+    assert again[Shelf].to_json() == state[Shelf].to_json()
+    assert again[Shelf].place == state[Shelf].place
+    before, after = Session("token", PUMA, state), Session("token", PUMA, again)
+    for way in (BackFromShared(), BackToLesson(), ToSandbox()):
+        applied(before, way)
+        applied(after, way)
+        assert written(after.state) == written(before.state)
+        assert after.state[LessonPart].open == before.state[LessonPart].open
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        {"own": "elsewhere"},
+        {"own": HOME},
+        {"shared": "<script>"},
+        {"shared": 5},
+        {"parked": {}},
+        {"parked": []},
+        {"parked": {HOME: {}}},
+        {"parked": {HOME: {"lesson": "first_arm", "parts": {}}}},
+        {"parked": {HOME: {"lesson": "first_arm", "parts": {"robot": "gone"}}}},
+        {"parked": {HOME: {"lesson": "first_arm", "parts": {"robot": "puma560", "shelf": Shelf().to_json()}}}},
+        {"parked": {"third": {"lesson": "", "parts": {"robot": "puma560"}}}},
+    ],
+)
+def test_a_damaged_shelf_raises(lesson, damage):
+    data = applied(lesson, ToSandbox()).state[Shelf].to_json()
+    Shelf.from_json(data, PUMA)
+    with pytest.raises((InputError, KeyError, TypeError, AttributeError)):
+        Shelf.from_json({**data, **damage}, PUMA)
+
+
+def test_a_lesson_that_is_gone_leaves_its_arm(lesson):
+    data = applied(lesson, ToSandbox()).state[Shelf].to_json()
+    data["parked"][HOME]["lesson"] = "taken_away"
+    shelf = Shelf.from_json(data, PUMA)
+    assert shelf.waiting == ""
+    assert shelf.parked[HOME][RobotPart].robot is PLANAR
+
+
+# -- whatever a student does elsewhere ---------------------------------------------------------------------------
+
+
+def play(rng, session):
+    """Return a random command; some are refused, as those of hands are."""
+    arm = session.state[Joints].arm
+    joint = int(rng.integers(arm.n))
+    choices = (
+        lambda: MoveJoint(joint, float(rng.uniform(-3.0, 3.0))),
+        lambda: RandomPose(),
+        lambda: TakePose("zero"),
+        lambda: LockJoint(joint, bool(rng.integers(2))),
+        lambda: ChooseRobot(str(rng.choice(["scara", "ur10", "cartesian_3p", "planar_3r", "planar_2r"]))),
+        lambda: SetCell(joint, str(rng.choice(["a", "alpha", "d", "theta"])), float(rng.uniform(-1.0, 1.0))),
+        lambda: SetLimits(joint, -0.5, 0.5),
+        lambda: AddJoint(joint),
+        lambda: Show(str(rng.choice(["frames", "dark", "trace"])), bool(rng.integers(2))),
+        lambda: Label("angle", str(rng.choice(["deg", "rad"]))),
+        lambda: PlaceTarget(_near(rng, session)),
+        lambda: PlaceLines(str(rng.choice(["skew", "parallel"]))),
+        lambda: TakeAxes(int(rng.integers(max(1, arm.n - 1)))),
+        lambda: OpenClip(str(rng.choice(["film", "sweep", ""]))),
+        lambda: Seek(float(rng.uniform(0.0, 9.0))),
+        lambda: PlayLike(loop=bool(rng.integers(2))),
+        lambda: SweepJoint(joint),
+        lambda: Select("pose", 0, joint),
+        lambda: LookAt("0", "E"),
+        lambda: StartTrainer(),
+        lambda: GoToStep(int(rng.integers(3))),
+        lambda: Answer(str(rng.integers(9))),
+        lambda: Undo(),
+        lambda: Undo(),
+        lambda: Redo(),
+    )
+    return choices[rng.integers(len(choices))]()
+
+
+def _near(rng, session):
+    T = np.array(target_pose(session.state))
+    T[:3, 3] += rng.uniform(-0.1, 0.1, 3)
+    return T
+
+
+def arm_and_pose(state):
+    return str(state[RobotPart].to_json()), state[Joints].q.tobytes()
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_places_are_bit_identical_on_return_and_undo_stays_in_its_place(seed):
+    rng = np.random.default_rng(seed)
+    session = applied(Session.fresh("token", PUMA), OpenLesson("first_arm"))
+    left, seen = {}, {HOME: {arm_and_pose(session.state)}, SANDBOX: set()}
+    seen[HOME].add(arm_and_pose(State.initial(PUMA)))
+    trips = 0
+    for _ in range(120):
+        here = session.state[Shelf]
+        if rng.random() < 0.2:
+            ways = (ToSandbox(), BackToLesson(), OpenShared(SCARA), OpenShared(UR10), BackFromShared())
+            command = ways[rng.integers(len(ways))]
+        else:
+            command = play(rng, session)
+        before = session.state
+        applied(session, command)
+        there = session.state[Shelf]
+        place = (there.place, there.shared)
+        if place != (here.place, here.shared):
+            trips += 1
+            left[here.place] = before
+            assert session.state[LessonPart].progress_of == before[LessonPart].progress_of
+            if there.place != SHARED and there.place in left:
+                same(session.state, left[there.place].replace(paused(left[there.place])))
+            if there.place == SHARED:
+                seen[SHARED] = set()
+        if isinstance(command, Undo | Redo):
+            assert arm_and_pose(session.state) in seen[there.place]
+        seen[there.place].add(arm_and_pose(session.state))
+        assert bool(session.state[LessonPart].open) == (there.place == HOME)
+    assert trips > 5
+    assert reloaded(session.state)[Shelf].to_json() == session.state[Shelf].to_json()
+
+
+def paused(state):
+    timeline = state[Timeline]
+    return Timeline(timeline.clip, timeline.time, False, timeline.speed, timeline.loop)
