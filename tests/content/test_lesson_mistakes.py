@@ -15,7 +15,7 @@ BROKEN = [
     ("title =", "titel =", "", "title: missing; the file has titel, chapter"),
     ('panel = "joints"', 'panle = "joints"', "panle", "panle: unknown key; did you mean 'panel'"),
     ("teaches = [", "teaches = 3 #", "teaches", "teaches: expected a list of texts, got 3"),
-    ('"S4.0-2R"', '"two links"', "teaches", "teaches: expected rows of the inventory"),
+    ('"S4.0-2R"', '"two links"', "teaches", "teaches: unknown row of the inventory"),
     ('chapter = "2', "chapter = = 2", "chapter", "not valid TOML"),
     ('locked = ["robot"', 'locked = ["robbot"', "locked", r"locked\[1\]: unknown value 'robbot'; did you mean 'robot'"),
     (

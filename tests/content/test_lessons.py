@@ -132,7 +132,7 @@ def test_mistakes_in_the_front_matter(line, says):
         ("+++\ntitle = 'x'\n", r"expected a second line \+\+\+"),
         (FRONT, "expected at least one step"),
         (FRONT.replace("planar_2r", "planar2r") + STEP, "robot: unknown robot 'planar2r'; did you mean 'planar_2r'"),
-        (FRONT.replace("S4.0-2R", "two links") + STEP, "teaches: expected rows of the inventory"),
+        (FRONT.replace("S4.0-2R", "two links") + STEP, "teaches: unknown row of the inventory"),
         (FRONT.replace('title = "A lesson"', "") + STEP, "title: missing"),
         (FRONT + STEP + "$\\foo$", r"step 1: the formula \$\\foo\$ has an unknown command"),
         (FRONT + "$\\foo$" + STEP, r"introduction: the formula \$\\foo\$ has an unknown command"),

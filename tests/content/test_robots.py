@@ -8,7 +8,7 @@ import pytest
 import armlab
 from armlab.content.robots import FAMILIES, catalogue
 from armlab.errors import UnknownName
-from armlab.front.front import NAME
+from armlab.front.wishes import NAME
 from support.arms import random_q
 
 COUNT = 12

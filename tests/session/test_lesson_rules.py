@@ -196,7 +196,7 @@ def test_a_locked_joint_stays_and_cannot_be_freed(fresh, own):
     own(t=locked("locked_joints = [2]"))
     state = done(fresh, OpenLesson("t"))
     assert state[Joints].locked == (False, True)
-    with pytest.raises(InputError, match="keeps joint 2 where they stand"):
+    with pytest.raises(InputError, match="keeps joint 2 where it stands"):
         done(state, LockJoint(1, False))
     assert done(state, MoveJoint(1, 0.0)) is state
     assert done(state, TakePose("stretched"))[Joints].q.tolist() == [0.0, state[Joints].q[1]]

@@ -157,14 +157,14 @@ def test_a_variant_can_be_wrong_where_the_first_is_right(own):
     assert (number, "does not meet" in says) == (1, True)
 
 
-def test_every_kind_of_action_is_played(own):
-    """The lesson keeps its table, so that the action on a cell is the one refused."""
+def test_every_kind_of_action_is_played_against_the_locks_of_the_lesson(own):
     own(x=RICH)
-    found = problems("x", 0)
-    assert [problem.step for problem in found] == [2]
-    assert "action 3 of its solution is refused" in found[0].says
-    own(x=RICH.replace('locked = ["robot", "table"]\n', ""))
-    assert [problem.says for problem in problems("x", 0)] == []
+    (held, kept) = problems("x", 0)
+    assert (held.step, kept.step) == (1, 2)
+    assert "y is 0.171 m" in held.says  # joint 2 is locked where it stands
+    assert kept.says.startswith("action 3 of its solution is refused: This lesson keeps the DH table")
+    own(x=RICH.replace('locked = ["robot", "table"]\nlocked_joints = [2]\n', ""))
+    assert problems("x", 0) == []
 
 
 def test_the_clock_of_a_player_moves_with_its_waits(own):

@@ -7,17 +7,14 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.edits import AddJoint, SetCell, SetLimits
+from armlab.session.edits import SetCell
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson
 from armlab.session.parts.display import Show
-from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.lines import PlaceLines, TakeAxes
 from armlab.session.parts.notation import Label
 from armlab.session.parts.point import SetPoint
-from armlab.session.parts.pose_view import LookAt
 from armlab.session.parts.robot import ChooseRobot, RobotPart
-from armlab.session.parts.selection import Select
 from armlab.session.parts.shelf import (
     HOME,
     SANDBOX,
@@ -29,54 +26,12 @@ from armlab.session.parts.shelf import (
     ToSandbox,
 )
 from armlab.session.parts.sweep import SweepJoint
-from armlab.session.parts.target import PlaceTarget, Target, target_pose
-from armlab.session.parts.timeline import OpenClip, Play, PlayLike, Seek, Timeline
-from armlab.session.session import Redo, Session, StartFresh, Undo
-from armlab.session.share import short
-from armlab.session.state import State, part_types
-from armlab.session.store import state_from_text
-from armlab.session.trainer_commands import StartTrainer
+from armlab.session.parts.target import PlaceTarget, Target
+from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
+from armlab.session.session import Session, StartFresh, Undo
+from support.trips import SCARA, UR10, applied, reloaded, same, written
 
 PUMA, PLANAR = catalogue()["puma560"], catalogue()["planar_2r"]
-NOT_COMPARED = (Shelf, LessonPart)
-
-
-def shared_text(key, value):
-    session = Session.fresh("teacher", catalogue()[key])
-    session.apply(MoveJoint(0, value), 0.0)
-    session.apply(Show("frames", True), 1.0)
-    return short(session.state)
-
-
-SCARA, UR10 = shared_text("scara", 0.5), shared_text("ur10", -0.25)
-
-
-def applied(session, *commands):
-    for command in commands:
-        session.apply(command, applied.clock)
-        applied.clock += 2.0
-    return session
-
-
-applied.clock = 0.0
-
-
-def reloaded(state):
-    return state_from_text(json.dumps({"format": 1, "parts": state.to_json()}))
-
-
-def written(state):
-    """All of a state but the shelf and what the lessons know, which travels along."""
-    return {key: part for key, part in state.to_json().items() if key not in ("shelf", "lesson")}
-
-
-def same(state, left):
-    """Check that every part is the one that was left."""
-    for kind in part_types():
-        if kind not in NOT_COMPARED:
-            assert state[kind] is left[kind] or state[kind] == left[kind], kind
-    assert state[LessonPart].open == left[LessonPart].open
-    assert written(state) == written(left)
 
 
 @pytest.fixture
@@ -332,89 +287,3 @@ def test_a_lesson_that_is_gone_leaves_its_arm(lesson):
     shelf = Shelf.from_json(data, PUMA)
     assert shelf.waiting == ""
     assert shelf.parked[HOME][RobotPart].robot is PLANAR
-
-
-# -- whatever a student does elsewhere ---------------------------------------------------------------------------
-
-
-def play(rng, session):
-    """Return a random command; some are refused, as those of hands are."""
-    arm = session.state[Joints].arm
-    joint = int(rng.integers(arm.n))
-    choices = (
-        lambda: MoveJoint(joint, float(rng.uniform(-3.0, 3.0))),
-        lambda: RandomPose(),
-        lambda: TakePose("zero"),
-        lambda: LockJoint(joint, bool(rng.integers(2))),
-        lambda: ChooseRobot(str(rng.choice(["scara", "ur10", "cartesian_3p", "planar_3r", "planar_2r"]))),
-        lambda: SetCell(joint, str(rng.choice(["a", "alpha", "d", "theta"])), float(rng.uniform(-1.0, 1.0))),
-        lambda: SetLimits(joint, -0.5, 0.5),
-        lambda: AddJoint(joint),
-        lambda: Show(str(rng.choice(["frames", "dark", "trace"])), bool(rng.integers(2))),
-        lambda: Label("angle", str(rng.choice(["deg", "rad"]))),
-        lambda: PlaceTarget(_near(rng, session)),
-        lambda: PlaceLines(str(rng.choice(["skew", "parallel"]))),
-        lambda: TakeAxes(int(rng.integers(max(1, arm.n - 1)))),
-        lambda: OpenClip(str(rng.choice(["film", "sweep", ""]))),
-        lambda: Seek(float(rng.uniform(0.0, 9.0))),
-        lambda: PlayLike(loop=bool(rng.integers(2))),
-        lambda: SweepJoint(joint),
-        lambda: Select("pose", 0, joint),
-        lambda: LookAt("0", "E"),
-        lambda: StartTrainer(),
-        lambda: GoToStep(int(rng.integers(3))),
-        lambda: Answer(str(rng.integers(9))),
-        lambda: Undo(),
-        lambda: Undo(),
-        lambda: Redo(),
-    )
-    return choices[rng.integers(len(choices))]()
-
-
-def _near(rng, session):
-    T = np.array(target_pose(session.state))
-    T[:3, 3] += rng.uniform(-0.1, 0.1, 3)
-    return T
-
-
-def arm_and_pose(state):
-    return str(state[RobotPart].to_json()), state[Joints].q.tobytes()
-
-
-@pytest.mark.parametrize("seed", range(30))
-def test_places_are_bit_identical_on_return_and_undo_stays_in_its_place(seed):
-    rng = np.random.default_rng(seed)
-    session = applied(Session.fresh("token", PUMA), OpenLesson("first_arm"))
-    left, seen = {}, {HOME: {arm_and_pose(session.state)}, SANDBOX: set()}
-    seen[HOME].add(arm_and_pose(State.initial(PUMA)))
-    trips = 0
-    for _ in range(120):
-        here = session.state[Shelf]
-        if rng.random() < 0.2:
-            ways = (ToSandbox(), BackToLesson(), OpenShared(SCARA), OpenShared(UR10), BackFromShared())
-            command = ways[rng.integers(len(ways))]
-        else:
-            command = play(rng, session)
-        before = session.state
-        applied(session, command)
-        there = session.state[Shelf]
-        place = (there.place, there.shared)
-        if place != (here.place, here.shared):
-            trips += 1
-            left[here.place] = before
-            assert session.state[LessonPart].progress_of == before[LessonPart].progress_of
-            if there.place != SHARED and there.place in left:
-                same(session.state, left[there.place].replace(paused(left[there.place])))
-            if there.place == SHARED:
-                seen[SHARED] = set()
-        if isinstance(command, Undo | Redo):
-            assert arm_and_pose(session.state) in seen[there.place]
-        seen[there.place].add(arm_and_pose(session.state))
-        assert bool(session.state[LessonPart].open) == (there.place == HOME)
-    assert trips > 5
-    assert reloaded(session.state)[Shelf].to_json() == session.state[Shelf].to_json()
-
-
-def paused(state):
-    timeline = state[Timeline]
-    return Timeline(timeline.clip, timeline.time, False, timeline.speed, timeline.loop)

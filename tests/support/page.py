@@ -89,7 +89,9 @@ class LabPage:
 
     def ready(self) -> None:
         """Wait until the arm and its handle are there and the picture has faded in."""
-        self.page.wait_for_function("() => window.__viserMutable?.nodeRefFromName?.['/target']", timeout=60_000)
+        # A lesson that begins with a prediction shows no handle.
+        handle = "window.__viserMutable?.nodeRefFromName?.['/target']"
+        self.page.wait_for_function(f"() => {handle} || document.querySelector('.lesson-text')", timeout=60_000)
         self.page.wait_for_function(
             "() => Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))", timeout=60_000
         )

@@ -1,32 +1,63 @@
-"""Lessons over the wire: the dock with text, formulas, check and question; links; progress over a reload."""
+"""Lessons over the wire: the dock with text, formulas and checks; links; progress; what a lesson holds back."""
 
-import asyncio
-import urllib.request
+import json
 
 import pytest
 
-from armlab.content.lessons import lessons
-from armlab.errors import ContentError
-from armlab.session.parts.lesson import Progress
-from armlab.ui import _lesson_page as page
-from armlab.ui.panels import lessons as panel
+from armlab.content.lessons import lessons, library
+from armlab.session.lesson_progress import Progress
+from armlab.session.parts.lesson import LessonPart
+from armlab.ui.lesson import page
 from support.fake_browser import cookie_of
+from support.lab import running_lab
+from support.own_lessons import (
+    ARM,
+    HOSTILE,
+    HOSTILE_ARM,
+    PWN,
+    QUESTIONS,
+    in_lesson,
+    lesson,
+    load,
+    notes,
+    piece,
+    to_step,
+    write,
+)
 from support.student import run, student
 
 FIRST = lessons()["first_arm"]
 
+LOCKED = ARM + 'locked = ["robot", "table", "joints"]\n'
+HIDING = 'robot = "planar_2r"\nhidden = ["joints", "ellipsoid", "orientation"]\n'
+VARIED = ARM + "[variants]\nl = { from = 1, to = 500, step = 1 }\n"
+STEP = """
+## One
 
-def visit(url, cookie, path):
-    """Load a page as a browser does that has the cookie already."""
-    urllib.request.urlopen(urllib.request.Request(url + path, headers={"Cookie": cookie})).close()
+It is {{=l}} long.
+
+```question
+kind = "number"
+text = "How long?"
+answer = "= l"
+tolerance = 0.1
+```
+"""
 
 
-async def in_lesson(url, cookie=None):
-    cookie = cookie or cookie_of(url)
-    visit(url, cookie, "lesson/first_arm")
-    browser = await student(url, cookie, "/lesson/first_arm")
-    await browser.until(lambda: "lesson-text" in browser.html())
-    return browser, cookie
+@pytest.fixture(scope="module")
+def url(tmp_path_factory):
+    folder = write(
+        tmp_path_factory.mktemp("lessons"),
+        questions=lesson(QUESTIONS),
+        locked=lesson(front=LOCKED),
+        held=lesson(front=ARM + "locked_joints = [2]\n"),
+        hiding=lesson(front=HIDING),
+        varied=lesson(STEP, VARIED),
+        hostile=lesson(HOSTILE, HOSTILE_ARM, f"Title {PWN}"),
+    )
+    with running_lab(lessons=folder) as address:
+        yield address
 
 
 def docks(browser):
@@ -34,16 +65,19 @@ def docks(browser):
     return [label for c in browser.controls.values() for label in c["props"].get("_tab_labels", ())]
 
 
+# -- the dock ----------------------------------------------------------------------------------------------------
+
+
 def test_a_link_opens_the_lesson_with_text_formulas_and_what_is_missing(url):
     async def main():
-        browser, _ = await in_lesson(url)
-        html = browser.html()
-        assert "<h2>Where is the hand?</h2>" in html
-        assert "Step 1 of 3" in html
-        assert "<math" in html.split("lesson-text")[1].split("</div>")[0]
-        assert "◐ Not there yet" in html
-        assert "away from (2000.0, 0.0, 0.0) mm" in html
-        assert "/lesson/first_arm" in html  # the address bar is told
+        browser = await in_lesson(url, "first_arm")
+        text = piece(browser, "lesson-text")
+        assert "<h2><small>1 of 3</small> Stretch the arm along x</h2>" in text
+        assert "<math" in text
+        assert "<summary>About this lesson</summary>" in text
+        assert "◐ Not there yet" in browser.html()
+        assert "away from (2000.0, 0.0, 0.0) mm" in browser.html()
+        assert notes(browser)["path"] == "/lesson/first_arm"
         assert "Lesson" in docks(browser)
         assert browser.slider(2)["value"] == 55.0
         await browser.close()
@@ -53,16 +87,19 @@ def test_a_link_opens_the_lesson_with_text_formulas_and_what_is_missing(url):
 
 def test_the_check_the_question_and_the_way_through(url):
     async def main():
-        browser, _ = await in_lesson(url)
+        browser = await in_lesson(url, "first_arm")
         assert "Skip" in browser.html()
         await browser.set_value(browser.slider(1), 0.0)
+        await browser.until(lambda: "still bends away from it" in piece(browser, "◐ Not there yet"))
         await browser.set_value(browser.slider(2), 0.0)
         await browser.until(lambda: "✓ Done" in browser.html())
         await browser.press("lesson-next")
-        await browser.until(lambda: "Step 2 of 3" in browser.html())
+        await browser.until(lambda: "<small>2 of 3</small>" in browser.html())
         assert "About this lesson" in browser.html()
+        assert "One point, two ways to it" not in browser.html()
         await browser.press("right angle")
         await browser.until(lambda: "✓ Done" in browser.html())
+        await browser.until(lambda: "One point, two ways to it" in piece(browser, 'class="reveal"'))
         await browser.press("lesson-next")
         await browser.until(lambda: "lesson-answer" in browser.html())
         await browser.press("lesson-answer", "0.5")
@@ -73,26 +110,40 @@ def test_the_check_the_question_and_the_way_through(url):
         assert "<script" not in browser.html()
         await browser.press("lesson-answer", "86.6 cm")
         await browser.until(lambda: "✓ Lesson done" in browser.html())
+        assert "it is the second link alone" in browser.html()
         assert browser.html().count('class="strip done"') == 3
         await browser.close()
 
     run(main())
 
 
-def test_a_moving_arm_does_not_touch_the_field_of_an_answer(url):
+def test_hints_come_one_after_the_other_and_stay(url):
     async def main():
-        browser, _ = await in_lesson(url)
-        await browser.press("lesson-step-2")
-        await browser.until(lambda: "lesson-answer" in browser.html())
-        await asyncio.sleep(0.3)
-        field = next(key for key, c in browser.controls.items() if "lesson-answer" in c["props"].get("content", ""))
-        written = []
-        browser.on_message = lambda message, _at: written.append(message["uuid"]) if "uuid" in message else None
-        for value in (10.0, 20.0, 30.0):
-            await browser.set_value(browser.slider(1), value)
-            await asyncio.sleep(0.15)
-        assert written
-        assert field not in written
+        browser = await in_lesson(url, "first_arm")
+        assert ">Hint 1 of 2<" in piece(browser, "lesson-foot")
+        assert 'class="hint"' not in browser.html()
+        await browser.press("lesson-hint")
+        await browser.until(lambda: "<b>Hint 1 of 2</b>" in piece(browser, "lesson-text"))
+        assert "<b>Hint 2 of 2</b>" not in browser.html()
+        await browser.until(lambda: ">Hint 2 of 2<" in piece(browser, "lesson-foot"))
+        await browser.press("lesson-hint")
+        await browser.until(lambda: "<b>Hint 2 of 2</b>" in piece(browser, "lesson-text"))
+        await browser.until(lambda: "lesson-hint" not in piece(browser, "lesson-foot"))
+        await to_step(browser, 2)
+        assert 'class="hint"' not in browser.html()
+        await to_step(browser, 1)
+        assert browser.html().count('class="hint"') == 2
+        await browser.close()
+
+    run(main())
+
+
+def test_live_values_follow_the_arm(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        assert 'data-live="q1">30.0°<' in piece(browser, "lesson-text")
+        await browser.set_value(browser.slider(1), -45.0)
+        await browser.until(lambda: 'data-live="q1">−45.0°<' in piece(browser, "lesson-text"))
         await browser.close()
 
     run(main())
@@ -100,19 +151,22 @@ def test_a_moving_arm_does_not_touch_the_field_of_an_answer(url):
 
 def test_a_reload_resets_nothing_and_an_own_answer_is_kept(url):
     async def main():
-        browser, cookie = await in_lesson(url)
+        cookie = cookie_of(url)
+        browser = await in_lesson(url, "first_arm", cookie)
+        await browser.press("lesson-hint")
         await browser.press("stretched")
         await browser.until(lambda: "✓ Done" in browser.html())
-        await browser.press("lesson-step-2")
-        await browser.until(lambda: "lesson-answer" in browser.html())
+        await to_step(browser, 3)
         await browser.press("lesson-answer", "0.5")
         await browser.until(lambda: "✕ Not yet" in browser.html())
         await browser.close()
-        again, _ = await in_lesson(url, cookie)
-        assert "Step 3 of 3" in again.html()
+        again = await in_lesson(url, "first_arm", cookie)
+        assert "<small>3 of 3</small>" in again.html()
         assert 'value="0.5"' in again.html()
         assert "✕ Not yet" in again.html()
         assert again.slider(2)["value"] == 0.0
+        await to_step(again, 1)
+        assert "<b>Hint 1 of 2</b>" in again.html()
         await again.close()
 
     run(main())
@@ -120,7 +174,7 @@ def test_a_reload_resets_nothing_and_an_own_answer_is_kept(url):
 
 def test_another_arm_by_hand_and_back(url):
     async def main():
-        browser, _ = await in_lesson(url)
+        browser = await in_lesson(url, "first_arm")
         await browser.open("robot")
         await browser.until(lambda: 'data-cell="planar_3r"' in browser.html())
         await browser.press("planar_3r")
@@ -135,16 +189,28 @@ def test_another_arm_by_hand_and_back(url):
 
 def test_closing_removes_the_dock_and_the_list_opens_it_again(url):
     async def main():
-        browser, _ = await in_lesson(url)
+        browser = await in_lesson(url, "first_arm")
         await browser.press("lesson-close")
         await browser.until(lambda: browser.counts["GuiPanelRemoveMessage"] == 1)
-        await browser.until(lambda: "/robot/planar_2r" in browser.html())
+        await browser.until(lambda: notes(browser)["path"] == "/robot/planar_2r")
         assert "lesson-head" not in browser.html()
         await browser.open("lessons")
-        await browser.until(lambda: 'data-cell="first_arm"' in browser.html())
-        assert "0 of 3" in browser.html()
-        await browser.press("first_arm")
+        await browser.until(lambda: 'data-cell="lesson:first_arm"' in browser.html())
+        await browser.press("lesson:first_arm")
         await browser.until(lambda: "lesson-head" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_another_lesson_is_chosen_in_the_dock(url):
+    async def main():
+        browser = await in_lesson(url, "first_arm")
+        await browser.press("lesson-key", "questions")
+        await browser.until(lambda: "<small>1 of 6</small>" in browser.html())
+        assert notes(browser)["path"] == "/lesson/questions"
+        assert '<option value="questions" selected>' in piece(browser, "lesson-head")
+        assert browser.counts["GuiPanelRemoveMessage"] == 0
         await browser.close()
 
     run(main())
@@ -152,15 +218,14 @@ def test_closing_removes_the_dock_and_the_list_opens_it_again(url):
 
 def test_beginning_again_asks_first(url):
     async def main():
-        browser, _ = await in_lesson(url)
-        await browser.press("lesson-step-1")
-        await browser.until(lambda: "Step 2 of 3" in browser.html())
+        browser = await in_lesson(url, "first_arm")
+        await to_step(browser, 2)
         await browser.press("lesson-anew")
         await browser.until(lambda: "answers in this lesson are forgotten" in browser.html())
-        assert "Step 2 of 3" in browser.html()
+        assert "<small>2 of 3</small>" in browser.html()
         yes = browser.control("Begin again")
         await browser.send({"type": "GuiUpdateMessage", "uuid": yes["uuid"], "updates": {"value": True}})
-        await browser.until(lambda: "Step 1 of 3" in browser.html())
+        await browser.until(lambda: "<small>1 of 3</small>" in browser.html())
         await browser.close()
 
     run(main())
@@ -169,13 +234,12 @@ def test_beginning_again_asks_first(url):
 @pytest.mark.parametrize(("cell", "text"), [("lesson-key", "nothing"), ("lesson-step-7", ""), ("lesson-back", "")])
 def test_what_cannot_be_is_refused_with_a_notice(url, cell, text):
     async def main():
-        browser, _ = await in_lesson(url)
-        head = next(c for c in browser.controls.values() if "lesson-head" in c["props"].get("content", ""))
-        channel = head["props"]["content"].split('data-chan="')[1].split('"')[0]
-        value = f'["{cell}", "{text}", 1]'
+        browser = await in_lesson(url, "first_arm")
+        channel = piece(browser, "lesson-head").split('data-chan="')[1].split('"')[0]
+        value = json.dumps([cell, text, 1])
         await browser.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
         await browser.until(lambda: bool(browser.notices))
-        assert "Step 1 of 3" in browser.html()
+        assert "<small>1 of 3</small>" in browser.html()
         await browser.close()
 
     run(main())
@@ -184,7 +248,7 @@ def test_what_cannot_be_is_refused_with_a_notice(url, cell, text):
 def test_a_link_to_a_lesson_that_is_not_there_says_so(url):
     async def main():
         cookie = cookie_of(url)
-        visit(url, cookie, "lesson/frist_arm")
+        load(url, cookie, "lesson/frist_arm")
         browser = await student(url, cookie, "/lesson/frist_arm")
         await browser.until(lambda: bool(browser.notices))
         assert "did you mean 'first_arm'" in browser.notices[0]
@@ -194,21 +258,223 @@ def test_a_link_to_a_lesson_that_is_not_there_says_so(url):
     run(main())
 
 
+# -- what a lesson holds back ------------------------------------------------------------------------------------
+
+
+def test_what_is_locked_is_refused_and_shown_as_it_is(url):
+    async def main():
+        browser = await in_lesson(url, "locked")
+        await browser.set_value(browser.slider(1), 80.0)
+        await browser.until(lambda: len(browser.notices) == 1)
+        assert "keeps the joints as they are; drag the handle" in browser.notices[0]
+        await browser.until(lambda: browser.slider(1)["value"] == 30.0)
+        await browser.open("robot")
+        await browser.until(lambda: 'data-cell="planar_3r"' in browser.html())
+        await browser.press("planar_3r")
+        await browser.until(lambda: len(browser.notices) == 2)
+        assert "keeps the Planar 2R on the table" in browser.notices[1]
+        await browser.press("lesson-close")
+        await browser.until(lambda: "lesson-head" not in browser.html())
+        await browser.press("planar_3r")
+        await browser.until(lambda: notes(browser)["path"] == "/robot/planar_3r")
+        await browser.close()
+
+    run(main())
+
+
+def test_a_held_joint_cannot_be_moved_or_let_go(url):
+    async def main():
+        browser = await in_lesson(url, "held")
+        assert browser.slider(2)["props"]["disabled"]
+        await browser.press("1")  # the chip that holds joint 2
+        await browser.until(lambda: bool(browser.notices))
+        assert "keeps joint 2 where" in browser.notices[0]
+        assert browser.slider(2)["props"]["disabled"]
+        await browser.set_value(browser.slider(1), -20.0)
+        await browser.press("lesson-close")
+        await browser.until(lambda: not browser.slider(2)["props"]["disabled"])
+        assert browser.slider(1)["value"] == -20.0
+        await browser.close()
+
+    run(main())
+
+
+def test_panels_a_lesson_hides_are_not_there(url):
+    async def main():
+        cookie = cookie_of(url)
+        await (await student(url, cookie)).close()  # has looked at the joints
+        browser = await in_lesson(url, "hiding", cookie)
+        shown = notes(browser)
+        assert "Joints" in shown["hidden"]
+        assert shown["tab"] not in shown["hidden"]
+        await browser.open("pose")
+        await browser.until(lambda: 'data-cell="pose"' in browser.html() or 'class="pages"' in browser.html())
+        assert 'data-cell="orientation"' not in browser.html()
+        assert 'data-cell="ellipsoid"' not in browser.html()
+        await browser.press("lesson-close")
+        await browser.until(lambda: notes(browser)["hidden"] == [])
+        await browser.close()
+
+    run(main())
+
+
+# -- variants ----------------------------------------------------------------------------------------------------
+
+
+def length(variant):
+    return library().lesson("varied", variant).values["l"]
+
+
+def test_a_variant_is_chosen_by_number_and_has_a_progress_of_its_own(url):
+    async def main():
+        browser = await in_lesson(url, "varied/3")
+        assert f"It is {length(3):g} long" in piece(browser, "lesson-text")
+        assert 'value="3"' in piece(browser, "lesson-more")
+        await browser.press("lesson-answer", f"{length(3)}")
+        await browser.until(lambda: "✓ Lesson done" in browser.html())
+        await browser.press("lesson-variant", "4")
+        await browser.until(lambda: notes(browser)["path"] == "/lesson/varied/4")
+        await browser.until(lambda: f"It is {length(4):g} long" in piece(browser, "lesson-text"))
+        assert "Lesson done" not in browser.html()
+        assert 'value=""' in piece(browser, "lesson-answer")
+        await browser.press("lesson-variant", "3")
+        await browser.until(lambda: "✓ Lesson done" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+@pytest.mark.parametrize("text", ["abc", "-1", "10000", "1.5", "", "9" * 5000, "<script>", "²"])
+def test_a_variant_that_is_no_number_is_refused_and_the_field_shows_what_holds(url, text):
+    async def main():
+        browser = await in_lesson(url, "varied/3")
+        before = piece(browser, "lesson-more")
+        await browser.press("lesson-variant", text)
+        await browser.until(lambda: bool(browser.notices))
+        assert browser.notices[0].startswith("variant: expected")
+        await browser.until(lambda: piece(browser, "lesson-more") != before)  # rewritten, over what was typed
+        assert 'value="3"' in piece(browser, "lesson-more")
+        assert notes(browser)["path"] == "/lesson/varied/3"
+        await browser.close()
+
+    run(main())
+
+
+# -- name, work, sandbox -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("typed", "kept", "file"),
+    [
+        ("Ada Lovelace", "Ada Lovelace", "first_arm_ada_lovelace.json"),
+        (PWN, " ".join(PWN.split())[:80], None),
+        ("x" * 500, "x" * 80, "first_arm_" + "x" * 40 + ".json"),
+        ("half \ud800 line\n two", "half ? line two", "first_arm_half_line_two.json"),
+        ("../../etc/passwd", "../../etc/passwd", "first_arm_etc_passwd.json"),
+        ("", "", "first_arm.json"),
+    ],
+)
+def test_the_work_is_saved_under_any_name(url, typed, kept, file):
+    async def main():
+        browser = await in_lesson(url, "first_arm")
+        await browser.press("stretched")
+        await browser.until(lambda: "✓ Done" in browser.html())
+        before = piece(browser, "lesson-more")
+        await browser.press("lesson-name", typed)
+        await browser.until(lambda: piece(browser, "lesson-more") != before)
+        assert "<script" not in browser.html()
+        assert "<img" not in browser.html()
+        await browser.press("lesson-save")
+        await browser.until(lambda: any(browser.downloads.values()))
+        ((name, content),) = browser.downloads.items()
+        assert name.endswith(".json")
+        assert set(name) <= set("abcdefghijklmnopqrstuvwxyz0123456789_.")
+        if file is not None:
+            assert name == file
+        data = json.loads(content)
+        assert data["student"] == kept
+        assert data["lesson"] == "first_arm"
+        assert data["digest"] == FIRST.digest
+        assert data["progress"]["met"] == ["Stretch the arm along x"]
+        await browser.close()
+
+    run(main())
+
+
+def test_a_sandbox_of_ones_own_leaves_the_lesson_as_it_is(url):
+    async def main():
+        browser = await in_lesson(url, "first_arm")
+        await to_step(browser, 3)
+        await browser.press("lesson-answer", "0.5")
+        await browser.until(lambda: "✕ Not yet" in browser.html())
+        await browser.press("lesson-sandbox")
+        await browser.until(lambda: "Your sandbox" in browser.html())
+        await browser.until(lambda: "lesson-head" not in browser.html())
+        assert "‹ Back to Where is the hand?" in piece(browser, "Your sandbox")
+        await browser.press("zero")
+        await browser.until(lambda: browser.slider(2)["value"] == 0.0)
+        await browser.press("home")
+        await browser.until(lambda: "lesson-foot" in browser.html())
+        assert "<small>3 of 3</small>" in browser.html()
+        assert "✕ Not yet" in browser.html()
+        assert 'value="0.5"' in browser.html()
+        await browser.until(lambda: browser.slider(2)["value"] == 55.0)
+        await browser.press("lesson-sandbox")  # the sandbox is as it was left, too
+        await browser.until(lambda: "Your sandbox" in browser.html() and browser.slider(2)["value"] == 0.0)
+        await browser.close()
+
+    run(main())
+
+
+# -- texts of others ---------------------------------------------------------------------------------------------
+
+
+def test_texts_of_a_lesson_are_never_markup(url):
+    async def main():
+        browser = await in_lesson(url, "hostile")
+        await browser.press("lesson-hint")
+        await browser.until(lambda: "<b>Hint 1 of 1</b>" in browser.html())
+        await browser.press("lesson-choice-1")
+        await browser.until(lambda: "Says " in browser.html())
+        await browser.open("robot", "lessons")
+        await browser.press("lesson-choice-2")
+        await browser.until(lambda: "Reveal " in browser.html())
+        await browser.open("robot")
+        await browser.press("planar_2r")
+        await browser.until(lambda: "lesson-arm" in browser.html())
+        shown = browser.html()
+        for word in ("Title", "Introduction", "Step", "Text", "Question", "Option", "Hint", "Reveal", "about the Arm"):
+            assert f"{word} &lt;script&gt;" in shown, word
+        assert "<script" not in shown
+        assert "<img" not in shown
+        assert not any("<script" in notice for notice in browser.notices)
+        await browser.press("lesson-sandbox")
+        await browser.until(lambda: "Your sandbox" in browser.html())
+        assert "‹ Back to Title &lt;script&gt;" in browser.html()
+        assert "<script" not in browser.html()
+        await browser.close()
+
+    run(main())
+
+
+# -- pieces ------------------------------------------------------------------------------------------------------
+
+
+def part_at(step, met=()):
+    """Return a student's way through the first lesson."""
+    names = [each.title for each in FIRST.steps]
+    progress = Progress(step=names[step], met=frozenset(names[i] for i in met))
+    return LessonPart(open="first_arm").with_progress(progress)
+
+
 def test_strips_tell_what_is_done_and_where_one_is():
-    markup = page._strips(FIRST, Progress(1, frozenset((0, 2)), frozenset()), "c")
+    markup = page._strips(FIRST, part_at(1, (0, 2)), "c")
     assert markup.count('class="strip done"') == 1  # the question of step 3 is not answered
     assert markup.split('aria-current="step"')[0].count('data-cell="lesson-step-') == 2
     assert "Step 1, done: Stretch the arm along x" in markup
 
 
 def test_the_way_on_is_a_skip_until_the_step_is_done():
-    assert "Skip" in page._foot(FIRST, Progress(0), "c")
-    assert "Next" in page._foot(FIRST, Progress(0, frozenset((0,))), "c")
-    assert "Not done yet: step 1, 3" in page._foot(FIRST, Progress(2, frozenset((1, 2))), "c")
-
-
-def test_broken_files_are_named_in_the_list(monkeypatch):
-    problem = ContentError("a.md", "title", "expected <a text>")
-    monkeypatch.setattr(panel, "lessons", lambda: type(lessons())({}, (problem,)))
-    assert "✕ 1 broken lesson file<" in panel._problems()
-    assert "a.md: title: expected &lt;a text&gt;" in panel._problems()
+    assert "Skip" in page._foot(FIRST, part_at(0), "c")
+    assert "Next" in page._foot(FIRST, part_at(0, (0,)), "c")
+    assert "Not done yet: step 1, 3" in page._foot(FIRST, part_at(2, (1, 2)), "c")

@@ -30,5 +30,4 @@ def test_the_same_link_has_the_same_code_and_another_another():
 
 
 def test_what_stands_in_a_link_is_no_markup_of_the_code():
-    assert "&" not in qr_svg(LINK + "?a=<b>&c").replace("&amp;", "")
     assert "<b>" not in qr_svg(LINK + "<b>")

@@ -49,12 +49,22 @@ def degrees(value: float) -> str:
     return f"{signed(math.degrees(value), 1)}°"
 
 
+def spaced(key: str) -> str:
+    """Return a key as words.
+
+    >>> spaced("joint_types")
+    'joint types'
+    """
+    return key.replace("_", " ")
+
+
 @dataclass(frozen=True)
 class Words:
-    """How quantities are written: functions from metres and from radians to text with its unit."""
+    """How things are said: metres and radians with their units, and panels, switches and films by their titles."""
 
     length: Callable[[float], str] = metres
     angle: Callable[[float], str] = degrees
+    title: Callable[[str], str] = spaced
 
 
 PLAIN = Words()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,9 +14,7 @@ from armlab.content.lesson_arm import read_arm
 from armlab.content.lesson_fields import Fields
 from armlab.content.reader import Table
 from armlab.content.robots import Camera, Catalogue, Robot, read_pose
-
-ROW = re.compile(r"S\d+(\.\d+)*-[A-Za-z0-9-]+\Z")
-"""Names of the rows of the inventory, such as ``S4.1-dh``."""
+from armlab.content.rows import known, unknown
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,8 +72,8 @@ def _robot(top: Fields, catalogue: Catalogue) -> Robot:
 def _teaches(top: Fields) -> tuple[str, ...]:
     rows = top.words("teaches", required=True)
     for row in rows:
-        if not ROW.match(row):
-            raise top.fail("teaches", f"expected rows of the inventory such as 'S4.1-dh', got {row!r}")
+        if not known(row):
+            raise top.fail("teaches", unknown(row))
     return rows
 
 

@@ -10,7 +10,6 @@ import re
 from dataclasses import dataclass
 from html.parser import HTMLParser
 
-from armlab.version import VERSION
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
 from armlab.content.observation import Observation
@@ -18,6 +17,7 @@ from armlab.errors import ArmlabError, InputError
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.lesson import LessonPart, same_table, signed
 from armlab.session.state import Json, State
+from armlab.version import VERSION
 
 FORMAT = 1
 MOST = 1_000_000

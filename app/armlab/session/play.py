@@ -94,6 +94,7 @@ class Player:
             yield Show(action.name, action.on)
         elif isinstance(action, actions.PlayFilm):
             yield OpenClip("film")
+            yield Seek(0.0)
             yield Seek(duration(self.session.state))
         elif isinstance(action, actions.TypeAnswer):
             yield Answer(action.text)

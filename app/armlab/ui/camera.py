@@ -135,6 +135,20 @@ class Camera:
         distance = 1.02 * home.distance * radius / math.sin(self._narrow())
         self._stand(middle, distance, _direction(math.radians(azimuth), math.radians(elevation)))
 
+    def as_view(self) -> View:
+        """Return where the eye is as a lesson or a robot file says it."""
+        camera = self._client.camera
+        back = np.asarray(camera.position) - np.asarray(camera.look_at)
+        distance = float(np.linalg.norm(back))
+        x, y, z = back / distance if distance else (1.0, 0.0, 0.0)
+        elevation = math.degrees(math.asin(min(1.0, max(-1.0, z))))
+        usual = distance
+        if self._robot is not None and self._figure is not None:
+            bounds = self._bounds(self._robot, self._figure)
+            usual = 1.02 * float(np.linalg.norm(bounds[1] - bounds[0])) / 2.0 / math.sin(self._narrow())
+        factor = min(3.0, max(0.3, distance / usual if usual else 1.0))
+        return View(round(math.degrees(math.atan2(y, x)), 1), round(elevation, 1), round(factor, 2))
+
     def _bounds(self, robot: Robot, figure: Figure) -> NDArray[np.float64]:
         """Return the corners (2, 3) of a box around the arm at home, or in all its poses, and as it is now."""
         boxes = [figure.bounds(q) for q in (robot.poses.values() if self._roomy else [robot.home])]

@@ -172,10 +172,13 @@ class Lab:
             self.store.save()
 
     def _keep_looking(self) -> None:
-        said = ""
+        said, known = "", lessons().lessons
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
-                if keys := changed():
+                # What `changed` returns is told once a process, and there may be other labs in this one.
+                changed()
+                before, known = known, lessons().lessons
+                if keys := frozenset(key for key, found in known.items() if before.get(key) is not found):
                     self.loop.call_soon_threadsafe(self._reload, keys)
                 said = ""
             except Exception as error:

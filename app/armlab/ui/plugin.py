@@ -55,6 +55,8 @@ class Panel:
         What the index finds it by: sections and equations of the notes, rows of the inventory, words.
     always : bool
         Whether it may be read also while a question of a lesson hides the arm or its values.
+    outside : callable
+        ``outside()`` returns what it shows besides the state; ``show`` is called also when this is another object.
     """
 
     key: str
@@ -70,6 +72,7 @@ class Panel:
     hides_then: Callable[[State], tuple[str, ...]] = lambda state: ()
     about: tuple[str, ...] = ()
     always: bool = False
+    outside: Callable[[], object] = lambda: None
 
 
 @dataclass(frozen=True)

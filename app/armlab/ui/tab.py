@@ -47,6 +47,7 @@ class Tab:
         self._head: Fields | None = None
         self._show: Show | None = None
         self._shown: State | None = None
+        self._outside: object = None
         self._built = ""
         self._hidden: frozenset[str] = frozenset()
         with container:
@@ -99,7 +100,9 @@ class Tab:
         if self._cover(panel, state):
             return
         before, self._shown = self._shown, state
+        other, self._outside = self._outside, panel.outside()
         new = before is None or self._built != self.page or _differ(panel.rebuilds, state, before)
+        again = again or other is not self._outside
         with self._container:
             if new:
                 self._built = self.page

@@ -191,8 +191,15 @@ class View:
         """Make room in the picture, and bring the bench of the lesson to the front."""
         lesson = state[LessonPart].lesson
         self.camera.make_room(lesson is not None, None if lesson is None else lesson.camera)
-        if lesson is not None and lesson.panel in panels():
-            self.open_tab(lesson.panel)
+        if lesson is not None and (front := self._front_of(lesson.panel, state)):
+            self.open_tab(front)
+
+    def _front_of(self, wanted: str, state: State) -> str:
+        """Return the panel to bring to the front: the lesson's, or another one for one that it hides."""
+        there = [key for key in panels() if key not in hidden_panels(state)]
+        if wanted in there:
+            return wanted
+        return next(iter(there), "") if not self.open_panels <= set(there) else ""
 
     def _keep_in_view(self) -> None:
         if not self._closed:

@@ -24,22 +24,18 @@ class LookedAt:
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
         """Return what is still to be done first."""
-        missing = self._missing(observation)
+        missing = self._missing(observation, words)
         return missing[0] if missing else "You have looked at it."
 
-    def _missing(self, observation: Observation) -> list[str]:
+    def _missing(self, observation: Observation, words: Words = PLAIN) -> list[str]:
         missing = []
         if self.panel and observation.panel != self.panel:
-            missing.append(f"Open the panel “{_words(self.panel)}”.")
+            missing.append(f"Open the panel “{words.title(self.panel)}”.")
         if self.switch and self.switch not in observation.switches:
-            missing.append(f"Switch on “{_words(self.switch)}”.")
+            missing.append(f"Switch on “{words.title(self.switch)}”.")
         if self.film and self.film not in observation.films:
-            missing.append(f"Play the film “{_words(self.film)}” to its end.")
+            missing.append(f"Play the film “{words.title(self.film)}” to its end.")
         return missing
-
-
-def _words(key: str) -> str:
-    return key.replace("_", " ")
 
 
 def read(table: Table, robot: Robot) -> LookedAt:

@@ -205,6 +205,18 @@
     }
   };
 
+  // Another step of a lesson begins at its top.
+  let step = '';
+  const toTop = () => {
+    const text = document.querySelector('.lesson-text');
+    const title = text?.querySelector('h2')?.textContent ?? '';
+    if (title === step) return;
+    step = title;
+    for (let area = text; area; area = area.parentElement) {
+      if (area.scrollTop) area.scrollTop = 0;
+    }
+  };
+
   // Which tabs are seen: the lab shows nothing in those that are not.
   let seen = '["joints"]';
   const tellTabs = () => {
@@ -294,6 +306,7 @@
         due = false;
         keepFocus();
         obey();
+        toTop();
         tellTabs();
         readClock();
         placeCursors(clock && clock.end > 0 ? clock.time / clock.end : NaN);

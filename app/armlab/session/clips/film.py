@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
+from armlab.kin.easing import eased
 from armlab.kin.moves import MOVES, ORDER, partial_product
 from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
@@ -84,7 +85,7 @@ def place_at(arm: Arm, time: float) -> Place:
     ends = ends_of(arm)
     k = min(bisect_left(ends, time), len(ends) - 1)
     begin = ends[k - 1] if k else 0.0
-    return Place(*divmod(k, MOVES), _eased(min(max((time - begin) / (ends[k] - begin), 0.0), 1.0)))
+    return Place(*divmod(k, MOVES), eased((time - begin) / (ends[k] - begin)))
 
 
 def place_of(state: State) -> Place:
@@ -119,11 +120,6 @@ def row_product(state: State) -> NDArray[np.float64]:
 def running_product(state: State) -> NDArray[np.float64]:
     """Return the moving frame in frame 0, shape (4, 4): at the end of row i the product of the matrices 1 to i."""
     return np.asarray(inverse(state[Joints].arm.base) @ state.derived(moving_frame), dtype=np.float64)
-
-
-def _eased(s: float) -> float:
-    """Return the minimum-jerk course from 0 to 1: each move begins and ends at rest."""
-    return s * s * s * (10.0 + s * (6.0 * s - 15.0))
 
 
 def _duration(state: State) -> float:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from armlab.kin.easing import eased
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.sweep import (
     CLIP_KEY,
     SECONDS,
     Sweep,
-    eased,
     free_start,
     legs,
     put_back,

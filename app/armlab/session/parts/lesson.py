@@ -133,11 +133,11 @@ class LessonPart(Part):
         watched = replace(
             progress,
             since=now.at if progress.since is None else progress.since,
-            films=progress.films | _played(now),
+            films=progress.films | (_played(now) if now[Timeline] is not before[Timeline] else frozenset()),
         )
         name = self.name
         if name not in watched.met and (step.check is None or has_its_arm(now)):
-            watched = _judged(watched, name, step, now)
+            watched = _judged(watched, name, step, now.replace(self.with_progress(watched)))
         return self if watched == progress else self.with_progress(watched)
 
     def with_progress(self, progress: Progress) -> Self:
@@ -270,7 +270,8 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
     joints, stood = now[Joints], before[Joints]
     held = [j - 1 for j in found.locked_joints]
     if any(joints.locked[j] < stood.locked[j] or joints.q[j] != stood.q[j] for j in held):
-        raise _kept(f"joint{'s' if len(held) > 1 else ''} {', '.join(str(j + 1) for j in held)} where they stand")
+        joint, they = ("joints", "they stand") if len(held) > 1 else ("joint", "it stands")
+        raise _kept(f"{joint} {', '.join(str(j + 1) for j in held)} where {they}")
     by_hand = now[Target] is before[Target] and not before[Target].catching_up
     if "joints" in found.locked and by_hand and joints.q is not stood.q:
         raise _kept("the joints as they are; drag the handle")

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
-from armlab.kin.easing import eased as eased  # read from here by the clip
+from armlab.kin.easing import eased
 from armlab.kin.ellipsoid import SingularPlaces, measures, singular_places
 from armlab.session.parts.ellipsoid import Manipulability, VelocityBlock
 from armlab.session.parts.joints import Joints

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.rotations import quaternion_from_rotation
 from armlab.session.parts.display import Display
 from armlab.session.parts.ellipsoid import Block, Manipulability, PlacedEllipsoid, VelocityBlock, placed
 from armlab.session.state import State
-from armlab.ui import adapter
-from armlab.ui.colours import BLUE, SKY, VERDICT
+from armlab.ui.colours import BLUE, INK, SKY, VERDICT
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.format import number, subscript, trimmed
+from armlab.ui.layers._nodes import move, seen, turn, write
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import DARK, Switch
 
@@ -34,7 +32,6 @@ THINNEST = 0.001
 SIDES = 48
 DASHES = 9
 NOTHING: dict[Block, str] = {"translation": "0: no speed this way", "rotation": "0: no turning about this"}
-INK = {False: (62, 69, 80), True: (205, 212, 222)}
 
 
 class Picture:
@@ -72,7 +69,7 @@ class Picture:
     def show(self, state: State, on: bool = True) -> None:
         """Show or hide it, of the block that is looked at."""
         self._on = on
-        _visible(self._root, on)
+        seen(self._root, on)
         if not on:
             return
         dark = DARK.on(state)
@@ -81,9 +78,9 @@ class Picture:
             self._axes.colors = np.array(INK[dark], dtype=np.uint8)
         if self._block is not state[Manipulability].block:
             self._block = block = state[Manipulability].block
-            _write(self._scale, f"drawn: 1 {block.unit} = {trimmed(block.drawn, 6)} m")
+            write(self._scale, f"drawn: 1 {block.unit} = {trimmed(block.drawn, 6)} m")
             for i in range(3):
-                _visible(self._labels[i], i < block.m)
+                seen(self._labels[i], i < block.m)
         self.place(self._canvas.shown_pose)
 
     def place(self, q: Array) -> None:
@@ -94,7 +91,8 @@ class Picture:
         half = self._block.drawn * found.sigma
         thin = THINNEST * self._canvas.size
         a, b, c = np.maximum(half, thin).tolist()
-        _move(self._root, found.centre, found.axes)
+        turn(self._root, found.axes)
+        move(self._root, found.centre)
         self._body.scale = self._rims.scale = self._axes.scale = (a, b, c)
         self._name(found, half)
 
@@ -104,18 +102,18 @@ class Picture:
         assert block is not None
         for i in range(3):
             lost = i in found.lost
-            _visible(self._lost[i], lost)
+            seen(self._lost[i], lost)
             if i >= block.m:
                 continue
             name = subscript("σ", i + 1)
-            _write(self._labels[i], f"{name} {NOTHING[block.key] if lost else speed(block, float(found.sigma[i]))}")
+            write(self._labels[i], f"{name} {NOTHING[block.key] if lost else speed(block, float(found.sigma[i]))}")
             tip = LOST * self._canvas.size if lost else float(half[i])
             # At the upper end of the axis; the lower end of the first is free for the scale.
             side = np.zeros(3)
             side[i] = tip if found.axes[2, i] >= -1e-9 else -tip
-            _move(self._labels[i], side)
+            move(self._labels[i], side)
             if i == 0:
-                _move(self._scale, -side)
+                move(self._scale, -side)
 
 
 def speed(block: VelocityBlock, value: float) -> str:
@@ -126,24 +124,6 @@ def speed(block: VelocityBlock, value: float) -> str:
 def digits(usual: float) -> int:
     """Return the decimals with which a quantity of this usual size has three digits."""
     return min(max(2 - math.floor(math.log10(usual)), 0), 6)
-
-
-def _visible(handle: Any, on: bool) -> None:
-    if handle.visible != on:
-        handle.visible = on
-
-
-def _write(label: Any, text: str) -> None:
-    if label.text != text:
-        label.text = text
-
-
-def _move(handle: Any, position: Array, rotation: Array | None = None) -> None:
-    x, y, z = position.tolist()
-    adapter.set_position(handle, (x, y, z))
-    if rotation is not None:
-        w, i, j, k = quaternion_from_rotation(rotation).tolist()
-        adapter.set_wxyz(handle, (w, i, j, k))
 
 
 def _circles() -> NDArray[np.float32]:

@@ -17,7 +17,8 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.marks import FRAME_LENGTH, frame_glb
 from armlab.ui.figure.solids import along
 from armlab.ui.format import subscript
-from armlab.ui.layers._arrows import Arc, Arrow, Pose, pale_frame, put, seen
+from armlab.ui.layers._arrows import Arc, Arrow, Pose, pale_frame
+from armlab.ui.layers._nodes import put, seen, write
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.units import Units, units_of
 
@@ -92,8 +93,7 @@ class Film:
         put(self._from, self._stations[0])
         put(self._to, self._stations[-1])
         for name, text in zip(self._names, (str(row), "E" if row == n else str(row + 1)), strict=True):
-            if name.text != f"{{{text}}}":
-                name.text = f"{{{text}}}"
+            write(name, f"{{{text}}}")
 
     def _show_moves(self, place: Place, q: NDArray[np.float64], units: Units) -> None:
         arm, row = self._arm, self._arm.rows[place.row]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from armlab.content.question import Choices, Field, Form, Grid, Question, Verdict
 from armlab.ui.format import escaped
 from armlab.ui.markup import button, field
@@ -10,6 +12,14 @@ UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "
 """How units are written where they are not so in lesson files."""
 
 ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-", "lesson-entry-"
+
+
+_NEEDLESS = re.compile(r"\s+(?![\w.])|(?<![\w.)])\s+")
+"""Spaces that stand between no two words."""
+
+_DECIMAL = re.compile(r"(?<=\d),(?=\d)")
+_PARTING = re.compile(r"[\s;,]+")
+_IN_BRACKETS = re.compile(r"\([^()]*\)")
 
 
 class Draft:
@@ -43,8 +53,7 @@ class Draft:
             self.chosen ^= {option}
         elif cell.startswith(ENTRY) and isinstance(self._form, Grid):
             i, j = (int(part) for part in cell.removeprefix(ENTRY).split("-"))
-            # Spaces part the entries of the whole, so that an entry may have none.
-            self.entries[i, j] = "".join(text.split())
+            self.entries[i, j] = _entry(text)
         return None
 
     def _whole(self) -> str | None:
@@ -54,6 +63,21 @@ class Draft:
             rows, columns = range(self._form.rows), range(self._form.columns)
             return "; ".join(" ".join(self.entries.get((i, j), "") or "?" for j in columns) for i in rows)
         return None  # the field beside it has told already
+
+
+def _entry(text: str) -> str:
+    """Return an entry of a matrix without what would part it from its neighbours or in two.
+
+    >>> _entry(" 1 / 2 "), _entry("0,5"), _entry("atan2(1, 2)"), _entry("1 0; 0 1")
+    ('1/2', '0.5', 'atan2(1,2)', '(1,0,0,1)')
+    """
+    text = _NEEDLESS.sub("", text.strip())
+    if "(" not in text:
+        text = _DECIMAL.sub(".", text)
+    if _PARTING.search(_IN_BRACKETS.sub("", text)):
+        # Several numbers in one field: kept together, so that the verdict names this field.
+        text = f"({_PARTING.sub(',', text)})"
+    return text
 
 
 def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: str) -> str:

@@ -54,7 +54,9 @@ class LessonDock:
 
     def show(self, state: State) -> None:
         """Show a state in the dock, if it is there."""
-        if self._page is not None and state[LessonPart].open and state is not self._shown:
+        if self._page is None or not state[LessonPart].open:
+            return
+        if state is not self._shown or self._page.stale:
             self._shown = state
             try:
                 self._page.show(state)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import logging
+import re
 from itertools import groupby
 
-from armlab.content.check import Words
 from armlab.content.lessons import Lesson, lessons
+from armlab.content.question import Form
 from armlab.session.hand_in import hand_in, hand_in_name
 from armlab.session.lesson_commands import (
     Answer,
@@ -23,15 +24,15 @@ from armlab.session.session import Refuse
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped
 from armlab.ui.lesson.asking import Draft, asked, said
-from armlab.ui.lesson.text import step_text
+from armlab.ui.lesson.text import step_text, words_of
 from armlab.ui.markup import button, chip, field, options, select
 from armlab.ui.plugin import Post
-from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
 
 STEP = "lesson-step-"
+_WHOLE = re.compile(r"[0-9]{1,9}")
 
 
 class LessonPage:
@@ -46,13 +47,18 @@ class LessonPage:
     def __init__(self, gui: Gui, post: Post) -> None:
         self._gui, self._post = gui, post
         self._state: State | None = None
-        self._draft: tuple[tuple[str, str, str], Draft] | None = None
+        self._draft: tuple[tuple[str, str, str, Form], Draft] | None = None
         self._head = gui.fields(self._pressed)
         self._text = gui.html()
         self._task = gui.fields(self._pressed)
         self._question = gui.fields(self._answered)
         self._foot = gui.fields(self._pressed)
         self._more = gui.fields(self._pressed)
+
+    @property
+    def stale(self) -> bool:
+        """Whether a person has typed or pressed since it was shown: what stands in its fields may not hold."""
+        return any(fields.stale for fields in (self._head, self._task, self._question, self._foot, self._more))
 
     def show(self, state: State) -> None:
         """Show the open lesson of a state."""
@@ -75,7 +81,7 @@ class LessonPage:
             self._question.show("")
             return
         typed, settled = part.progress.answers.get(part.name, ""), part.progress.committed(lesson, part.index)
-        key = (part.open, part.name, typed)
+        key = (part.open, part.name, typed, question.form)
         if self._draft is None or self._draft[0] != key:
             self._draft = key, Draft(question.form, typed)
         form = asked(question, typed, self._draft[1], settled, self._question.channel_id)
@@ -118,10 +124,10 @@ class LessonPage:
 
 
 def _command(part: LessonPart, cell: str, text: str) -> Command | None:
-    if cell.startswith(STEP) and cell.removeprefix(STEP).isdecimal():
+    if cell.startswith(STEP) and _WHOLE.fullmatch(cell.removeprefix(STEP)):
         return GoToStep(int(cell.removeprefix(STEP)))
     if cell == "lesson-variant":
-        if not text.strip().isdecimal():
+        if not _WHOLE.fullmatch(text.strip()):
             return Refuse(f"variant: expected a whole number, got {text[:40]!r}")
         return OpenLesson(part.open.partition("/")[0], variant=int(text))
     commands: dict[str, Command] = {
@@ -140,7 +146,10 @@ def _command(part: LessonPart, cell: str, text: str) -> Command | None:
 def _choice(lesson: Lesson, channel: str) -> str:
     """Return the list of lessons by chapter, with the buttons beside it."""
     groups = []
-    for chapter, found in groupby(lessons().lessons.values(), lambda each: each.chapter):
+    there = lessons().lessons
+    if lesson.key not in there:  # its file was taken away
+        groups.append(options({lesson.key: lesson.title}, lesson.key))
+    for chapter, found in groupby(there.values(), lambda each: each.chapter):
         titles = options({each.key: each.title for each in found}, lesson.key)
         groups.append(f'<optgroup label="{escaped(chapter)}">{titles}</optgroup>')
     anew, close = "Begin this lesson again", "Close the lesson"
@@ -176,8 +185,7 @@ def _task(state: State, lesson: Lesson, channel: str) -> str:
     step = state[LessonPart].step
     if step is None or step.check is None:
         return ""
-    units = units_of(state)
-    met, says = check_line(state, Words(units.length, units.angle))
+    met, says = check_line(state, words_of(state))
     if met:
         return '<div class="verdict ok" role="status"><b>✓ Done</b></div>'
     return f'<div class="verdict todo"><b>◐ Not there yet</b>{says}</div>'

@@ -3,18 +3,35 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 
-from armlab.content.check import Words
+from armlab.content.check import Words, spaced
 from armlab.content.lesson import Lesson
 from armlab.content.live import NONE, all_live_values
 from armlab.session.parts.lesson import LessonPart, observed
+from armlab.session.parts.timeline import clips
 from armlab.session.state import State
 from armlab.ui.format import escaped
+from armlab.ui.plugin import panels, switches
 from armlab.ui.units import units_of
 
 _LIVE = re.compile(r'(<output class="live" data-live="([^"]*)">)[^<]*(?=</output>)')
 HIDDEN = "?"
 """What a live value shows before the prediction."""
+
+
+def words_of(state: State) -> Words:
+    """Return how the lab says things to the student of a state."""
+    units = units_of(state)
+    return Words(units.length, units.angle, lambda key: _titles().get(key, spaced(key)))
+
+
+@cache
+def _titles() -> dict[str, str]:
+    """Return the titles of films, panels and switches, where a name is shared the last counts."""
+    films = {key: clip.title for key, clip in clips().items()}
+    named = {key: panel.title for key, panel in panels().items()}
+    return films | named | {switch.name: switch.title for switch in switches()}
 
 
 def step_text(state: State, lesson: Lesson, i: int) -> str:
@@ -49,9 +66,9 @@ def _with_values(state: State, html: str) -> str:
     """Return the text with the present values in it."""
     if 'class="live"' not in html:
         return html
-    units, seen = units_of(state), observed(state)
+    seen = observed(state)
     values, hidden = all_live_values(seen.arm.n), bool(state[LessonPart].hides)
-    words = Words(units.length, units.angle)
+    words = words_of(state)
 
     def value(found: re.Match[str]) -> str:
         live = values.get(found[2])

@@ -14,7 +14,7 @@ from armlab.session.state import State
 from armlab.ui import markup
 from armlab.ui.format import escaped
 from armlab.ui.panels._picks import broken_files, pick
-from armlab.ui.plugin import Panel, Post, Show, panels
+from armlab.ui.plugin import Panel, Post, Show, hidden_panels, panels
 from armlab.ui.widgets import Gui
 
 LESSON, BENCH = "lesson:", "bench:"
@@ -44,7 +44,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         nonlocal shown
         shown = state
-        entries.show(_found(query, entries.channel_id) if query else _all(state, entries.channel_id))
+        entries.show(_found(query, state, entries.channel_id) if query else _all(state, entries.channel_id))
 
     return show
 
@@ -74,9 +74,10 @@ def _benches() -> tuple[Bench, ...]:
     return tuple(Bench(key, panel.title, panel.about) for key, panel in panels().items())
 
 
-def _found(query: str, channel: str) -> str:
+def _found(query: str, state: State, channel: str) -> str:
     """Return what the index finds: lessons and benches to go to, rows of the course, functions of the core."""
-    found = search(query, benches=_benches())
+    hidden = hidden_panels(state)
+    found = search(query, benches=tuple(bench for bench in _benches() if bench.key not in hidden))
     if not found:
         return '<p class="dim">Nothing is found. Try an equation (3.66), a section (4.1) or a word.</p>'
     return "".join(_entry(entry, channel) for entry in found)
@@ -99,7 +100,8 @@ def _entry(entry: Entry, channel: str) -> str:
     ]
     kind = "chapter" if entry.kind == "chapter" else "topic"
     chips = f'<div class="chips">{"".join(ways)}</div>' if ways else ""
-    return f'<div class="found"><b>{escaped(entry.title)}</b><i>{kind}</i><span>{escaped(entry.detail)}</span>{chips}</div>'
+    head = f"<b>{escaped(entry.title)}</b><i>{kind}</i><span>{escaped(entry.detail)}</span>"
+    return f'<div class="found">{head}{chips}</div>'
 
 
 def _import_line(key: str) -> str:
@@ -117,4 +119,5 @@ PANEL = Panel(
     rebuilds=(),
     about=("exercises", "course", "chapters", "index of the notes"),
     always=True,
+    outside=lessons,
 )

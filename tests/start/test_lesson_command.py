@@ -1,0 +1,269 @@
+"""``armlab lesson``, as an author types it."""
+
+from pathlib import Path
+
+import pytest
+
+from armlab.cli import main
+from armlab.commands._found import Place
+from armlab.commands._lesson_check import problems_of
+from armlab.commands._lesson_sheet import names_of, numbers_of
+from armlab.commands._sheet import escaped
+from armlab.content import lessons as library_module
+from armlab.content.new_lesson import new_lesson
+from armlab.content.robots import catalogue
+from armlab.errors import ArmlabError
+from support.small_lessons import TWO_STEPS, VARIED
+
+
+def one_line(err):
+    return err.count("\n") == 1 and "Traceback" not in err
+
+
+# --- armlab lesson new
+
+
+@pytest.mark.parametrize("key", list(catalogue().robots))
+def test_the_template_works_for_every_robot(place, key):
+    (place / "mine" / "template.md").write_text(new_lesson(catalogue()[key]), encoding="utf-8")
+    (found,) = Place().some("mine/template.md")
+    assert list(problems_of(found)) == []
+    first, second = found.lesson().steps
+    assert len(first.hints) == len(first.solution) == len(first.check.wrong) == len(second.question.wrong) == 1
+
+
+def test_a_new_lesson_is_written_once(typed, place):
+    status, out, err = typed("lesson", "new", "my_arm", "--robot", "scara", "--to", "mine")
+    assert (status, err) == (0, "")
+    assert "armlab lesson check mine/my_arm.md" in out
+    path = place / "mine" / "my_arm.md"
+    assert 'robot = "scara"' in path.read_text(encoding="utf-8")
+    written = path.read_bytes()
+    status, out, err = typed("lesson", "new", "my_arm", "--to", "mine")
+    assert (status, out) == (1, "")
+    assert "it stays as it is" in err
+    assert path.read_bytes() == written
+    assert typed("lesson", "check", path)[:2] == (0, "my_arm: 2 steps, no problems\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (("My Lesson",), "expected lower-case letters"),
+        (("../x",), "expected lower-case letters"),
+        (("x" * 65,), "at most 64"),
+        (("first_arm",), "there is a lesson 'first_arm' in the lab"),
+        (("x", "--robot", "puma650"), "puma560"),
+        (("x", "--to", "gone"), "gone: there is no such folder"),
+    ],
+)
+def test_what_cannot_be_a_new_lesson_is_one_line(typed, place, arguments, says):
+    before = sorted(place.rglob("*"))
+    status, out, err = typed("lesson", "new", *arguments)
+    assert (status, out) == (1, "")
+    assert one_line(err)
+    assert says in err
+    assert sorted(place.rglob("*")) == before
+
+
+# --- armlab lesson check
+
+
+@pytest.mark.parametrize("found", Place().all(), ids=lambda found: found.key)
+def test_the_lessons_of_the_lab_have_no_problems(found):
+    assert list(problems_of(found)) == []
+
+
+def test_all_lessons_are_checked_when_none_is_named(typed):
+    status, out, err = typed("lesson", "check", "--variants", "0")
+    assert (status, err) == (0, "")
+    assert out == "first_arm: 3 steps, no problems\n"
+    status, out, _ = typed("lesson", "check", "--variants", "0", "--lessons", "mine")
+    assert [line.split(": ")[0].rpartition("/")[2].partition(":")[0] for line in out.splitlines()] == [
+        "first_arm",
+        "t.md",
+        "v",
+    ]
+    assert status == 1
+
+
+@pytest.mark.parametrize("typed_as", ["mine/v.md", "./mine/../mine/v.md", "whole"])
+def test_a_file_or_a_folder_is_a_lesson(typed, place, typed_as):
+    (place / "whole").mkdir()
+    (place / "whole" / "lesson.md").write_text(VARIED, encoding="utf-8")
+    key = "whole" if typed_as == "whole" else "v"
+    assert typed("lesson", "check", typed_as) == (0, f"{key}: 3 steps, no problems\n", "")
+
+
+def test_a_folder_of_lessons_is_all_of_them(typed, place):
+    text = TWO_STEPS.replace("tolerance_deg = 1\n```", "tolerance_deg = 1\n```\n```solution\nq_deg = [90, 20]\n```")
+    (place / "mine" / "t.md").write_text(text, encoding="utf-8")
+    assert typed("lesson", "check", "mine") == (0, "t: 3 steps, no problems\nv: 3 steps, no problems\n", "")
+
+
+def test_a_problem_has_file_and_line(typed):
+    status, out, err = typed("lesson", "check", "mine/t.md")
+    line = TWO_STEPS.splitlines().index("## Same") + 1
+    path = Path("mine") / "t.md"
+    assert (status, out, err) == (1, f"{path}:{line}: step 2: it has a check and no block 'solution'\n", "")
+
+
+def test_a_file_that_cannot_be_read_is_told_with_its_line(typed, place):
+    lines = VARIED.splitlines()
+    line = lines.index("joint = 1") + 1
+    path = place / "mine" / "v.md"
+    path.write_text(VARIED.replace("joint = 1", "joint = 7", 1), encoding="utf-8")
+    status, out, _ = typed("lesson", "check", path)
+    assert status == 1
+    assert out.startswith(f"{Path('mine') / 'v.md'}:{line}: step 1.check.joint: expected a joint from 1 to 2")
+    path.write_bytes(b"\xff\xfe")
+    assert "not a text in UTF-8" in typed("lesson", "check", path)[1]
+
+
+START = "q_deg = [0, 20]"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "says"),
+    [
+        ('teaches = ["S4.0-2R"]', 'teaches = ["S4.1-hd"]', "teaches", "'S4.1-dh'"),
+        (
+            "q_deg = [0, 20]",
+            'q_deg = [0, 20]\npanel = "joint"',
+            "panel",
+            "unknown panel 'joint'; did you mean 'joints'?",
+        ),
+        (
+            "q_deg = [0, 20]",
+            'q_deg = [0, 20]\nhidden = ["flim"]',
+            "hidden",
+            "unknown panel 'flim'; did you mean 'film'?",
+        ),
+        (START, START + '\noverlays = ["frame"]', "overlays", "did you mean 'frames'?"),
+        (START, START + '\nhidden = ["film"]\npanel = "film"', "hidden", "is to be opened"),
+    ],
+)
+def test_names_at_the_top_have_to_exist(typed, place, old, new, key, says):
+    text = VARIED.replace(old, new)
+    line = next(i for i, each in enumerate(text.splitlines(), start=1) if each.startswith(f"{key} ="))
+    (place / "mine" / "v.md").write_text(text, encoding="utf-8")
+    status, out, _ = typed("lesson", "check", "mine/v.md")
+    assert status == 1
+    assert out.startswith(f"{Path('mine') / 'v.md'}:{line}: {key}: ")
+    assert says in out
+    assert out.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("check", "says"),
+    [
+        ('switch = "frame"', "unknown switch 'frame'; did you mean 'frames'?"),
+        ('panel = "joint"', "unknown panel 'joint'"),
+        ('film = "flim"', "unknown film 'flim'; did you mean 'film'?"),
+        ('panel = "trainer"', "the panel 'trainer' is to be opened, and the lesson hides it"),
+    ],
+)
+def test_names_in_steps_have_to_exist(typed, place, check, says):
+    block = f'```check\nkind = "looked_at"\n{check}\n```\n```solution\n[[do]]\nkind = "switch"\nname = "shadow"\n```\n'
+    text = TWO_STEPS.replace("overlays", 'hidden = ["trainer"]\noverlays').replace("Only text.\n", block)
+    (place / "mine" / "t.md").write_text(text, encoding="utf-8")
+    out = typed("lesson", "check", "mine/t.md")[1]
+    line = text.splitlines().index("## Read") + 1
+    assert f"t.md:{line}: step 1: check: {says}" in out
+    assert f"t.md:{line}: step 1: solution: unknown switch 'shadow'; did you mean 'shadows'?" in out
+
+
+def test_a_problem_of_some_variants_names_the_first(typed, place):
+    text = VARIED.replace('q_deg = ["= goal", 20]\n```\n## Predict', "q_deg = [30, 20]\n```\n## Predict")
+    (place / "mine" / "v.md").write_text(text, encoding="utf-8")
+    status, out, _ = typed("lesson", "check", "mine/v.md", "--variants", "2")
+    assert status == 1
+    assert [line.split(": ")[1] for line in out.splitlines()] == ["step 1 (variant 1)", "step 1 (variant 2)"]
+    assert typed("lesson", "check", "mine/v.md", "--variants", "0")[0] == 0
+
+
+def test_a_problem_of_all_variants_is_told_once(typed, place):
+    text = VARIED.replace('```solution\nq_deg = ["= goal", 20]\n```\n', "")
+    (place / "mine" / "v.md").write_text(text, encoding="utf-8")
+    assert typed("lesson", "check", "mine/v.md")[1].count("\n") == 1
+
+
+def test_a_lesson_with_the_name_of_another_says_so(typed, place):
+    (place / "mine" / "first_arm.md").write_text(VARIED, encoding="utf-8")
+    status, out, _ = typed("lesson", "check", "mine/first_arm.md")
+    assert status == 1
+    assert "there is another lesson 'first_arm'" in out
+
+
+@pytest.mark.parametrize("count", ["-1", "9999999"])
+def test_the_number_of_variants_is_bounded(typed, count):
+    status, _, err = typed("lesson", "check", "first_arm", "--variants", count)
+    assert status == 1
+    assert one_line(err)
+
+
+# --- armlab lesson sheet
+
+
+def test_a_sheet_has_a_row_a_variant(typed, work):
+    status, out, err = typed("lesson", "sheet", "mine/v.md", "--variants", "0-2,7")
+    assert (status, err) == (0, "")
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in out.splitlines() if line.startswith("|")]
+    assert rows[0] == ["variant", "`goal`", "1 do", "2 answer", "3 answer"]
+    assert [row[0] for row in rows[2:]] == ["0", "1", "2", "7"]
+    for number, goal, move, half, double in rows[2:]:
+        expected = library_module.lesson("v", int(number)).values["goal"]
+        assert float(goal) == expected
+        assert move == f"q = ({goal}°, 20°)"
+        assert float(half.split(" ±")[0]) == expected / 2
+        assert float(double.split(" ±")[0]) == expected * 2
+    assert "- Step 3, Double, in variant 0: Twice?" in out
+
+
+def test_a_sheet_for_a_list_of_names(typed, place):
+    (place / "names.txt").write_text("Ada\n\n  Bob | *x*  \n", encoding="utf-8")
+    status, out, _ = typed("lesson", "sheet", "mine/v.md", "--students", "names.txt")
+    assert status == 0
+    assert [line.split(" | ")[:2] for line in out.splitlines()[-2:]] == [["| 1", "Ada"], ["| 2", r"Bob \| \*x\*"]]
+
+
+def test_a_lesson_without_variants_has_one_row(typed):
+    status, out, _ = typed("lesson", "sheet", "first_arm")
+    assert status == 0
+    assert [line.split(" | ")[0] for line in out.splitlines() if line.startswith("|")] == ["| variant", "| ---", "| 0"]
+    assert "0.866 m ±" in out
+
+
+@pytest.mark.parametrize("found", Place().all(), ids=lambda found: found.key)
+def test_every_lesson_of_the_lab_has_a_sheet(capsys, found):
+    assert main(["lesson", "sheet", found.key, "--variants", "0-3"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    widths = {line.replace(r"\|", "").count("|") for line in out.splitlines() if line.startswith("|")}
+    assert len(widths) == 1
+
+
+def test_a_variant_that_cannot_be_used_leaves_the_others(typed, place):
+    (place / "mine" / "v.md").write_text(VARIED.replace("+++\n## Turn", 'root = "sqrt(31 - goal)"\n+++\n## Turn'))
+    status, out, err = typed("lesson", "sheet", "mine/v.md", "--variants", "0,1")
+    assert status == 1
+    assert one_line(err)
+    assert err.startswith("armlab: variant 1: ")
+    assert out.splitlines()[-1].startswith("| 0 |")
+
+
+@pytest.mark.parametrize("text", ["", "x", "3-1", "-1", "1,,2", "0-9999", "99999", "1-2-3", "٣"])
+def test_numbers_that_are_none_are_refused(text):
+    with pytest.raises(ArmlabError, match="--variants"):
+        numbers_of(text)
+
+
+@pytest.mark.parametrize("data", [b"", b"\n \n", b"\xff\xfeA\x00", b"A\n" * 1001, b"x" * 2_000_000])
+def test_lists_that_are_none_are_refused(place, data):
+    (place / "names.txt").write_bytes(data)
+    with pytest.raises(ArmlabError, match=r"names\.txt"):
+        names_of(place / "names.txt")
+
+
+def test_nothing_means_anything_in_an_escaped_text():
+    assert escaped("a|b\n*c* `d` <e>") == r"a\|b \*c\* \`d\` \<e\>"

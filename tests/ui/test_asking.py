@@ -1,0 +1,336 @@
+"""How questions are asked and answered over the wire: options, grids, formulas, predictions."""
+
+import asyncio
+
+import pytest
+
+from armlab.content.question import Choices, Field, Grid
+from armlab.ui.lesson.asking import CHECK, CHOICE, ENTRY, Draft
+from armlab.ui.plugin import layers
+from armlab.ui.tab import COVERED
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import running_lab
+from support.own_lessons import QUESTIONS, in_lesson, lesson, load, piece, to_step, write
+from support.student import run
+
+
+@pytest.fixture(scope="module")
+def url(tmp_path_factory):
+    folder = write(tmp_path_factory.mktemp("lessons"), questions=lesson(QUESTIONS))
+    with running_lab(lessons=folder) as address:
+        yield address
+
+
+def pressed(browser):
+    """Return the options that are down."""
+    parts = piece(browser, 'class="choices"').split('data-cell="lesson-choice-')[1:]
+    return [int(part.split('"')[0]) for part in parts if 'aria-pressed="true"' in part.split(">")[0]]
+
+
+def entries(browser):
+    """Return what the fields of a grid hold."""
+    parts = piece(browser, 'class="entries"').split(' value="')[1:]
+    return [part.split('"')[0] for part in parts]
+
+
+# -- options -----------------------------------------------------------------------------------------------------
+
+
+def test_one_option_answers_at_once_and_its_verdict_is_said(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        asked = piece(browser, 'class="choices"')
+        assert "two <strong>joints</strong>" in asked
+        assert "lesson-check" not in asked
+        assert "Two it is" not in browser.html()
+        await browser.press("lesson-choice-1")
+        await browser.until(lambda: "Count <em>again</em>." in browser.html())
+        assert pressed(browser) == [1]
+        await browser.press("lesson-choice-2")
+        await browser.until(lambda: "✓ Right." in browser.html())
+        assert pressed(browser) == [2]
+        await browser.until(lambda: "Two it is" in piece(browser, 'class="reveal"'))
+        assert "lesson-hint" not in browser.html()  # nothing is left to be helped with
+        await browser.close()
+
+    run(main())
+
+
+def test_several_options_are_gathered_and_handed_in(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        await to_step(browser, 2)
+        assert "Choose all that hold." in browser.html()
+        for option in ("2", "3"):
+            await browser.press(f"lesson-choice-{option}")
+            await browser.until(lambda option=option: int(option) in pressed(browser))
+        assert 'class="verdict' not in piece(browser, 'class="choices"')
+        await browser.set_value(browser.slider(1), -10.0)  # a moving arm takes no choice away
+        await asyncio.sleep(0.3)
+        assert pressed(browser) == [2, 3]
+        await browser.press(CHECK)
+        await browser.until(lambda: "Three is odd." in browser.html())
+        assert pressed(browser) == [2, 3]
+        await browser.press("lesson-choice-3")
+        await browser.until(lambda: pressed(browser) == [2])
+        await browser.press(CHECK)
+        await browser.until(lambda: "something is missing" in browser.html())
+        await browser.press("lesson-choice-4")
+        await browser.press(CHECK)
+        await browser.until(lambda: "✓ Right." in browser.html())
+        assert pressed(browser) == [2, 4]
+        await browser.close()
+
+    run(main())
+
+
+@pytest.mark.parametrize("cell", [f"{CHOICE}x", f"{CHOICE}-1", f"{CHOICE}99", f"{ENTRY}0", f"{ENTRY}0-x", "nothing"])
+def test_a_page_that_is_not_ours_does_no_harm(url, cell):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        channel = piece(browser, 'class="choices"').split('data-chan="')[1].split('"')[0]
+        value = f'["{cell}", "1", 1]'
+        await browser.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
+        await browser.press("lesson-choice-2")
+        await browser.until(lambda: "✓ Right." in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+# -- grids -------------------------------------------------------------------------------------------------------
+
+
+def test_a_grid_is_filled_while_the_arm_moves_and_handed_in(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        await to_step(browser, 3)
+        assert entries(browser) == ["", "", "", ""]
+        await browser.press(f"{ENTRY}0-0", " 1 / 2 ")
+        await browser.until(lambda: entries(browser)[0] == "1/2")
+        await browser.press(f"{ENTRY}1-1", "0,5")
+        for value in (10.0, 20.0, -10.0):
+            await browser.set_value(browser.slider(1), value)
+            await asyncio.sleep(0.15)
+        await browser.until(lambda: entries(browser) == ["1/2", "", "", "0.5"])
+        await browser.press(CHECK)
+        await browser.until(lambda: "✕ Not yet" in browser.html())
+        assert "row 1, column 2" in piece(browser, "✕ Not yet").lower()
+        assert entries(browser) == ["1/2", "?", "?", "0.5"]
+        await browser.press(f"{ENTRY}0-1", "0")
+        await browser.press(f"{ENTRY}1-0", "0")
+        await browser.press(CHECK)
+        await browser.until(lambda: "✓ Right." in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_an_empty_grid_names_what_is_missing(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        await to_step(browser, 3)
+        await browser.press(CHECK)
+        await browser.until(lambda: "✕ Not yet" in browser.html())
+        assert "row 1, column 1" in piece(browser, "✕ Not yet").lower()
+        await browser.close()
+
+    run(main())
+
+
+def filled(*rows):
+    draft = Draft(Grid(len(rows), len(rows[0])), "")
+    for i, row in enumerate(rows):
+        for j, text in enumerate(row):
+            assert draft.take(f"{ENTRY}{i}-{j}", text) is None
+    return draft.take(CHECK, "")
+
+
+def test_a_draft_gives_the_whole_answer_as_one_text():
+    assert filled(["1", "0"], ["", "sqrt(2) / 2"]) == "1 0; ? sqrt(2)/2"
+    choices = Draft(Choices(("a", "b", "c"), several=True), "3")
+    assert choices.take(f"{CHOICE}1", "") is None
+    assert choices.take(CHECK, "") == "1,3"
+    assert Draft(Choices(("a", "b"), several=False), "").take(f"{CHOICE}2", "") == "2"
+    field = Draft(Field("m"), "")
+    assert field.take("lesson-answer", "2 m") == "2 m"
+    assert field.take(CHECK, "") is None
+
+
+@pytest.mark.parametrize(
+    "rows", [(["0,5", "1"], ["1", "0"]), (["0,5", "0,25"], ["1", "0"]), (["−0,5", "1"], ["1", "0"])]
+)
+def test_decimal_commas_in_a_grid_are_decimal_points(rows):
+    assert "," not in filled(*rows)
+
+
+def test_the_entries_of_a_grid_stay_apart():
+    assert filled(["1; 2", "atan2(1, 2)"]).count(";") == 0
+    assert filled(["atan2(1,2)", "0"]) == "atan2(1,2) 0"
+
+
+# -- formulas ----------------------------------------------------------------------------------------------------
+
+
+def test_a_formula_is_judged_by_its_values(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        await to_step(browser, 4)
+        await browser.press("lesson-answer", "l1 c1 + l2 cos(q2)")
+        await browser.until(lambda: "The second link turns with the first." in browser.html())
+        assert 'value="l1 c1 + l2 cos(q2)"' in browser.html()
+        await browser.press("lesson-answer", "l1 c1 + ")
+        await browser.until(lambda: "turns with the first" not in browser.html())
+        assert "✕ Not yet" in browser.html()
+        await browser.press("lesson-answer", "l2*c12 + l1*cos(q1)")
+        await browser.until(lambda: "✓ Right." in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_a_moving_arm_does_not_touch_the_field_of_an_answer(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        await to_step(browser, 4)
+        await asyncio.sleep(0.3)
+        field = next(key for key, c in browser.controls.items() if "lesson-answer" in c["props"].get("content", ""))
+        written = []
+        browser.on_message = lambda message, _at: written.append(message["uuid"]) if "uuid" in message else None
+        for value in (10.0, 20.0, 30.5):
+            await browser.set_value(browser.slider(1), value)
+            await asyncio.sleep(0.15)
+        assert written
+        assert field not in written
+        await browser.close()
+
+    run(main())
+
+
+# -- predictions -------------------------------------------------------------------------------------------------
+
+
+class Seen:
+    """What a browser has been told to show in the scene."""
+
+    def __init__(self, browser):
+        self.shown = {}
+        browser.on_message = self.note
+
+    def note(self, message, _at):
+        name = message.get("name", "")
+        if message["type"] == "SetSceneNodeVisibilityMessage":
+            self.shown[name] = message["visible"]
+        elif message["type"] == "RemoveSceneNodeMessage":
+            self.shown = {node: on for node, on in self.shown.items() if not f"{node}/".startswith(f"{name}/")}
+        elif name and "props" in message:
+            self.shown[name] = True
+
+    def things(self):
+        """Return the names of visible nodes of the arm and its handle; the room is left out."""
+        return {
+            name
+            for name, on in self.shown.items()
+            if on and "/stage" not in name and (name.endswith("/body") or name == "/target" or "/frames" in name)
+        }
+
+
+async def watched(url, cookie):
+    """Come into the lesson with all that is shown noted."""
+    load(url, cookie, "lesson/questions")
+    browser = FakeBrowser(url, cookie, "/lesson/questions")
+    seen = Seen(browser)
+    await browser.connect()
+    await browser.until(lambda: "lesson-foot" in browser.html())
+    return browser, seen
+
+
+def test_a_prediction_hides_arm_and_values_until_the_first_answer(url):
+    async def main():
+        browser, seen = await watched(url, cookie_of(url))
+        await browser.until(lambda: len(seen.things()) > 2)
+        await to_step(browser, 5)
+        await browser.until(lambda: not seen.things())
+        assert any("stage" in name and on for name, on in seen.shown.items())
+        assert "Predict: your first answer counts." in browser.html()
+        assert 'data-live="px">?<' in piece(browser, "lesson-text")
+        assert COVERED in browser.html()
+        assert not any(c["props"].get("label", "").startswith("q₁") for c in browser.controls.values())
+        await browser.open("ellipsoid")
+        assert COVERED in browser.html()
+        await browser.press("lesson-answer", "two")  # cannot be read: the prediction is still open
+        await browser.until(lambda: bool(browser.notices))
+        assert "still open" in browser.notices[0]
+        assert not seen.things()
+        assert "Both links in a line" not in browser.html()
+        await browser.press("lesson-answer", "1")
+        await browser.until(lambda: "Both links in a line" in browser.html())
+        await browser.until(lambda: "Your prediction is noted." in browser.html())
+        assert "✕ Not yet" in browser.html()
+        await browser.until(lambda: len(seen.things()) > 2)
+        await browser.open("joints")
+        await browser.until(lambda: COVERED not in browser.html())
+        assert browser.slider(1)["value"] == 30.0
+        assert 'data-live="px">?<' not in piece(browser, "lesson-text")
+        assert " disabled>" in piece(browser, "lesson-answer")
+        assert 'class="way on"' in piece(browser, "lesson-foot")  # a prediction passes, right or not
+        await browser.press("lesson-answer", "2")
+        await browser.until(lambda: len(browser.notices) == 2)
+        assert "the first one counts" in browser.notices[1]
+        assert 'value="1"' in piece(browser, "lesson-answer")
+        await browser.close()
+
+    run(main())
+
+
+def test_a_page_that_loads_before_a_prediction_shows_no_arm(url):
+    async def main():
+        cookie = cookie_of(url)
+        browser, seen = await watched(url, cookie)
+        await to_step(browser, 5)
+        await browser.until(lambda: not seen.things())
+        await browser.close()
+        again, seen = await watched(url, cookie)
+        await again.until(lambda: COVERED in again.html())
+        await asyncio.sleep(0.5)
+        assert not seen.things()
+        assert any("stage" in name for name in seen.shown)
+        await to_step(again, 6)
+        await again.until(lambda: len(seen.things()) > 2)
+        await again.until(lambda: COVERED not in again.html())
+        await again.close()
+
+    run(main())
+
+
+def test_the_lessons_page_can_be_read_before_a_prediction(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        await to_step(browser, 5)
+        await browser.until(lambda: COVERED in browser.html())
+        await browser.open("lessons")
+        await browser.until(lambda: 'data-cell="lesson:questions"' in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_the_room_is_a_layer():
+    assert "stage" in layers()
+
+
+def test_wrong_states_have_their_sentence(url):
+    async def main():
+        browser = await in_lesson(url, "questions")
+        await to_step(browser, 6)
+        await browser.set_value(browser.slider(1), 0.0)
+        await browser.until(lambda: "The <em>second</em> joint is left." in piece(browser, "◐ Not there yet"))
+        await browser.set_value(browser.slider(1), 90.0)
+        await browser.until(lambda: "joint is left" not in browser.html())
+        assert "◐ Not there yet" in browser.html()
+        await browser.set_value(browser.slider(1), 0.0)
+        await browser.set_value(browser.slider(2), 0.0)
+        await browser.until(lambda: "✓ Done" in browser.html())
+        await browser.close()
+
+    run(main())
