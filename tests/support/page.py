@@ -92,9 +92,9 @@ class LabPage:
         # A lesson that begins with a prediction shows no handle.
         handle = "window.__viserMutable?.nodeRefFromName?.['/target']"
         self.page.wait_for_function(f"() => {handle} || document.querySelector('.lesson-text')", timeout=60_000)
-        self.page.wait_for_function(
-            "() => Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))", timeout=60_000
-        )
+        bodies = "Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))"
+        covered = "document.querySelector('.ask .dim')"
+        self.page.wait_for_function(f"() => {bodies} || {covered}", timeout=60_000)
         self.rest(0.8)
 
     def dismiss_toasts(self) -> None:

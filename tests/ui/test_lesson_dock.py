@@ -318,6 +318,20 @@ def test_panels_a_lesson_hides_are_not_there(url):
     run(main())
 
 
+def test_a_bench_a_lesson_hides_is_not_offered_in_the_index(url):
+    async def main():
+        browser = await in_lesson(url, "hiding")
+        await browser.open("lessons")
+        await browser.press("query", "ellipsoid")
+        await browser.until(lambda: 'class="found"' in browser.html() or "Nothing is found." in browser.html())
+        assert 'data-cell="bench:ellipsoid"' not in browser.html()
+        await browser.press("lesson-close")
+        await browser.until(lambda: 'data-cell="bench:ellipsoid"' in browser.html())
+        await browser.close()
+
+    run(main())
+
+
 # -- variants ----------------------------------------------------------------------------------------------------
 
 

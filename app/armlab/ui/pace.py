@@ -12,8 +12,8 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-SHARE = 0.1
-"""Part of the loop's time that panels, overlays and films of all students may take together."""
+SHARE = 0.05
+"""Part of the loop's time in which panels, overlays and films of all students may be made; sending costs as much."""
 
 MEMORY = 1.0
 """Seconds over which the time is summed."""

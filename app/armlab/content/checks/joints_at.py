@@ -65,10 +65,16 @@ class JointsAt:
             exchanged[[i, k]] = q[[k, i]]
             if self.revolute[i] == self.revolute[k] and self._is_at(exchanged):
                 return f"The values of joints {i + 1} and {k + 1} are exchanged."
-        distance = np.linalg.norm(observation.tool_pose[:3, 3] - observation.arm.position(self.q))
-        if distance <= SAME_POINT * observation.arm.reach and self._missing(q).max() > ANOTHER_BRANCH:
+        if self._missing(q).max() > ANOTHER_BRANCH and self._is_another_branch(observation):
             return "The tool is in the right place, but the arm gets there in another way: this is another branch."
         return ""
+
+    def _is_another_branch(self, observation: Observation) -> bool:
+        """Return whether the tool is in the right place and leaves it on the way: joints may also turn it in place."""
+        arm, q = observation.arm, observation.q
+        way = arm.position(np.array([q, 0.75 * q + 0.25 * self.q, 0.5 * (q + self.q), 0.25 * q + 0.75 * self.q]))
+        off = np.linalg.norm(way - arm.position(self.q), axis=-1) > SAME_POINT * arm.reach
+        return bool(not off[0] and off[1:].any())
 
     def _first_off(self, q: Vector, words: Words) -> str:
         off = np.flatnonzero(self._off(q))

@@ -185,6 +185,8 @@ def _task(state: State, lesson: Lesson, channel: str) -> str:
     step = state[LessonPart].step
     if step is None or step.check is None:
         return ""
+    if state[LessonPart].hides:
+        return ""
     met, says = check_line(state, words_of(state))
     if met:
         return '<div class="verdict ok" role="status"><b>✓ Done</b></div>'
@@ -213,7 +215,7 @@ def _hint(lesson: Lesson, part: LessonPart, i: int, channel: str) -> str:
 def _end(last: int, passed: frozenset[int], channel: str) -> str:
     missing = [str(k + 1) for k in range(last + 1) if k not in passed]
     if missing:
-        return f'<span class="dim">Not done yet: step {", ".join(missing)}</span>'
+        return f'<span class="dim" title="Not done yet: step {", ".join(missing)}">{len(missing)} to do</span>'
     return f'<b class="ok">✓ Lesson done</b>{button(channel, "lesson-close", "Close", "way on")}'
 
 

@@ -1,0 +1,143 @@
+"""Common roots of six equations that are trilinear in the (1, cos, sin) of three angles, by eigenvalues.
+
+One angle is hidden in the coefficients. With x = tan(./2) of the other two the equations are polynomials in the nine
+monomials x_u^i x_v^j, i, j <= 2; together with their multiples by x_u they are 12 equations in 12 monomials. The hidden
+angle is ``phi + 2 atan x``, which makes their matrix A x^2 + B x + C. It is singular at the roots: a quadratic
+eigenvalue problem of size 12, whose 24 eigenvalues are the 16 roots and, from the factor (1 + x^2)^4, i and -i.
+The eigenvector holds the monomials, and with them the other two angles.
+
+References
+----------
+Manocha and Canny, "Efficient inverse kinematics for general 6R manipulators", 1994, for eigenvalues instead of a
+polynomial of degree 16; the choice of phi here stands for their change of variable.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.ik.general_loop import Floats
+
+REAL = 1e-3
+"""An eigenvalue counts as real when |Im x| / (1 + |x|^2), half the imaginary part of the angle, is below this. Nearly
+double roots become complex by the square root of the perturbation of the loop, 1e-4 to 1e-2; candidates that are none
+are sorted out later, so too large costs only time."""
+
+PHASES = 0.3 + np.pi / 3.0 * np.arange(6)
+"""Values of phi to choose from: half a turn away from it, where x is infinite, should be no root."""
+
+_HALF = np.array([[1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [0.0, 2.0, 0.0]])
+_MONOMIALS = np.kron(_HALF, _HALF)
+"""(1, c, s) times 1 + x^2 as polynomials in x = tan(./2), for one and for two angles."""
+
+
+def matrices(middle: Floats, hidden: int) -> Floats:
+    """Return the 12 x 12 matrices M with M_0 + M_1 cos + M_2 sin singular at a root of the hidden angle.
+
+    Parameters
+    ----------
+    middle : ndarray, shape (B, 6, 3, 3, 3)
+        Coefficients of the equations over (1, c, s) of three angles.
+    hidden : 0, 1 or 2
+
+    Returns
+    -------
+    ndarray, shape (3, B, 12, 12)
+        With rows of length one over all three.
+    """
+    moved = np.moveaxis(middle, 2 + hidden, 0).reshape(3, -1, 6, 9)
+    grid = (moved @ _MONOMIALS).reshape(3, -1, 6, 3, 3)
+    M = np.zeros((3, grid.shape[1], 12, 4, 3))
+    M[:, :, :6, :3] = M[:, :, 6:, 1:] = grid
+    M = M.reshape(3, -1, 12, 12)
+    lengths = np.sqrt(np.einsum("kbij,kbij->bi", M, M))
+    return np.asarray(M / np.where(lengths > 0.0, lengths, 1.0)[..., None])
+
+
+def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
+    """Choose phi so that the matrix at half a turn from it is as regular as can be.
+
+    Returns
+    -------
+    inverse : ndarray, shape (B, 12, 12)
+        Of that matrix.
+    chosen : ndarray of int, shape (B,)
+        Which of `PHASES`.
+    regularity : ndarray, shape (B,)
+        One over the Frobenius condition number; about 1e-16 where no phi is good.
+    """
+    c, s = np.cos(PHASES)[:, None, None], np.sin(PHASES)[:, None, None]
+    A = M[0, :, None] - c * M[1, :, None] - s * M[2, :, None]
+    inverses = np.linalg.inv(A)
+    sizes = np.einsum("bpij,bpij->bp", inverses, inverses) * np.einsum("bpij,bpij->bp", A, A)
+    chosen = np.argmin(sizes, axis=1)
+    every = np.arange(len(chosen))
+    return inverses[every, chosen], chosen, 1.0 / np.sqrt(sizes[every, chosen])
+
+
+def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats]:
+    """Return candidates for the real common roots.
+
+    Parameters
+    ----------
+    middle : ndarray, shape (B, 6, 3, 3, 3)
+    hidden : 0, 1 or 2
+
+    Returns
+    -------
+    owner : ndarray of int, shape (m,)
+        Which set of equations each belongs to.
+    angles : ndarray, shape (m, 3)
+
+    Raises
+    ------
+    LinAlgError
+        The equations are exactly degenerate.
+    """
+    M = matrices(middle, hidden)
+    inverse, chosen, _ = leading(M)
+    phi = PHASES[chosen]
+    c, s = np.cos(phi)[:, None, None], np.sin(phi)[:, None, None]
+    companion = np.zeros((len(phi), 24, 24))
+    companion[:, :12, 12:] = np.eye(12)
+    companion[:, 12:, :12] = -inverse @ (M[0] + c * M[1] + s * M[2])
+    companion[:, 12:, 12:] = -2.0 * inverse @ (c * M[2] - s * M[1])
+    x, vectors = np.linalg.eig(companion)
+    # One of each complex pair.
+    real = (np.abs(x.imag) < REAL * (1.0 + np.abs(x) ** 2)) & (x.imag >= 0.0)
+    owner = np.nonzero(real)[0]
+    x, columns = x[real], np.swapaxes(vectors, 1, 2)[real]
+    # The vector is (m, x m): the larger half loses fewer digits.
+    monomials = _real(np.where(np.abs(x[:, None]) < 1.0, columns[:, :12], columns[:, 12:])).reshape(-1, 4, 3)
+    angles = np.empty((len(x), 3))
+    angles[:, hidden] = phi[owner] + 2.0 * np.arctan(x.real)
+    first, second = (k for k in range(3) if k != hidden)
+    angles[:, first], angles[:, second] = _angles_of(monomials)
+    return owner, angles
+
+
+def _real(vectors: NDArray[np.inexact]) -> Floats:
+    """Return eigenvectors (m, 12) of nearly real eigenvalues with the phase that makes the largest entry real."""
+    largest = np.argmax(np.abs(vectors), axis=1)
+    scaled = vectors / vectors[np.arange(len(vectors)), largest][:, None]
+    return np.asarray(scaled.real, dtype=np.float64)
+
+
+def _angles_of(monomials: Floats) -> tuple[Floats, Floats]:
+    """Return both angles from x_u^i x_v^j, shape (m, 4, 3), up to a factor.
+
+    The largest column holds the powers of x_u, the largest row those of x_v. Of neighbouring powers the larger two are
+    compared as homogeneous coordinates, so that half a turn, where x is infinite, is nothing special.
+    """
+    every, squares = np.arange(len(monomials)), monomials**2
+    us = monomials[every, :, np.argmax(squares.sum(axis=1), axis=1)]
+    vs = monomials[every, np.argmax(squares.sum(axis=2), axis=1)]
+    return _half_angle(us), _half_angle(vs)
+
+
+def _half_angle(powers: Floats) -> Floats:
+    last = powers.shape[1] - 1
+    low = np.where(np.abs(powers[:, 0]) >= np.abs(powers[:, last]), 0, last - 1)
+    every = np.arange(len(powers))
+    return np.asarray(2.0 * np.arctan2(powers[every, low + 1], powers[every, low]))
