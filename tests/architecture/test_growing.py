@@ -1,4 +1,4 @@
-"""One new file each: a panel, a robot, a method of inverse kinematics, a layer, a part of the state."""
+"""One new file each: a panel, a layer, a part, a film, a robot, a lesson, a check, a question, a method, a command."""
 
 import os
 import re
@@ -93,11 +93,81 @@ class MadeUp(Part):
 PART = PartType(MadeUp, order=50)
 '''
 
+CHECK = '''
+"""A made-up check: joint 1 is at its end."""
+from armlab.content.check import PLAIN, CheckType
+
+class MadeUp:
+    def is_met(self, observation):
+        return observation.q[0] > 3.0
+
+    def says(self, observation, words=PLAIN):
+        return f"Joint 1 is at {words.angle(observation.q[0])}."
+
+CHECK = CheckType("made_up", 200, lambda table, robot: MadeUp())
+'''
+
+QUESTION = '''
+"""A made-up question: say yes."""
+from armlab.content.question import RIGHT, Field, QuestionType, Verdict
+
+class MadeUp:
+    def __init__(self, asked):
+        self.html, self.hide = asked.html, asked.hide
+        self.form, self.right_answer, self.wrong = Field(), "yes", ()
+
+    def judge(self, text):
+        return RIGHT if text == "yes" else Verdict(False, "Say yes.")
+
+QUESTION = QuestionType("made_up", 200, lambda table, asked, to_html: MadeUp(asked))
+'''
+
+COMMAND = '''
+"""A made-up command."""
+from armlab.commands import CommandType
+
+def run(options):
+    print("made-up", options.word)
+    return 0
+
+COMMAND = CommandType("made_up", 99, "say a word", lambda parser: parser.add_argument("word"), run)
+'''
+
+LESSON = '''+++
+title = "Made up"
+chapter = "9"
+teaches = ["S4.0-2R"]
+robot = "planar_2r"
++++
+## One step
+Turn.
+```check
+kind = "made_up"
+```
+```question
+kind = "made_up"
+text = "Well?"
+```
+```solution
+q_deg = [178, 0]
+```
+'''
+
+CLIP = '''
+"""A made-up film: two seconds of nothing."""
+from armlab.session.parts.timeline import Clip
+
+CLIP = Clip("made_up", "Made-up film", lambda state: 2.0, lambda state: (), lambda state, time: state)
+'''
+
 LOOK = """
 import asyncio
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 import armlab
+from armlab.cli import main as main_of
+from armlab.session.parts.timeline import clips
+from armlab.session.play import problems
 from armlab.session.state import part_types
 
 async def main(url):
@@ -123,6 +193,9 @@ arm = armlab.load("planar_2r")
 result = armlab.ik.solve(arm, arm.fk([0.4, 0.9]), q0=[0.4, 0.8], method="made_up")
 assert result.position_error < 0.2
 assert "made_up" in [kind.key for kind in part_types()]
+assert "made_up" in clips()
+assert problems("made_up") == [], problems("made_up")
+assert main_of(["made_up", "word"]) == 0
 print("grown")
 """
 
@@ -131,7 +204,12 @@ FILES = {
     "app/armlab/ui/layers/made_up.py": LAYER,
     "app/armlab/kin/ik/methods/made_up.py": METHOD,
     "app/armlab/session/parts/made_up.py": PART,
+    "app/armlab/session/clips/made_up.py": CLIP,
+    "app/armlab/content/checks/made_up.py": CHECK,
+    "app/armlab/content/questions/made_up.py": QUESTION,
+    "app/armlab/commands/made_up.py": COMMAND,
     "robots/made_up.toml": ROBOT,
+    "lessons/made_up.md": LESSON,
 }
 
 

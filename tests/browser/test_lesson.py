@@ -1,9 +1,36 @@
-"""A student does a lesson in the page."""
+"""A student does lessons in the page, and a teacher shows them."""
 
 import numpy as np
 import pytest
 
+from armlab.content.lessons import library
+from armlab.session.parts.robot import RobotPart
+from armlab.session.share import short
+from armlab.session.state import State
+from support.lab import running_lab
+from support.lesson_player import LessonPlayer
+from support.own_lessons import HOSTILE, HOSTILE_ARM, PWN, QUESTIONS, lesson, write
+
 pytestmark = pytest.mark.browser
+
+PLAYED = ("first_arm", "rotation_matrix", "forward_2r")
+"""Lessons whose solutions are moves of joints and answers."""
+
+LONG = "\n\n".join(f"Line {i} with joint 1 at {{{{q1}}}}." for i in range(40))
+
+
+@pytest.fixture(scope="module")
+def url(tmp_path_factory):
+    """A lab with a teacher's lessons besides its own."""
+    folder = write(
+        tmp_path_factory.mktemp("lessons"),
+        questions=lesson(QUESTIONS),
+        hostile=lesson(HOSTILE, HOSTILE_ARM, f"Title {PWN}"),
+        long=lesson(f"\nThe introduction.\n\n## One\n\n{LONG}\n\n## Two\n\n{LONG}\n"),
+        table=lesson("\n## A table\n\n| a | `b` |\n|---|---|\n| $c$ | d |\n\n$$ A = B $$\n\n* item\n\n[link](/)\n"),
+    )
+    with running_lab(tmp_path_factory.mktemp("state"), lessons=folder) as address:
+        yield address
 
 
 def scene(lab):
@@ -32,13 +59,37 @@ def cut(lab, selector):
     )
 
 
+@pytest.mark.parametrize("key", PLAYED)
+def test_a_lesson_is_played_by_clicks_with_a_reload_in_the_middle(visit, key):
+    lab = visit(f"lesson/{key}", size=(1400, 850))
+    found = library().lesson(key, int(lab.address().partition(key)[2].strip("/").partition("?")[0] or 0))
+    player = LessonPlayer(lab, found)
+    for i, step in enumerate(found.steps, start=1):
+        player.at(i)
+        player.hint()
+        player.wrong(step)
+        if i == len(found.steps) // 2 + 1:
+            before = lab.page.locator(".lesson-text").inner_text(), lab.page.locator(".ask .field").all_inner_texts()
+            lab.page.reload()
+            lab.page.wait_for_selector(".lesson-foot")
+            player.at(i)
+            after = lab.page.locator(".lesson-text").inner_text(), lab.page.locator(".ask .field").all_inner_texts()
+            assert after == before
+            assert lab.page.locator(".strip.done").count() == i - 1
+        player.solve(step)
+        if i < len(found.steps):
+            player.click("lesson-next")
+    lab.until(lambda: shown(lab, "✓ Lesson done"))
+    assert lab.page.locator(".strip.done").count() == len(found.steps)
+
+
 def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     lab = visit("lesson/first_arm", size=(1400, 850))
     assert "/lesson/first_arm" in lab.address()
     left, right, _ = scene(lab)
     assert 270 < left < 300
     assert (right - left) / 1400 > 0.54
-    assert shown(lab, "Step 1 of 3")
+    assert shown(lab, "1 of 3")
     assert lab.page.locator(".lesson-text math").count() > 3
     assert "2105.1 mm away" in lab.page.locator(".verdict.todo").inner_text()
     assert lab.page.locator('button[data-cell="lesson-next"]').inner_text() == "Skip ›"
@@ -48,7 +99,7 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     at = lab.on_screen("/target")
     assert left < at[0] < right
     lab.press("lesson-next")
-    assert shown(lab, "Step 2 of 3")
+    assert shown(lab, "2 of 3")
     lab.press("right angle")
     lab.until(lambda: shown(lab, "✓ Done"))
     lab.press("lesson-next")
@@ -56,14 +107,14 @@ def test_a_lesson_from_its_link_to_its_end_with_a_reload(visit):
     lab.until(lambda: shown(lab, "Both joints turn the second link"))
     lab.page.reload()
     lab.ready()
-    lab.until(lambda: shown(lab, "Step 3 of 3"))
+    lab.until(lambda: shown(lab, "3 of 3"))
     assert lab.page.locator('input[data-cell="lesson-answer"]').input_value() == "0.5"
     np.testing.assert_allclose(lab.slider_values(2), [0.0, 90.0])
     assert lab.page.locator(".strip.done").count() == 2
     lab.page.locator('input[data-cell="lesson-answer"]').fill("0,866")
     lab.page.locator('button[data-cell="lesson-check"]').click()
     lab.until(lambda: shown(lab, "✓ Lesson done"))
-    lab.press("lesson-close")
+    lab.page.locator(".lesson-foot button[data-cell=lesson-close]").click()
     lab.until(lambda: scene(lab)[0] == 0)
     lab.until(lambda: "/robot/planar_2r" in lab.address())
     assert lab.page.locator(".lesson-text").count() == 0
@@ -78,7 +129,7 @@ def test_a_step_begins_at_its_top_and_nothing_is_cut_in_a_small_window(visit):
     lab.page.evaluate("() => document.querySelector('.lesson-text').scrollTo(0, 1e6)")
     assert lab.page.evaluate(scrolled) > 20
     lab.press("lesson-next")
-    assert shown(lab, "Step 2 of 3")
+    assert shown(lab, "2 of 3")
     assert lab.page.evaluate(scrolled) == 0
     for selector in (".lesson-head", ".strips", ".lesson-text", ".verdict.todo", ".lesson-foot"):
         assert not cut(lab, selector), selector
@@ -88,9 +139,9 @@ def test_a_step_begins_at_its_top_and_nothing_is_cut_in_a_small_window(visit):
 def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(visit):
     lab = visit(size=(1400, 850))
     lab.open_tab("Lessons")
-    lab.press("first_arm")
+    lab.press("lesson:first_arm")
     lab.ready()
-    lab.until(lambda: shown(lab, "Step 1 of 3"))
+    lab.until(lambda: shown(lab, "1 of 3"))
     assert scene(lab)[0] > 270
     assert lab.page.locator('[role=tab][title="Joints"]').get_attribute("aria-selected") == "true"
     lab.press("lesson-step-2")
@@ -102,3 +153,183 @@ def test_a_lesson_is_chosen_in_the_bench_and_its_dock_lets_a_typed_answer_be(vis
     assert field.input_value() == "0.86"
     chosen = lab.page.locator('select[data-cell="lesson-key"]').input_value()
     assert chosen == "first_arm"
+
+
+# -- questions ---------------------------------------------------------------------------------------------------
+
+
+def at_step(lab, step):
+    lab.press(f"lesson-step-{step - 1}")
+    lab.until(lambda: shown(lab, f"{step} of 6"))
+
+
+def saturated(lab):
+    """Return how many pixels of the scene have a strong colour, as the arm has and the room has not."""
+    left, right, _ = map(int, scene(lab))
+    pixels = lab.picture()[80:-80, left + 10 : right - 10]
+    return int((pixels.max(axis=2) - pixels.min(axis=2) > 90).sum())
+
+
+def test_before_a_prediction_the_arm_is_not_there(visit):
+    lab = visit("lesson/questions", size=(1400, 850))
+    lab.dismiss_toasts()
+    before = saturated(lab)
+    assert before > 1000
+    at_step(lab, 5)
+    lab.until(lambda: saturated(lab) < 0.02 * before)
+    assert shown(lab, "Answer the question of the lesson first.")
+    assert lab.page.locator("output[data-live=px]").inner_text() == "?"
+    lab.page.reload()  # nor after a reload
+    lab.until(lambda: shown(lab, "Predict: your first answer counts."))
+    lab.page.wait_for_function("() => document.querySelector('canvas[data-engine]')")
+    lab.rest(2.0)
+    lab.dismiss_toasts()
+    assert saturated(lab) < 0.02 * before
+    lab.type_into("lesson-answer", "1")
+    lab.until(lambda: shown(lab, "Both links in a line"))
+    lab.until(lambda: saturated(lab) > 0.5 * before)
+    assert lab.page.locator("output[data-live=px]").inner_text() == "0.866 m"
+    assert lab.page.locator('input[data-cell="lesson-answer"]').is_disabled()
+    assert lab.slider_value(1) == 30.0
+
+
+def slow_click(lab, cell):
+    """Press a button as long as a person does: the lab has answered before it is let go."""
+    box = lab.page.locator(f'button[data-cell="{cell}"]').first.bounding_box()
+    lab.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    lab.page.mouse.down()
+    lab.page.wait_for_timeout(400)
+    lab.page.mouse.up()
+
+
+def test_options_and_a_grid_are_answered_by_clicking_and_typing(visit):
+    lab = visit("lesson/questions", size=(1400, 850))
+    lab.press("lesson-choice-1")
+    lab.until(lambda: shown(lab, "Count again."))
+    lab.press("lesson-choice-2")
+    lab.until(lambda: shown(lab, "Two it is."))
+    at_step(lab, 3)
+    cells = [f'input[data-cell="lesson-entry-{i}-{j}"]' for i in (0, 1) for j in (0, 1)]
+    lab.page.locator(cells[0]).click()
+    for text in ("0,5", "0", "0"):
+        lab.page.keyboard.type(text, delay=60)
+        lab.page.keyboard.press("Tab")
+        lab.page.wait_for_timeout(300)  # the lab has answered; the cursor is in the next field nevertheless
+    lab.page.keyboard.type("1/2", delay=60)
+    slow_click(lab, "lesson-check")
+    lab.until(lambda: shown(lab, "✓ Right."))
+    assert [lab.page.locator(cell).input_value() for cell in cells] == ["0.5", "0", "0", "1/2"]
+
+
+def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):
+    lab = visit("lesson/long", size=(1400, 850))
+    lab.page.locator(".lesson-text summary").click()
+    lab.page.locator(".lesson-more summary").click()
+    top = "() => document.querySelector('.lesson-text').scrollTop"
+    lab.page.evaluate("() => document.querySelector('.lesson-text').scrollTo(0, 200)")
+    first = lab.page.locator("output[data-live=q1]").first
+    assert first.inner_text() == "30.0°"
+    lab.drag_slider(1, 0.3)
+    lab.until(lambda: first.inner_text() != "30.0°")
+    lab.rest()
+    assert lab.page.evaluate(top) == 200
+    assert lab.page.locator(".lesson-text details").get_attribute("open") is not None
+    lab.type_into("lesson-name", "Ada")
+    assert lab.page.locator('input[data-cell="lesson-name"]').is_visible()
+    lab.press("lesson-next")
+    assert lab.page.evaluate(top) == 0
+
+
+# -- for a class -------------------------------------------------------------------------------------------------
+
+SIZES = """() => [...document.querySelectorAll(
+    '.lesson-text, .lesson-text :is(h2, small, p, li, a, code, td, th, math, summary, b), .lesson-foot *, .ask *, .verdict *')]
+  .filter(e => e.getClientRects().length && !e.closest('math') | e.localName === 'math')
+  .map(e => [parseFloat(getComputedStyle(e).fontSize), e.localName, e.textContent.slice(0, 20)])
+  .filter(([size]) => size < 24)"""
+
+
+@pytest.mark.parametrize("size", [(1400, 850), (1024, 700)])
+def test_a_projector_shows_large_text_and_no_benches(visit, size):
+    lab = visit("lesson/first_arm", size=size)
+    bench = lab.page.locator("[data-dock-region=right]")
+    assert bench.is_visible()
+    before = scene(lab)
+    lab.page.mouse.click(before[0] + 60, 300)
+    lab.page.keyboard.press("v")
+    lab.until(lambda: not bench.is_visible())
+    lab.rest()
+    assert lab.page.evaluate(SIZES) == []
+    left, right, width = scene(lab)
+    assert right == width
+    assert left == pytest.approx(0.42 * width, abs=2)
+    lab.page.keyboard.press("PageDown")
+    lab.until(lambda: shown(lab, "2 of 3"))
+    lab.page.keyboard.press("PageDown")
+    lab.until(lambda: shown(lab, "3 of 3"))
+    assert lab.page.evaluate(SIZES) == []
+    lab.page.keyboard.press("PageUp")
+    lab.until(lambda: shown(lab, "2 of 3"))
+    for selector in (".lesson-head", ".strips", ".lesson-text", ".lesson-foot"):
+        assert not cut(lab, selector), selector
+    lab.page.keyboard.press("Escape")
+    lab.until(bench.is_visible)
+    lab.until(lambda: scene(lab) == before)
+    lab.page.keyboard.press("v")
+    lab.until(lambda: not bench.is_visible())
+    lab.page.keyboard.press("v")
+    lab.until(bench.is_visible)
+
+
+def test_a_table_on_a_projector_is_large_too(visit):
+    lab = visit("lesson/table", size=(1400, 850))
+    lab.page.keyboard.press("v")
+    lab.until(lambda: not lab.page.locator("[data-dock-region=right]").is_visible())
+    lab.rest()
+    assert lab.page.evaluate(SIZES) == []
+
+
+# -- script that others have written -----------------------------------------------------------------------------
+
+
+def hostile_link():
+    """Return a link to an arm with such a name, as somebody with ill will would make it."""
+    state = State.initial(library().lesson("hostile").robot_used)
+    assert PWN in state[RobotPart].robot.name
+    import armlab.session.share as share
+
+    checked, share._check_words = share._check_words, lambda robot: None
+    try:
+        return short(state)
+    finally:
+        share._check_words = checked
+
+
+def test_script_of_others_does_not_run(visit):
+    lab = visit("lesson/hostile", size=(1400, 850))
+    lab.press("lesson-hint")
+    lab.press("lesson-choice-1")
+    lab.until(lambda: shown(lab, "Says <script>"))
+    lab.press("lesson-choice-2")
+    lab.until(lambda: shown(lab, "Reveal <script>"))
+    lab.page.locator(".lesson-more summary").click()
+    lab.type_into("lesson-name", PWN)
+    assert lab.page.locator('input[data-cell="lesson-name"]').input_value() == " ".join(PWN.split())[:80]
+    with lab.page.expect_download() as saved:
+        lab.press("lesson-save")
+    assert saved.value.suggested_filename.endswith(".json")
+    lab.open_tab("Lessons")
+    lab.rest()
+    lab.press("lesson-sandbox")
+    lab.until(lambda: shown(lab, "Back to Title <script>"))
+    assert lab.page.evaluate("() => window.__pwned") is None
+    other = visit(f"state/{hostile_link()}")
+    other.rest()
+    assert other.page.evaluate("() => window.__pwned") is None
+    assert "<script" not in other.page.evaluate("() => document.querySelector('#al-notes').parentElement.innerHTML")
+    for path in ("state/%3Cscript%3Ewindow.__pwned=1%3C%2Fscript%3E", "lesson/%3Cscript%3E", "state/" + "A" * 1400):
+        page = lab.page.context.new_page()
+        page.goto(lab.address().partition("/lesson")[0] + "/" + path)
+        page.wait_for_timeout(300)
+        assert page.evaluate("() => window.__pwned") is None
+        page.close()

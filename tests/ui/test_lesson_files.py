@@ -102,10 +102,7 @@ def test_a_new_file_is_in_the_list_of_an_open_page(taught):
         await browser.open("lessons")
         await browser.until(lambda: 'data-cell="lesson:mine"' in browser.html())
         write(folder, another=lesson(title="Another one"))
-        await asyncio.sleep(2.5)
-        await browser.open("joints")
-        await browser.open("lessons")
-        await browser.until(lambda: "Another one" in piece(browser, 'data-cell="lesson:mine"'))
+        await browser.until(lambda: "Another one" in piece(browser, 'data-cell="lesson:mine"'), 4.0)
         await browser.close()
 
     run(main())

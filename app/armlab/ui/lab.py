@@ -172,13 +172,15 @@ class Lab:
             self.store.save()
 
     def _keep_looking(self) -> None:
-        said, known = "", lessons().lessons
+        said, known = "", lessons()
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
                 # What `changed` returns is told once a process, and there may be other labs in this one.
                 changed()
-                before, known = known, lessons().lessons
-                if keys := frozenset(key for key, found in known.items() if before.get(key) is not found):
+                before, known = known, lessons()
+                if known is not before:
+                    was = before.lessons
+                    keys = frozenset(key for key, found in known.lessons.items() if was.get(key) is not found)
                     self.loop.call_soon_threadsafe(self._reload, keys)
                 said = ""
             except Exception as error:
@@ -188,12 +190,14 @@ class Lab:
                 said = repr(error)
 
     def _reload(self, keys: frozenset[str]) -> None:
-        """Show lessons whose files have changed to those who have them open."""
+        """Show lessons whose files have changed to those who have them open, and everybody the list of all."""
         for views in tuple(self._of_session.values()):
             session = next(iter(views)).session
             key = session.state[LessonPart].open.partition("/")[0]
             if key in keys:
                 self.worker.post(session, ReloadLesson(key))
+            for view in views:
+                view.show()
 
 
 __all__ = ["Lab"]

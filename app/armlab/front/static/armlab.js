@@ -119,6 +119,45 @@
     }
   });
 
+  // A field that is left is sent, and its answer may replace the button that is being pressed: the press counts.
+  let down = null;
+  document.addEventListener('pointerdown', event => { down = event.target.closest?.('button[data-chan]'); }, true);
+  document.addEventListener('pointerup', event => {
+    const button = event.target.closest?.('button[data-chan]');
+    const same = down && !down.isConnected && button?.dataset.chan === down.dataset.chan && button.dataset.cell === down.dataset.cell;
+    down = null;
+    if (same) button.click();
+  }, true);
+
+  // What was opened and how far was read stays when a value in the text changes, as long as it is the same step.
+  const opened = new Map();
+  const met = new WeakSet();
+  const nameOf = details => details.querySelector('summary')?.textContent;
+  let read = { title: '', top: 0 };
+  let text = null;
+  document.addEventListener('toggle', event => {
+    if (event.target.isConnected && event.target.matches('.al details')) opened.set(nameOf(event.target), event.target.open);
+  }, true);
+  document.addEventListener('scroll', event => {
+    if (event.target === text) read.top = text.scrollTop;
+  }, true);
+  const keepReading = () => {
+    for (const details of document.querySelectorAll('.al details')) {
+      if (met.has(details)) continue;
+      met.add(details);
+      if (opened.get(nameOf(details))) details.open = true;
+    }
+    const found = document.querySelector('.lesson-text');
+    if (!found || found === text) return;
+    text = found;
+    const title = document.querySelector('.lesson-head select')?.value + text.querySelector('h2')?.textContent;
+    if (title === read.title) text.scrollTop = read.top;
+    else {
+      read = { title, top: 0 };
+      opened.clear();
+    }
+  };
+
   // The lab replaces the markup around a field; the cursor goes on in the field of the same name.
   document.addEventListener('focusin', event => {
     last = event.target.matches?.('[data-chan]') ? event.target : null;
@@ -305,6 +344,7 @@
       requestAnimationFrame(() => {
         due = false;
         keepFocus();
+        keepReading();
         obey();
         toTop();
         tellTabs();

@@ -55,15 +55,20 @@ class Equations:
         The 14 numbers of ``T_1^-1 Rz(-t_1) T_6^-1`` over (1, c, s) of joint 1.
     basis, triangle : ndarray, shapes (B, 6, 2) and (B, 2, 2)
         QR factors of the fixed numbers of cos and sin of joint 1.
-    worst : ndarray, shape (B,)
-        How far the eliminated blocks are from losing rank: 1 at best, 0 where joints 1 and 2 cannot be told apart.
+    pairs : ndarray, shape (B, 6, 6)
+        The triangle of the QR factors of the pairs.
     """
 
     middle: Floats
     right: Floats
     basis: Floats
     triangle: Floats
-    worst: Floats
+    pairs: Floats
+
+    @property
+    def evenness(self) -> Floats:
+        """How far the eliminated blocks are from losing rank, (B,): 1 at best, 0 where joints 1 and 2 are entangled."""
+        return _evenness(self.triangle) * _evenness(self.pairs)
 
 
 def equations(T: Floats) -> Equations:
@@ -82,7 +87,7 @@ def equations(T: Floats) -> Equations:
     Q2, R2 = np.linalg.qr(block, mode="complete")
     second = np.swapaxes(left[..., FIXED:] @ Q2[..., 6:], 1, 2)
     middle = np.concatenate([first, second], axis=1).reshape(-1, 6, 3, 3, 3)
-    return Equations(middle, right, Q[..., :2], R[:, :2], _evenness(R) * _evenness(R2))
+    return Equations(middle, right, Q[..., :2], R[:, :2], R2[:, :6])
 
 
 def _evenness(R: Floats) -> Floats:
@@ -165,6 +170,7 @@ def all_angles(T: Floats, found: Equations, owner: np.ndarray, middle: Floats) -
     X, Y = np.moveaxis((turn @ right[..., FIXED:])[:, 0].reshape(-1, 4, 2), -1, 0)
     x, y = np.moveaxis(numbers[:, FIXED:].reshape(-1, 4, 2), -1, 0)
     t2 = np.arctan2((x * Y - y * X).sum(axis=1), (x * X + y * Y).sum(axis=1))
-    left = inverses(turns(t1) @ own[:, 0] @ turns(t2) @ chain) @ inverses(own[:, 5])
-    t6 = np.arctan2(left[:, 1, 0] - left[:, 0, 1], left[:, 0, 0] + left[:, 1, 1])
+    # T_6 times everything before Rz(t_6) is the turn back, Rz(-t_6).
+    back = own[:, 5] @ turns(t1) @ own[:, 0] @ turns(t2) @ chain
+    t6 = np.arctan2(back[:, 0, 1] - back[:, 1, 0], back[:, 0, 0] + back[:, 1, 1])
     return np.column_stack([t1, t2, middle, t6])

@@ -18,14 +18,23 @@ FAR = 0.3
 
 PATIENCE = 4
 
+FLOOR = 1e-13
+"""Damping that is always there: some hundred roundings of J J^T, so that it can be solved with at singular poses."""
+
 LARGEST_STEP = 0.5
 """Radians a joint moves in one step at most."""
 
 SAME = 1e-5
-"""Solutions whose cosines and sines differ by less are one. At a fold, where two solutions merge, an error e of the
+"""Solutions closer than this, in radians in all joints together, are one. At a fold, where two solutions merge, an error e of the
 pose is an error of about sqrt(e) of the angles, which is added."""
 
 _UNIT = np.eye(6)
+
+_CROSS = np.array([np.cross(a, b) for a in np.eye(3) for b in np.eye(3)])
+"""From the nine products a_i b_j to a x b."""
+
+_SINES_AND_TRACE = np.column_stack([-0.5 * _CROSS, np.eye(3).reshape(9)])
+"""From the entries of a rotation to sin(theta) r and 1 + 2 cos(theta)."""
 
 
 def errors_and_columns(links: Floats, q: Floats, hands: Floats) -> tuple[Floats, Floats, Floats]:
@@ -51,23 +60,20 @@ def errors_and_columns(links: Floats, q: Floats, hands: Floats) -> tuple[Floats,
     """
     R = turns(q)
     moves = R[:, :5] @ links
-    frames = np.empty((6, len(q), 4, 4))
-    frames[0] = np.eye(4)
+    frames = np.empty((len(q), 6, 4, 4))
+    frames[:, 0] = np.eye(4)
     for i in range(5):
-        frames[i + 1] = frames[i] @ moves[:, i]
-    ends = frames[5] @ R[:, 5]
+        np.matmul(frames[:, i], moves[:, i], out=frames[:, i + 1])
+    ends = frames[:, 5] @ R[:, 5]
+    turned = (hands[:, :3, :3] @ np.swapaxes(ends[:, :3, :3], 1, 2)).reshape(-1, 9) @ _SINES_AND_TRACE
     errors = np.empty((len(q), 6))
     errors[:, :3] = hands[:, :3, 3] - ends[:, :3, 3]
-    D = hands[:, :3, :3] @ np.swapaxes(ends[:, :3, :3], 1, 2)
-    errors[:, 3], errors[:, 4] = D[:, 2, 1] - D[:, 1, 2], D[:, 0, 2] - D[:, 2, 0]
-    errors[:, 5] = D[:, 1, 0] - D[:, 0, 1]
-    errors[:, 3:] *= 0.5
-    sizes = np.abs(errors).max(axis=1) + (D[:, 0, 0] + D[:, 1, 1] + D[:, 2, 2] < 1.0)
+    errors[:, 3:] = turned[:, :3]
+    sizes = np.abs(errors).max(axis=1) + (turned[:, 3] < 1.0)
     columns = np.empty((len(q), 6, 6))
-    zx, zy, zz = (frames[:, :, k, 2].T for k in range(3))
-    bx, by, bz = (ends[:, k, 3, None] - frames[:, :, k, 3].T for k in range(3))
-    columns[..., 0], columns[..., 1], columns[..., 2] = zy * bz - zz * by, zz * bx - zx * bz, zx * by - zy * bx
-    columns[..., 3], columns[..., 4], columns[..., 5] = zx, zy, zz
+    axes, arms = frames[..., :3, 2], ends[:, None, :3, 3] - frames[..., :3, 3]
+    columns[..., :3] = (axes[..., None] * arms[..., None, :]).reshape(-1, 6, 9) @ _CROSS
+    columns[..., 3:] = axes
     return errors, columns, sizes
 
 
@@ -111,9 +117,9 @@ def polish(links: Floats, q: Floats, hands: Floats, steps: int = STEPS) -> tuple
 
 
 def damped_steps(errors: Floats, columns: Floats) -> Floats:
-    """Return J^T (J J^T + mu 1)^-1 e with mu = 1e-3 |e|^2, which grows with the error, shape (m, 6)."""
+    """Return J^T (J J^T + mu 1)^-1 e with mu = 1e-3 |e|^2 + `FLOOR`, shape (m, 6)."""
     normal = np.swapaxes(columns, 1, 2) @ columns
-    normal += (1e-3 * (errors * errors).sum(axis=1) + 1e-15)[:, None, None] * _UNIT
+    normal += (1e-3 * (errors * errors).sum(axis=1) + FLOOR)[:, None, None] * _UNIT
     return np.asarray((columns @ np.linalg.solve(normal, errors[..., None]))[..., 0])
 
 
@@ -126,11 +132,12 @@ def groups(q: Floats, sizes: Floats) -> NDArray[np.intp]:
     sizes : ndarray, shape (m,)
         Errors, see `SAME`.
     """
+    if not len(q):
+        return np.empty(0, dtype=np.intp)
     points = np.concatenate([np.cos(q), np.sin(q)], axis=1)
-    apart = np.abs(points[:, None] - points).max(axis=2)
-    near = apart < SAME + 3.0 * np.sqrt(np.maximum(sizes[:, None], sizes))
-    first = np.full(len(q), -1)
-    for i in range(len(q)):
-        if first[i] < 0:
-            first[near[i] & (first < 0)] = i
+    # All points have the length sqrt(6).
+    apart = np.sqrt(np.maximum(12.0 - 2.0 * points @ points.T, 0.0))
+    first = np.argmax(apart < SAME + 3.0 * np.sqrt(np.maximum(sizes[:, None], sizes)), axis=1)
+    while (first[first] < first).any():
+        first = first[first]
     return first

@@ -69,11 +69,19 @@ def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
     """
     c, s = np.cos(PHASES)[:, None, None], np.sin(PHASES)[:, None, None]
     A = M[0, :, None] - c * M[1, :, None] - s * M[2, :, None]
-    inverses = np.linalg.inv(A)
+    inverses = _inverses(A)
     sizes = np.einsum("bpij,bpij->bp", inverses, inverses) * np.einsum("bpij,bpij->bp", A, A)
     chosen = np.argmin(sizes, axis=1)
     every = np.arange(len(chosen))
     return inverses[every, chosen], chosen, 1.0 / np.sqrt(sizes[every, chosen])
+
+
+def _inverses(A: Floats) -> Floats:
+    """Return inverses (..., 12, 12); where one matrix is exactly singular, all are moved by a rounding or two."""
+    try:
+        return np.linalg.inv(A)
+    except np.linalg.LinAlgError:
+        return np.linalg.inv(A + 1e-15 * np.random.default_rng(12).normal(size=(12, 12)))
 
 
 def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats]:

@@ -1,0 +1,114 @@
+"""What a closed form is: a reason why an arm has one, and all joint values it leads to for a pose."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cache, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.ik import closed as _folder
+from armlab.kin.structure import Structure, structure_of
+from armlab.plugins import discover
+
+Vector = NDArray[np.float64]
+
+SAMPLES = 8
+"""Representatives of an angle that may be chosen freely: every 45 degrees."""
+
+FREE_ANGLES = tuple((k - SAMPLES // 2 + 1) * 2.0 * np.pi / SAMPLES for k in range(SAMPLES))
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a closed form gives.
+
+    Attributes
+    ----------
+    q : list of ndarray, shape (n,)
+        Candidates; each is verified on the true arm by `armlab.kin.ik.solve_all`. Of a family some representatives.
+    families : tuple of str
+        For each family of solutions the sentence why there are infinitely many; empty where all are isolated.
+    none : str
+        Why there is no solution, where there is none and the reason is known.
+    """
+
+    q: list[Vector]
+    families: tuple[str, ...] = ()
+    none: str = ""
+
+
+@dataclass(frozen=True)
+class DerivationStep:
+    """One line of a worked closed form, with the present numbers.
+
+    Attributes
+    ----------
+    title : str
+        What is done, in words.
+    latex : str
+        The formula.
+    numbers : mapping of str to tuple of float
+        The quantities of the line: LaTeX name to value, two or more where signs may be chosen, plus first; nan where
+        a value does not exist.
+    units : mapping of str to str
+        ``"m"``, ``"rad"`` or ``""`` for each of them.
+    """
+
+    title: str
+    latex: str
+    numbers: Mapping[str, tuple[float, ...]]
+    units: Mapping[str, str] = field(default_factory=dict)
+
+
+Steps = Callable[[Arm, NDArray[np.floating]], tuple[DerivationStep, ...]]
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """One closed form, the constant ``CLOSED`` of a module in `armlab.kin.ik.closed`.
+
+    Parameters
+    ----------
+    key, title : str
+    order : int
+        The first that fits an arm is used.
+    fits : callable
+        ``fits(arm)``: the sentence why the arm has this closed form, or None.
+    solve : callable
+        ``solve(arm, T)`` with T (4, 4) in the axes of frame 0, its rotation exactly orthonormal.
+    steps : callable, optional
+        ``steps(arm, T)``, T as above: every line of the derivation.
+    """
+
+    key: str
+    title: str
+    order: int
+    fits: Callable[[Arm], str | None]
+    solve: Callable[[Arm, Vector], Found]
+    steps: Steps | None = None
+
+
+@cache
+def closed_forms() -> dict[str, ClosedForm]:
+    """Return all closed forms by key, the special before the general."""
+    return discover(_folder, "CLOSED", ClosedForm)
+
+
+@lru_cache(maxsize=64)
+def closed_form_of(arm: Arm) -> tuple[ClosedForm, str] | None:
+    """Return the closed form of an arm and the sentence why it has it; None when it has none that is known here."""
+    for form in closed_forms().values():
+        reason = form.fits(arm)
+        if reason is not None:
+            return form, reason
+    return None
+
+
+@lru_cache(maxsize=64)
+def known_structure(arm: Arm) -> Structure:
+    """Return the structure of an arm (arms are compared by identity)."""
+    return structure_of(arm)

@@ -1,0 +1,223 @@
+"""Every solution of the inverse kinematics of any arm with six revolute joints."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.checks import wrong
+from armlab.kin.ik.general_family import Split, representatives, split
+from armlab.kin.ik.general_loop import Floats, Loop, orthonormal, principal
+from armlab.kin.ik.general_search import PASSES, STAGES, Found, Search, joined
+from armlab.kin.transforms import as_pose
+
+Completeness = Literal["complete", "infinite", "at least"]
+
+TOLERANCE = 1e-9
+"""Metres and radians; a polished solution is about a million times better."""
+
+
+@dataclass(frozen=True, eq=False)
+class GeneralSolutions:
+    """All solutions for one pose, joint limits ignored.
+
+    Attributes
+    ----------
+    q : ndarray, shape (k, 6)
+        In (-pi, pi], sorted by joint 1, then 2 and so on, each rounded to 1e-6. Of families only representatives.
+    completeness : str
+        ``"complete"``: these are all; ``"infinite"``: there are families of solutions besides the isolated ones;
+        ``"at least"``: these are solutions, but the passes of the search did not agree.
+    singular : ndarray of bool, shape (k,)
+        Where the Jacobian is singular: branches merge there, or it is a member of a family.
+    families : tuple of ndarray, shape (s, 6)
+        Points along each curve of solutions, in order; angles go on over half a turn.
+    position_error, rotation_error : ndarray, shape (k,)
+        Of the arm's own forward kinematics, in m and rad.
+    reason : str
+        The same in words.
+    passes : int
+        How many eliminations it took.
+    """
+
+    q: Floats
+    completeness: Completeness
+    singular: NDArray[np.bool_]
+    families: tuple[Floats, ...]
+    position_error: Floats
+    rotation_error: Floats
+    reason: str
+    passes: int
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+
+@lru_cache(maxsize=64)
+def search_of(arm: Arm) -> Search:
+    """Return the prepared search of an arm (arms are compared by identity)."""
+    return Search.of(arm)
+
+
+def solve_general(arm: Arm, T: ArrayLike, *, tolerance: float = TOLERANCE) -> GeneralSolutions:
+    """Find all configurations that put the tool of a 6R arm at a pose, joint limits ignored.
+
+    Parameters
+    ----------
+    arm : Arm
+        Six revolute joints, of any geometry.
+    T : array_like, shape (4, 4)
+        Wanted pose of the tool in the world, all of it, whatever the arm's task. Where its rotation is one only nearly
+        (1e-6 is let through), the nearest rotation is meant.
+    tolerance : float
+        Metres and radians within which a configuration is a solution.
+
+    Returns
+    -------
+    GeneralSolutions
+        The same call gives the same answer, bit by bit.
+
+    Raises
+    ------
+    InputError
+        The arm is no 6R, ``T`` is no pose, or the tolerance is not positive.
+
+    References
+    ----------
+    Raghavan and Roth 1990; Manocha and Canny 1994; notes, section 4.3 (at most 16 solutions). See `general_equations`
+    for the derivation and `general_search` for what makes it work on special arms.
+
+    Examples
+    --------
+    >>> half = np.pi / 2
+    >>> table = [(0.3, half, 0), (1, 0, 0), (0, half, 0.2), (1.5, 0, 0), (0, half, 0), (0, 0, 0)]
+    >>> arm = Arm.from_dh([("R", a, alpha, d, 0.0) for a, alpha, d in table])
+    >>> found = solve_general(arm, arm.fk([0.0, 1.875488980810294, 1.962805312, -0.1337315894, 0.0, 0.0]))
+    >>> len(found), found.completeness
+    (16, 'complete')
+    """
+    return solve_general_batch(arm, [as_pose(T, "T")], tolerance=tolerance)[0]
+
+
+def solve_general_batch(arm: Arm, poses: Sequence[ArrayLike], *, tolerance: float = TOLERANCE) -> list[GeneralSolutions]:
+    """Solve many poses of one arm as `solve_general` does, in less than half the time each.
+
+    Rounding depends on the size of a batch: results equal those of single calls only to about 1e-12.
+
+    Parameters
+    ----------
+    arm : Arm
+    poses : sequence of array_like, each of shape (4, 4)
+    tolerance : float
+
+    Raises
+    ------
+    InputError
+        As `solve_general`; the text says which pose.
+    """
+    if not isinstance(tolerance, (int, float)) or not 0.0 < tolerance < np.inf:
+        raise wrong("tolerance", "a positive number of metres and radians", tolerance)
+    if not isinstance(poses, (Sequence, np.ndarray)) or isinstance(poses, str):
+        raise wrong("poses", "a list of 4 x 4 matrices", poses)
+    single = len(poses) == 1
+    checked = [as_pose(T, "T" if single else f"pose {k + 1}") for k, T in enumerate(poses)]
+    search = search_of(arm)
+    if not checked:
+        return []
+    wanted = orthonormal(np.array(checked))
+    hands = search.loop.hands(wanted)
+    within = np.flatnonzero(np.linalg.norm(hands[:, :3, 3], axis=1) <= search.loop.reach + tolerance / search.loop.scale)
+    results = [_beyond(search.loop)] * len(checked)
+    if len(within):
+        for k, first in zip(within, search.stage(hands[within], 0), strict=True):
+            results[k] = _solve(arm, search, wanted[k], hands[k], first, tolerance)
+    return results
+
+
+def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, found: Found, tolerance: float) -> GeneralSolutions:
+    """Go on from the first stage until the passes agree or a family shows; then judge and sort."""
+    links = search.loop.links
+    parts = split(links, found.q, hand)
+    for number in range(1, len(STAGES)):
+        if parts.curves or _is_settled(found, parts):
+            break
+        found = joined(found, search.stage(hand[None], number)[0])
+        parts = split(links, found.q, hand)
+    q = np.concatenate([found.q[parts.isolated], *(representatives(curve) for curve in parts.curves)])
+    singular = np.ones(len(q), dtype=bool)
+    singular[: parts.isolated.sum()] = parts.singular[parts.isolated]
+    q = principal(q - search.loop.offsets)
+    position, rotation = _errors(arm, q, T)
+    kept = np.flatnonzero((position <= tolerance) & (rotation <= tolerance))
+    kept = kept[np.lexsort(np.round(q[kept], 6).T[::-1])]
+    completeness: Completeness = (
+        "infinite" if parts.curves else "complete" if _is_settled(found, parts) else "at least"
+    )
+    passes = found.by.shape[1]
+    return GeneralSolutions(
+        q=q[kept],
+        completeness=completeness,
+        singular=singular[kept],
+        families=tuple(curve - search.loop.offsets for curve in parts.curves),
+        position_error=position[kept],
+        rotation_error=rotation[kept],
+        reason=_reason(completeness, int(parts.isolated.sum()), parts, passes),
+        passes=passes,
+    )
+
+
+def _is_settled(found: Found, parts: Split) -> bool:
+    """Return whether the passes agree, on an even number unless some are singular.
+
+    The forward kinematics map a torus, which is closed, to the poses, which are not bounded: such a map meets every
+    pose at which it is regular an even number of times.
+    """
+    return found.agreed and (len(found.q) % 2 == 0 or bool(parts.singular.any()))
+
+
+def _errors(arm: Arm, q: Floats, T: Floats) -> tuple[Floats, Floats]:
+    """Return the errors of the arm's own forward kinematics in m and rad, shape (k,) each."""
+    # One by one is faster than a batch as small as this.
+    tool = np.array([arm.fk(one) for one in q]).reshape(-1, 4, 4)
+    position = np.linalg.norm(tool[:, :3, 3] - T[:3, 3], axis=1)
+    # |R - R'| = 2 sqrt(2) sin(theta / 2) in the Frobenius norm.
+    chord = np.linalg.norm((tool - T)[:, :3, :3], axis=(1, 2)) / np.sqrt(8.0)
+    return np.asarray(position), np.asarray(2.0 * np.arcsin(np.minimum(chord, 1.0)))
+
+
+def _beyond(loop: Loop) -> GeneralSolutions:
+    none = np.empty(0)
+    return GeneralSolutions(
+        q=np.empty((0, 6)),
+        completeness="complete",
+        singular=np.zeros(0, dtype=bool),
+        families=(),
+        position_error=none,
+        rotation_error=none,
+        reason=f"no solution: the wrist would be farther from joint 1 than all links in a line, {loop.reach * loop.scale:.3f} m",
+        passes=0,
+    )
+
+
+def _reason(completeness: Completeness, isolated: int, parts: Split, passes: int) -> str:
+    count = "no" if isolated == 0 else str(isolated)
+    solutions = f"{count} solution{'' if isolated == 1 else 's'}"
+    if completeness == "infinite":
+        curves = len(parts.curves)
+        families = "a family" if curves == 1 else f"{curves} families"
+        also = f", and {isolated} isolated solution{'' if isolated == 1 else 's'}" if isolated else ""
+        return f"infinitely many: {families} of singular configurations whose joints move while the tool stands still{also}"
+    if completeness == "at least":
+        sizes = f"{min(one.size for one in PASSES):.0e} to {max(one.size for one in PASSES):.0e}"
+        ranks = max(one.rank for one in PASSES) + 1
+        return f"at least {solutions}: {passes} eliminations, moved by {sizes} in {ranks} formulations, did not agree"
+    folds = int(parts.singular[parts.isolated].sum())
+    merge = f"; {folds} of them singular, where branches merge" if folds else ""
+    return f"{solutions}, found alike by {passes} eliminations{merge}"

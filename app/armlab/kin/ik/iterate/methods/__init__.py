@@ -1,0 +1,1 @@
+"""One file an iterative method; each holds a constant ``ITERATION``."""

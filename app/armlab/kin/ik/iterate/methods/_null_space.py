@@ -1,0 +1,34 @@
+"""Self-motion of redundant arms: a step that serves the task and, in what the task leaves over, another aim.
+
+    dq = J# e + (I - J# J) k grad(objective)
+
+The second part is the nearest to the gradient of all that do not move the task vector, to first order.
+
+References
+----------
+Notes 5.132-5.138; Liegeois, *Automatic supervisory control of the configuration and behavior of multibody mechanisms*,
+1977.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.kin.ik.iterate.method import Move, inverse_step
+from armlab.kin.ik.iterate.problem import Floats, Point
+
+CUTOFF = 1e-6
+"""Singular values below this part of the largest span the null space, too."""
+
+LONGEST = 0.1
+"""Length of the self-motion of one step at most, in scaled joints: its curvature then costs little of the task."""
+
+
+def towards(point: Point, wish: Floats) -> Move:
+    """Return the task step plus the part of a wish (B, k), in scaled joints, that leaves the task alone."""
+    kept = (point.sigma > CUTOFF * point.sigma_max[:, None])[:, :, None] * point.Vt
+    own = wish - np.einsum("brk,br->bk", kept, np.einsum("brk,bk->br", kept, wish))
+    length = np.linalg.norm(own, axis=-1)
+    shorter = np.minimum(1.0, LONGEST / np.where(length > 0.0, length, 1.0))
+    secondary = length * shorter
+    return Move(inverse_step(point, CUTOFF) + own * shorter[:, None], secondary=secondary)

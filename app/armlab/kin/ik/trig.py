@@ -1,0 +1,158 @@
+"""The trigonometric equations that closed forms end in, with all their special cases."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+ZERO = 1e-11
+"""Relative to the size of the terms: coefficients below it vanish, and c may exceed sqrt(a² + b²) by as much."""
+
+DOUBLE = 1e-14
+"""Relative size of a² + b² − c² below which two solutions count as one: they are then 1e-7 rad apart and rounding
+decides about their being real."""
+
+
+@dataclass(frozen=True)
+class Angles:
+    """The solutions of an equation in one angle.
+
+    Attributes
+    ----------
+    values : tuple of float
+        In (-pi, pi], radians; none, one, or two, the plus sign of the root first.
+    every : bool
+        Whether every angle is a solution; ``values`` is then empty.
+    """
+
+    values: tuple[float, ...] = ()
+    every: bool = False
+
+
+def wrap(angle: float) -> float:
+    """Return the angle in (-pi, pi] that differs by whole turns.
+
+    >>> wrap(-math.pi) == math.pi
+    True
+    """
+    wrapped = math.remainder(angle, math.tau)
+    return math.pi if wrapped <= -math.pi else wrapped
+
+
+def sine_cosine(a: float, b: float, c: float, size: float | None = None, root: float | None = None) -> Angles:
+    """Return the angles with a sin(theta) + b cos(theta) = c.
+
+    ``theta = atan2(a, b) ± atan2(sqrt(a² + b² − c²), c)``, which needs no case for b + c = 0. The half-angle formula of
+    the notes, u = (a ± sqrt(a² + b² − c²)) / (b + c), divides by zero there: see `half_tangents`.
+
+    Parameters
+    ----------
+    a, b, c : float
+        In one unit.
+    size : float, optional
+        The size of the terms the coefficients were made from, in the same unit; the largest of them when left out.
+        What is smaller than `ZERO` of it is zero.
+    root : float, optional
+        sqrt(a² + b² − c²), where the caller knows it better than the difference of squares does.
+
+    Returns
+    -------
+    Angles
+        Every angle where a = b = c = 0; none where a² + b² < c²; one where they are equal.
+
+    References
+    ----------
+    Notes 4.24-4.38; the numerator of 4.29 has a term too many, and 4.35 misses b + c = 0.
+
+    Examples
+    --------
+    >>> [round(theta, 6) for theta in sine_cosine(0.0, 1.0, 0.5).values]
+    [1.047198, -1.047198]
+    >>> sine_cosine(0.0, 1.0, 2.0).values
+    ()
+    """
+    r = math.hypot(a, b)
+    size = max(r, abs(c)) if size is None else size
+    if r <= ZERO * size:
+        return Angles(every=abs(c) <= ZERO * size)
+    if abs(c) - r > ZERO * size:
+        return Angles()
+    if root is None:
+        square = (r - c) * (r + c)
+        root = math.sqrt(square) if square > DOUBLE * r * r else 0.0
+    middle, half = math.atan2(a, b), math.atan2(root, c)
+    if root == 0.0:
+        return Angles((wrap(middle + half),))
+    return Angles((wrap(middle + half), wrap(middle - half)))
+
+
+def half_tangents(a: float, b: float, c: float) -> tuple[float, ...]:
+    """Return u = tan(theta / 2) of the solutions of a sin(theta) + b cos(theta) = c, infinity for theta = pi.
+
+    The roots of (b + c) u² − 2 a u + (c − b) = 0. With b + c = 0 the equation is linear: one root goes to infinity,
+    theta = pi, and the other is −b / a. Neither root is taken as a difference of nearly equal numbers.
+
+    References
+    ----------
+    Notes 4.33-4.38, corrected.
+
+    Examples
+    --------
+    >>> half_tangents(1.3, -0.4, 0.4)
+    (inf, 0.30769230769230765)
+    """
+    square = a * a + b * b - c * c
+    if square < 0.0:
+        return ()
+    far = a + math.copysign(math.sqrt(square), a)
+    if far == 0.0:  # a = 0 and b = ±c: both roots at theta = 0 or at theta = pi
+        return (0.0, 0.0) if b + c != 0.0 else (math.inf, math.inf)
+    first = far / (b + c) if b + c != 0.0 else math.inf
+    return first, (c - b) / far
+
+
+def two_equations(
+    first: tuple[float, float, float], second: tuple[float, float, float], size: float | None = None
+) -> Angles:
+    """Return the angles that solve two equations a sin(theta) + b cos(theta) = c at once.
+
+    With a determinant that is not zero sine and cosine follow linearly, and must be those of an angle; otherwise the
+    two say the same, or one says nothing, or they contradict each other.
+
+    Parameters
+    ----------
+    first, second : tuple (a, b, c)
+    size : float, optional
+        As in `sine_cosine`.
+
+    References
+    ----------
+    Notes 4.102-4.105.
+
+    Examples
+    --------
+    >>> [round(theta, 6) for theta in two_equations((1.0, 0.0, 0.5), (0.0, 1.0, math.sqrt(0.75))).values]
+    [0.523599]
+    """
+    (a1, b1, c1), (a2, b2, c2) = first, second
+    size = max(map(abs, (*first, *second))) if size is None else size
+    determinant = a1 * b2 - a2 * b1
+    if abs(determinant) <= ZERO * size * size:
+        longer, other = (first, second) if math.hypot(a1, b1) >= math.hypot(a2, b2) else (second, first)
+        found = sine_cosine(*longer, size)
+        return found if found.every and other[2] == 0.0 else Angles(_solving(found.values, other, size))
+    sine, cosine = (c1 * b2 - c2 * b1) / determinant, (a1 * c2 - a2 * c1) / determinant
+    return Angles(_solving((math.atan2(sine, cosine),), first, size, second))
+
+
+def _solving(
+    values: tuple[float, ...], equation: tuple[float, float, float], size: float, other: tuple[float, float, float] | None = None
+) -> tuple[float, ...]:
+    return tuple(
+        theta
+        for theta in values
+        if all(
+            abs(a * math.sin(theta) + b * math.cos(theta) - c) <= 100.0 * ZERO * size
+            for a, b, c in ((equation,) if other is None else (equation, other))
+        )
+    )
