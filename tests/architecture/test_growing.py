@@ -133,7 +133,7 @@ def run(options):
 COMMAND = CommandType("made_up", 99, "say a word", lambda parser: parser.add_argument("word"), run)
 '''
 
-LESSON = '''+++
+LESSON = """+++
 title = "Made up"
 chapter = "9"
 teaches = ["S4.0-2R"]
@@ -151,7 +151,7 @@ text = "Well?"
 ```solution
 q_deg = [178, 0]
 ```
-'''
+"""
 
 CLIP = '''
 """A made-up film: two seconds of nothing."""

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
-from armlab.kin.ik.general_family import Split, representatives, split
+from armlab.kin.ik.general_family import Split, split
 from armlab.kin.ik.general_loop import Floats, Loop, orthonormal, principal
 from armlab.kin.ik.general_search import PASSES, STAGES, Found, Search, joined
 from armlab.kin.transforms import as_pose
@@ -106,7 +106,9 @@ def solve_general(arm: Arm, T: ArrayLike, *, tolerance: float = TOLERANCE) -> Ge
     return solve_general_batch(arm, [as_pose(T, "T")], tolerance=tolerance)[0]
 
 
-def solve_general_batch(arm: Arm, poses: Sequence[ArrayLike], *, tolerance: float = TOLERANCE) -> list[GeneralSolutions]:
+def solve_general_batch(
+    arm: Arm, poses: Sequence[ArrayLike], *, tolerance: float = TOLERANCE
+) -> list[GeneralSolutions]:
     """Solve many poses of one arm as `solve_general` does, in less than half the time each.
 
     Rounding depends on the size of a batch: results equal those of single calls only to about 1e-12.
@@ -133,24 +135,34 @@ def solve_general_batch(arm: Arm, poses: Sequence[ArrayLike], *, tolerance: floa
         return []
     wanted = orthonormal(np.array(checked))
     hands = search.loop.hands(wanted)
-    within = np.flatnonzero(np.linalg.norm(hands[:, :3, 3], axis=1) <= search.loop.reach + tolerance / search.loop.scale)
+    within = np.flatnonzero(
+        np.linalg.norm(hands[:, :3, 3], axis=1) <= search.loop.reach + tolerance / search.loop.scale
+    )
     results = [_beyond(search.loop)] * len(checked)
     if len(within):
-        for k, first in zip(within, search.stage(hands[within], 0), strict=True):
+        firsts = [None] * len(within) if search.deficient else search.stage(hands[within], 0)
+        for k, first in zip(within, firsts, strict=True):
             results[k] = _solve(arm, search, wanted[k], hands[k], first, tolerance)
     return results
 
 
-def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, found: Found, tolerance: float) -> GeneralSolutions:
+def _solve(
+    arm: Arm, search: Search, T: Floats, hand: Floats, found: Found | None, tolerance: float
+) -> GeneralSolutions:
     """Go on from the first stage until the passes agree or a family shows; then judge and sort."""
     links = search.loop.links
-    parts = split(links, found.q, hand)
-    for number in range(1, len(STAGES)):
-        if parts.curves or _is_settled(found, parts):
-            break
-        found = joined(found, search.stage(hand[None], number)[0])
+    if found is not None:
         parts = split(links, found.q, hand)
-    q = np.concatenate([found.q[parts.isolated], *(representatives(curve) for curve in parts.curves)])
+        for number in range(1, len(STAGES)):
+            if parts.freedom or _is_settled(found, parts):
+                break
+            found = joined(found, search.stage(hand[None], number)[0])
+            parts = split(links, found.q, hand)
+    if found is None or not len(found.q):
+        descents = search.descents(hand)
+        found = descents if found is None else joined(found, descents)
+        parts = split(links, found.q, hand)
+    q = np.concatenate([found.q[parts.isolated], parts.members])
     singular = np.ones(len(q), dtype=bool)
     singular[: parts.isolated.sum()] = parts.singular[parts.isolated]
     q = principal(q - search.loop.offsets)
@@ -158,7 +170,7 @@ def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, found: Found, tole
     kept = np.flatnonzero((position <= tolerance) & (rotation <= tolerance))
     kept = kept[np.lexsort(np.round(q[kept], 6).T[::-1])]
     completeness: Completeness = (
-        "infinite" if parts.curves else "complete" if _is_settled(found, parts) else "at least"
+        "infinite" if parts.freedom else "complete" if _is_settled(found, parts) else "at least"
     )
     passes = found.by.shape[1]
     return GeneralSolutions(
@@ -211,7 +223,7 @@ def _reason(completeness: Completeness, isolated: int, parts: Split, passes: int
     solutions = f"{count} solution{'' if isolated == 1 else 's'}"
     if completeness == "infinite":
         curves = len(parts.curves)
-        families = "a family" if curves == 1 else f"{curves} families"
+        families = f"{curves} curves" if curves > 1 else "a curve" if curves else f"{parts.freedom}-parameter families"
         also = f", and {isolated} isolated solution{'' if isolated == 1 else 's'}" if isolated else ""
         return f"infinitely many: {families} of singular configurations whose joints move while the tool stands still{also}"
     if completeness == "at least":

@@ -1,4 +1,4 @@
-"""Families of solutions: curves on which the joints move and the tool stands still.
+"""Families of solutions: the joints move and the tool stands still.
 
 An isolated solution may be singular, too (a stretched elbow, where two branches merge). The difference is what a step
 along the null vector of the Jacobian costs: in a family Newton's method brings it back at once, without undoing it;
@@ -16,8 +16,8 @@ from armlab.kin.ik import general_polish as newton
 from armlab.kin.ik.general_loop import Floats
 
 SINGULAR = 1e-4
-"""Smallest singular value of the Jacobian, in radians and units of length, below which a solution is looked at. Newton
-stops about 1e-7 from a fold."""
+"""A singular value of the Jacobian, in radians and units of length, below which it is looked at. Newton stops about
+1e-6 from a fold."""
 
 STEP = 0.25
 """Radians along a curve, in all six joints together."""
@@ -25,8 +25,11 @@ STEP = 0.25
 MOST_STEPS = 120
 """A curve that has not closed by then, 30 rad, is left open."""
 
-PER_CURVE = 4
-"""Representatives of a family."""
+MOST_CURVES = 16
+"""So many curves are followed; an arm hardly has more, and further members are only marked."""
+
+REPRESENTATIVES = 4
+"""Of a curve, or of the members of families that are more than curves."""
 
 
 class Split(NamedTuple):
@@ -36,12 +39,18 @@ class Split(NamedTuple):
     ----------
     isolated, singular : ndarray of bool, shape (m,)
     curves : tuple of ndarray, shape (s, 6)
-        One for each family: points on it about `STEP` apart.
+        Points about `STEP` apart on each family with one freedom.
+    freedom : int
+        Dimension of the largest family, 0 without any.
+    members : ndarray, shape (r, 6)
+        Representatives of the families.
     """
 
     isolated: NDArray[np.bool_]
     singular: NDArray[np.bool_]
     curves: tuple[Floats, ...]
+    freedom: int
+    members: Floats
 
 
 def split(links: Floats, q: Floats, hand: Floats) -> Split:
@@ -55,34 +64,42 @@ def split(links: Floats, q: Floats, hand: Floats) -> Split:
         Polished solutions, angles with their offsets.
     hand : ndarray, shape (4, 4)
     """
-    isolated, singular = np.ones(len(q), dtype=bool), singular_ones(links, q, hand)
-    curves: list[Floats] = []
-    for i in np.flatnonzero(singular):
+    losses = rank_losses(links, q, hand)
+    isolated, curves, more = np.ones(len(q), dtype=bool), list[Floats](), list[Floats]()
+    for i in np.flatnonzero(losses):
         if any(_distances(curve, q[i]).min() < STEP for curve in curves):
             isolated[i] = False
-            continue
-        curve = self_motion(links, q[i], hand)
-        if curve is not None:
+        elif losses[i] > 1 or len(curves) == MOST_CURVES:
+            isolated[i] = not _can_move(links, q[i], hand)
+            more += [] if isolated[i] else [q[i]]
+        elif len(curve := self_motion(links, q[i], hand)) > 1:
             isolated[i] = False
             curves.append(curve)
-    return Split(isolated, singular, tuple(curves))
+    members = [*(_evenly(curve) for curve in curves), *more[:REPRESENTATIVES]]
+    return Split(
+        isolated=isolated,
+        singular=losses > 0,
+        curves=tuple(curves),
+        freedom=int(losses[~isolated].max(initial=0)),
+        members=np.vstack(members) if members else np.empty((0, 6)),
+    )
 
 
-def singular_ones(links: Floats, q: Floats, hand: Floats) -> NDArray[np.bool_]:
-    """Return which configurations (m, 6) have a singular Jacobian."""
+def rank_losses(links: Floats, q: Floats, hand: Floats) -> NDArray[np.intp]:
+    """Return by how much the Jacobians of configurations (m, 6) lose rank, shape (m,)."""
     columns = newton.errors_and_columns(links, q, np.broadcast_to(hand, (len(q), 4, 4)))[1]
     # The other five singular values multiply to no more than (sum of squares / 5)^(5/2), and a determinant costs a tenth
     # of a decomposition.
     most = ((columns * columns).sum(axis=(1, 2)) / 5.0) ** 2.5
     suspects = np.flatnonzero(np.abs(np.linalg.det(columns)) < SINGULAR * most)
-    found = np.zeros(len(q), dtype=bool)
+    losses = np.zeros(len(q), dtype=np.intp)
     if len(suspects):
-        found[suspects] = np.linalg.svd(columns[suspects], compute_uv=False)[:, -1] < SINGULAR
-    return found
+        losses[suspects] = (np.linalg.svd(columns[suspects], compute_uv=False) < SINGULAR).sum(axis=1)
+    return losses
 
 
-def self_motion(links: Floats, q: Floats, hand: Floats) -> Floats | None:
-    """Return points of the curve of solutions through one, or None when it is isolated.
+def self_motion(links: Floats, q: Floats, hand: Floats) -> Floats:
+    """Return points of the curve of solutions through one, which alone is left when it is isolated.
 
     Parameters
     ----------
@@ -92,39 +109,47 @@ def self_motion(links: Floats, q: Floats, hand: Floats) -> Floats | None:
 
     Returns
     -------
-    ndarray, shape (s, 6), or None
-        From ``q`` on; all around when the curve closes, else both ways from it.
+    ndarray, shape (s, 6)
+        From ``q`` on, all around, when the curve closes; else both ways from it.
     """
     along = _null_vector(links, q, hand)
     ahead, closed = _walk(links, q, hand, along)
     if closed:
         return ahead
     back, _ = _walk(links, q, hand, -along)
-    curve = np.concatenate([back[:0:-1], ahead])
-    return curve if len(curve) > 1 else None
+    return np.concatenate([back[:0:-1], ahead])
+
+
+def _can_move(links: Floats, q: Floats, hand: Floats) -> bool:
+    along = _null_vector(links, q, hand)
+    return any(_next(links, q, hand, way) is not None for way in (along, -along))
 
 
 def _walk(links: Floats, start: Floats, hand: Floats, along: Floats) -> tuple[Floats, bool]:
     """Go along a curve; return its points (s, 6) and whether it closed."""
     points = [start]
     for _ in range(MOST_STEPS):
-        ahead = points[-1] + STEP * along
-        found, sizes = newton.polish(links, ahead[None], hand[None], newton.PATIENCE + 4)
-        moved = float(np.linalg.norm(found[0] - points[-1]))
-        if sizes[0] > 10.0 * newton.EXACT or not STEP / 2.0 < moved < 2.0 * STEP:
-            return np.array(points), False
-        if len(points) > 2 and _distances(start[None], found[0])[0] < 0.75 * STEP:
+        found = _next(links, points[-1], hand, along)
+        if found is None:
+            break
+        if len(points) > 2 and _distances(start[None], found)[0] < 0.75 * STEP:
             return np.array(points), True
-        points.append(found[0])
-        turn = _null_vector(links, found[0], hand)
+        points.append(found)
+        turn = _null_vector(links, found, hand)
         along = turn if turn @ (points[-1] - points[-2]) > 0.0 else -turn
     return np.array(points), False
 
 
+def _next(links: Floats, q: Floats, hand: Floats, along: Floats) -> Floats | None:
+    """Return the solution a step ahead; None where there is none."""
+    found, sizes = newton.polish(links, (q + STEP * along)[None], hand[None], newton.PATIENCE + 4)
+    moved = float(np.linalg.norm(found[0] - q))
+    return found[0] if sizes[0] < 10.0 * newton.EXACT and STEP / 2.0 < moved < 2.0 * STEP else None
+
+
 def _null_vector(links: Floats, q: Floats, hand: Floats) -> Floats:
     columns = newton.errors_and_columns(links, q[None], hand[None])[1][0]
-    left = np.linalg.svd(columns)[0]
-    return np.asarray(left[:, -1])
+    return np.asarray(np.linalg.svd(columns)[0][:, -1])
 
 
 def _distances(points: Floats, q: Floats) -> Floats:
@@ -133,6 +158,6 @@ def _distances(points: Floats, q: Floats) -> Floats:
     return np.asarray(np.linalg.norm(apart, axis=1))
 
 
-def representatives(curve: Floats) -> Floats:
-    """Return `PER_CURVE` points of a curve (s, 6), evenly along it, or all when there are fewer."""
-    return curve[np.unique(np.linspace(0, len(curve), PER_CURVE, endpoint=False).astype(int))]
+def _evenly(curve: Floats) -> Floats:
+    """Return `REPRESENTATIVES` points evenly along a curve, or all when there are fewer."""
+    return curve[np.unique(np.linspace(0, len(curve), REPRESENTATIVES, endpoint=False).astype(int))]

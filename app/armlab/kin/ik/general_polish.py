@@ -14,7 +14,7 @@ EXACT = 1e-13
 """Errors below this, in radians and units of length, are rounding."""
 
 FAR = 0.3
-"""A candidate that is not nearer than this after `PATIENCE` steps comes from no root."""
+"""A candidate that is not nearer than this after `PATIENCE` steps, or gets no nearer, comes from no root."""
 
 PATIENCE = 4
 
@@ -77,7 +77,9 @@ def errors_and_columns(links: Floats, q: Floats, hands: Floats) -> tuple[Floats,
     return errors, columns, sizes
 
 
-def polish(links: Floats, q: Floats, hands: Floats, steps: int = STEPS) -> tuple[Floats, Floats]:
+def polish(
+    links: Floats, q: Floats, hands: Floats, steps: int = STEPS, patience: int = PATIENCE
+) -> tuple[Floats, Floats]:
     """Return the nearest solutions of the loop and their errors.
 
     Steps are damped by the square of the error, which vanishes at the root and leaves the end quadratic. Who is exact,
@@ -89,6 +91,8 @@ def polish(links: Floats, q: Floats, hands: Floats, steps: int = STEPS) -> tuple
     q : ndarray, shape (m, 6)
         Angles with their offsets.
     hands : ndarray, shape (m, 4, 4)
+    steps, patience : int
+        See `STEPS` and `FAR`.
 
     Returns
     -------
@@ -105,7 +109,7 @@ def polish(links: Floats, q: Floats, hands: Floats, steps: int = STEPS) -> tuple
         better = sizes < before
         best[rows[better]], found[rows[better]] = sizes[better], q[better]
         going = sizes > EXACT
-        if step >= PATIENCE:
+        if step >= patience:
             going &= (before < FAR) & (sizes < 0.5 * before)
         if step == steps - 1 or not going.any():
             break

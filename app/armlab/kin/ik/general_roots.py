@@ -77,11 +77,11 @@ def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
 
 
 def _inverses(A: Floats) -> Floats:
-    """Return inverses (..., 12, 12); where one matrix is exactly singular, all are moved by a rounding or two."""
+    """Return inverses (..., 12, 12); where one matrix is exactly singular, all are moved by some roundings."""
     try:
         return np.linalg.inv(A)
     except np.linalg.LinAlgError:
-        return np.linalg.inv(A + 1e-15 * np.random.default_rng(12).normal(size=(12, 12)))
+        return np.linalg.inv(A + 1e-13 * np.random.default_rng(12).normal(size=(12, 12)))
 
 
 def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats]:

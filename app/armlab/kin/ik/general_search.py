@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from armlab.kin.arm import Arm
 from armlab.kin.ik import general_polish as newton
 from armlab.kin.ik.general_equations import all_angles, equations
+from armlab.kin.ik.general_family import rank_losses
 from armlab.kin.ik.general_loop import JOINTS, Floats, Loop, inverses, turns
 from armlab.kin.ik.general_roots import leading, matrices, roots
 from armlab.kin.rotations import rotation_from_axis_angle
@@ -29,6 +30,9 @@ SEED = 6
 
 RANKED_ON = 6
 """Random poses formulations are ranked on."""
+
+STARTS, STEPS_OF_DESCENT = 96, 25
+"""Of the search by descents, for arms and poses without isolated solutions."""
 
 ACCEPTED = 1e-9
 """Error of a solution in radians and units of length."""
@@ -86,21 +90,38 @@ class Search:
     ----------
     loop : Loop
     formulations : tuple of (shift, hidden)
-        Best first.
+        Best first; none for a deficient arm.
     moves : ndarray, shape (passes, 6, 4, 4)
         Small random motions.
+    starts : ndarray, shape (starts, 6)
+        Random configurations to search from where elimination has nothing to say.
+    deficient : bool
+        Whether the Jacobian is singular everywhere: the arm has fewer than six freedoms. What it reaches, it reaches in
+        infinitely many ways; and the least move of a link makes it impossible, so that elimination finds nothing.
     """
 
     loop: Loop
     formulations: tuple[tuple[int, int], ...]
     moves: Floats
+    starts: Floats
+    deficient: bool
 
     @classmethod
     def of(cls, arm: Arm) -> Search:
         """Rank the formulations of an arm; a few milliseconds."""
         loop, rng = Loop.of(arm), np.random.default_rng(SEED)
         moves = np.array([[small_motion(rng, one.size) for _ in range(JOINTS)] for one in PASSES])
-        return cls(loop, _ranking(loop, moves[1], rng), moves)
+        starts = rng.uniform(-np.pi, np.pi, (STARTS, JOINTS))
+        deficient = bool(rank_losses(loop.links, starts[:RANKED_ON], np.eye(4)).all())
+        formulations = () if deficient else _ranking(loop, moves[1], starts[:RANKED_ON])
+        return cls(loop, formulations, moves, starts, deficient)
+
+    def descents(self, hand: Floats) -> Found:
+        """Return what Newton's method finds from random starts, as one more pass."""
+        hands = np.broadcast_to(hand, (STARTS, 4, 4))
+        q, sizes = newton.polish(self.loop.links, self.starts, hands, STEPS_OF_DESCENT, STEPS_OF_DESCENT - 5)
+        good = sizes < ACCEPTED
+        return merged(q[good], sizes[good], np.ones((int(good.sum()), 1), dtype=bool))
 
     def stage(self, hands: Floats, number: int) -> list[Found]:
         """Return what the passes of one stage find for each of N targets, shape (N, 4, 4)."""
@@ -170,10 +191,9 @@ def small_motion(rng: np.random.Generator, size: float) -> Floats:
     return np.asarray(transform(rotation_from_axis_angle(turn, np.linalg.norm(turn)), way), dtype=np.float64)
 
 
-def _ranking(loop: Loop, moves: Floats, rng: np.random.Generator) -> tuple[tuple[int, int], ...]:
-    """Return the formulations, most regular first, by the median over random poses of the slightly moved loop."""
-    q = rng.uniform(-np.pi, np.pi, (RANKED_ON, JOINTS))
-    hands = np.tile(np.eye(4), (RANKED_ON, 1, 1))
+def _ranking(loop: Loop, moves: Floats, q: Floats) -> tuple[tuple[int, int], ...]:
+    """Return the formulations, most regular first, by the median over random q (k, 6) of the slightly moved loop."""
+    hands = np.tile(np.eye(4), (len(q), 1, 1))
     for i in range(5):
         hands = hands @ turns(q[:, i]) @ loop.links[i]
     motions = motions_of(loop, hands @ turns(q[:, 5])) @ moves

@@ -146,7 +146,10 @@ def two_equations(
 
 
 def _solving(
-    values: tuple[float, ...], equation: tuple[float, float, float], size: float, other: tuple[float, float, float] | None = None
+    values: tuple[float, ...],
+    equation: tuple[float, float, float],
+    size: float,
+    other: tuple[float, float, float] | None = None,
 ) -> tuple[float, ...]:
     return tuple(
         theta

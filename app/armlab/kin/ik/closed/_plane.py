@@ -156,7 +156,9 @@ def _with_angle(plane: Plane, G: Vector, w: complex) -> Iterator[Way]:
         def from_tool(x: complex) -> complex:
             return plane.tool + back * (x - w)
 
-        for values, free in place_two(_undone(third), _undone(second), first.centre, from_tool(first.centre), plane.scale):
+        for values, free in place_two(
+            _undone(third), _undone(second), first.centre, from_tool(first.centre), plane.scale
+        ):
             rest = phi - sum(flat.way.real * values[flat.joint] for flat in (second,) if flat.turns)
             yield {**values, first.joint: wrap(first.way.real * rest)}, free
     elif len(turning) == 1:

@@ -253,7 +253,9 @@ class Problem:
             rows.append(turned)
         elif task.rotation == "full":
             rows.append(omega)
-        rows += [np.broadcast_to(np.eye(self.arm.n)[[joint - 1]], (B, 1, self.arm.n)) for joint, _ in self.vector.joints]
+        rows += [
+            np.broadcast_to(np.eye(self.arm.n)[[joint - 1]], (B, 1, self.arm.n)) for joint, _ in self.vector.joints
+        ]
         return np.concatenate(rows, axis=1), represented
 
 
