@@ -12,9 +12,11 @@ import viser
 from armlab.content.lessons import changed, lessons
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
+from armlab.session.job import jobs
 from armlab.session.lesson_commands import ReloadLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.timeline import Play, Timeline, clips
+from armlab.session.runner import Runner
 from armlab.session.session import Session
 from armlab.session.state import part_types
 from armlab.session.store import Store
@@ -31,6 +33,9 @@ log = logging.getLogger(__name__)
 
 GRANT_PATIENCE = 2.0
 """Seconds to wait for the arm or lesson a link names before the page is built without it."""
+
+PIECE_PATIENCE = 2.0
+"""Seconds to wait at the end for the piece of long work at hand."""
 
 SAVE_INTERVAL = 1.0
 """Seconds between savings: what a crash can lose."""
@@ -56,7 +61,7 @@ class Lab:
 
     def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student.
-        for found in (part_types, methods, clips, tabs, layers, lessons):
+        for found in (part_types, methods, clips, jobs, tabs, layers, lessons):
             found()
         self._secret = secret
         self.server = adapter.make_server(port)
@@ -64,6 +69,7 @@ class Lab:
         self.gallery, self.pace = Gallery(), Pace()
         self.store = Store(folder, opening)
         self.worker = Worker(self._publish)
+        self.runner = Runner(self.worker.post)
         self._views: dict[int, View] = {}
         self._of_session: dict[str, set[View]] = {}
         self._players: dict[str, Player] = {}
@@ -76,6 +82,7 @@ class Lab:
         self.server.on_client_connect(self._connect)
         self.server.on_client_disconnect(self._disconnect)
         self.worker.start()
+        self.runner.start()
         threading.Thread(target=self._keep_saving, daemon=True, name="armlab-saver").start()
         threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons").start()
         # The others are made when somebody first asks for them: 0.2 s once, and no work beside that of a class.
@@ -90,10 +97,12 @@ class Lab:
     def stop(self) -> None:
         """Save everything and end."""
         self._stopped.set()
+        self.runner.stop()
         self.worker.stop()
         adapter.stop_server(self.server)
         # A thread cut off in the middle of NumPy at the interpreter's end would abort the process.
         self._figure.join()
+        self.runner.join(PIECE_PATIENCE)
         self.store.save()
 
     async def _connect(self, client: viser.ClientHandle) -> None:
@@ -110,9 +119,17 @@ class Lab:
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
         if adapter.request_headers(self.server, client) is None:
             return  # gone while the link's arm was fetched
-        view = View(client, session, self.gallery, lambda command: self.worker.post(session, command), self.pace)
+        view = View(
+            client,
+            session,
+            self.gallery,
+            lambda command: self.worker.post(session, command),
+            self.pace,
+            lambda: self._follow_jobs(session),
+        )
         self._views[client.client_id] = view
         self._of_session.setdefault(token, set()).add(view)
+        self._follow_jobs(session)
         if token not in self._players:
             self._players[token] = Player(
                 session, lambda command: self.worker.post(session, command), lambda: token in self._of_session
@@ -144,6 +161,7 @@ class Lab:
             if not views:
                 del self._of_session[view.session.token]
                 del self._players[view.session.token]
+                self.runner.forget(view.session)
                 if view.session.state[Timeline].playing:
                     self.worker.post(view.session, Play(False))
 
@@ -166,6 +184,13 @@ class Lab:
             view.show()
         if session.token in self._players:
             self._players[session.token].follow()
+        self._follow_jobs(session)
+
+    def _follow_jobs(self, session: Session) -> None:
+        """Have the long work done that somebody looks at."""
+        views = self._of_session.get(session.token)
+        if views:
+            self.runner.follow(session, frozenset[str]().union(*(view.open_panels for view in views)))
 
     def _keep_saving(self) -> None:
         while not self._stopped.wait(SAVE_INTERVAL):

@@ -69,8 +69,9 @@ class View:
         gallery: Gallery,
         post: Callable[[Command], None],
         pace: Pace,
+        on_panels: Callable[[], None] = lambda: None,
     ) -> None:
-        self.client, self.session, self.post = client, session, post
+        self.client, self.session, self.post, self._on_panels = client, session, post, on_panels
         self.camera = Camera(client, lambda: session.state[Joints].q)
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
@@ -155,6 +156,7 @@ class View:
         if self._closed or self._shown is None:
             return
         self.session.front = next(iter(self.open_panels), self.session.front)
+        self._on_panels()
         if self._shown[LessonPart].open and self._shown[LessonPart].panel != self.session.front:
             self.post(LookAt(self.session.front))
         with self.client.atomic():

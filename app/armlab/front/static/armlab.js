@@ -155,6 +155,8 @@
     else {
       read = { title, top: 0 };
       opened.clear();
+      const dock = text.closest('.mantine-ScrollArea-viewport'); // in a small window all of it scrolls
+      if (dock) dock.scrollTop = 0;
     }
   };
 
@@ -339,11 +341,11 @@
   const watch = () => {
     let due = false;
     new MutationObserver(() => {
+      keepFocus(); // at once: in the next frame the person may have gone on to another field already
       if (due) return;
       due = true;
       requestAnimationFrame(() => {
         due = false;
-        keepFocus();
         keepReading();
         obey();
         toTop();

@@ -34,11 +34,14 @@ class Found:
         For each family of solutions the sentence why there are infinitely many; empty where all are isolated.
     none : str
         Why there is no solution, where there is none and the reason is known.
+    sampled : bool
+        Whether values of a free joint were tried of which none may have led on: an empty list then proves nothing.
     """
 
     q: list[Vector]
     families: tuple[str, ...] = ()
     none: str = ""
+    sampled: bool = False
 
 
 @dataclass(frozen=True)
@@ -64,7 +67,7 @@ class DerivationStep:
     units: Mapping[str, str] = field(default_factory=dict)
 
 
-Steps = Callable[[Arm, NDArray[np.floating]], tuple[DerivationStep, ...]]
+Steps = Callable[[Arm, Vector], tuple[DerivationStep, ...]]
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
-from armlab.kin.ik.general_family import Split, split
+from armlab.kin.ik.general_family import Split, rank_losses, split
 from armlab.kin.ik.general_loop import Floats, Loop, orthonormal, principal
-from armlab.kin.ik.general_search import PASSES, STAGES, Found, Search, joined
+from armlab.kin.ik.general_search import PASSES, RESTLESS, STAGES, Found, Search, joined, without_echoes
 from armlab.kin.transforms import as_pose
 
 Completeness = Literal["complete", "infinite", "at least"]
@@ -140,10 +139,19 @@ def solve_general_batch(
     )
     results = [_beyond(search.loop)] * len(checked)
     if len(within):
-        firsts = [None] * len(within) if search.deficient else search.stage(hands[within], 0)
+        firsts = [None] * len(within) if search.deficient else _firsts(search, hands[within])
         for k, first in zip(within, firsts, strict=True):
             results[k] = _solve(arm, search, wanted[k], hands[k], first, tolerance)
     return results
+
+
+def _firsts(search: Search, hands: Floats) -> list[Found]:
+    """Return what the first stage finds; with descents where its passes show a family."""
+    found, unrest = search.stage(hands, 0)
+    return [
+        joined(one, search.descents(hand)) if not rest <= RESTLESS else one
+        for one, hand, rest in zip(found, hands, unrest, strict=True)
+    ]
 
 
 def _solve(
@@ -151,17 +159,14 @@ def _solve(
 ) -> GeneralSolutions:
     """Go on from the first stage until the passes agree or a family shows; then judge and sort."""
     links = search.loop.links
-    if found is not None:
-        parts = split(links, found.q, hand)
-        for number in range(1, len(STAGES)):
-            if parts.freedom or _is_settled(found, parts):
-                break
-            found = joined(found, search.stage(hand[None], number)[0])
-            parts = split(links, found.q, hand)
-    if found is None or not len(found.q):
-        descents = search.descents(hand)
-        found = descents if found is None else joined(found, descents)
-        parts = split(links, found.q, hand)
+    found = search.descents(hand) if found is None else found
+    found, parts = _parted(links, found, hand)
+    if parts.singular.any() and found.by.shape[1] == 2:
+        found, parts = _parted(links, joined(found, search.descents(hand)), hand)
+    for number in range(1, len(STAGES)):
+        if search.deficient or parts.freedom or _is_settled(found, parts):
+            break
+        found, parts = _parted(links, joined(found, search.stage(hand[None], number)[0][0]), hand)
     q = np.concatenate([found.q[parts.isolated], parts.members])
     singular = np.ones(len(q), dtype=bool)
     singular[: parts.isolated.sum()] = parts.singular[parts.isolated]
@@ -183,6 +188,15 @@ def _solve(
         reason=_reason(completeness, int(parts.isolated.sum()), parts, passes),
         passes=passes,
     )
+
+
+def _parted(links: Floats, found: Found, hand: Floats) -> tuple[Found, Split]:
+    """Return solutions without the echoes of singular ones, and their kinds."""
+    losses = rank_losses(links, found.q, hand)
+    if losses.any():
+        found = without_echoes(found, losses > 0)
+        losses = rank_losses(links, found.q, hand)
+    return found, split(links, found.q, hand, losses)
 
 
 def _is_settled(found: Found, parts: Split) -> bool:
@@ -213,7 +227,8 @@ def _beyond(loop: Loop) -> GeneralSolutions:
         families=(),
         position_error=none,
         rotation_error=none,
-        reason=f"no solution: the wrist would be farther from joint 1 than all links in a line, {loop.reach * loop.scale:.3f} m",
+        reason="no solution: the wrist would be farther from joint 1 than all links in a line, "
+        f"{loop.reach * loop.scale:.3f} m",
         passes=0,
     )
 
@@ -225,7 +240,8 @@ def _reason(completeness: Completeness, isolated: int, parts: Split, passes: int
         curves = len(parts.curves)
         families = f"{curves} curves" if curves > 1 else "a curve" if curves else f"{parts.freedom}-parameter families"
         also = f", and {isolated} isolated solution{'' if isolated == 1 else 's'}" if isolated else ""
-        return f"infinitely many: {families} of singular configurations whose joints move while the tool stands still{also}"
+        moving = f"{families} of singular configurations whose joints move while the tool stands still"
+        return f"infinitely many: {moving}{also}"
     if completeness == "at least":
         sizes = f"{min(one.size for one in PASSES):.0e} to {max(one.size for one in PASSES):.0e}"
         ranks = max(one.rank for one in PASSES) + 1

@@ -1,6 +1,6 @@
 """Six equations in the three middle joints of a closed 6R loop.
 
-The loop is written ``Rz(t_1) T_1 Rz(t_2) T_2 ... Rz(t_6) T_6 = 1`` with any six rigid motions T_i; every cyclic shift of
+The loop is ``Rz(t_1) T_1 Rz(t_2) T_2 ... Rz(t_6) T_6 = 1`` with any six rigid motions T_i; every cyclic shift of
 the factors is an equally good loop. Isolate joints 1 and 2:
 
     T_2 Rz(t_3) T_3 Rz(t_4) T_4 Rz(t_5) T_5 = Rz(-t_2) T_1^-1 Rz(-t_1) T_6^-1 Rz(-t_6).
@@ -28,7 +28,7 @@ import numpy as np
 
 from armlab.kin.ik.general_loop import Floats, inverses, turns
 
-THIRDS = 2.0 * np.pi / 3.0 * np.arange(3)
+THIRDS: Floats = 2.0 * np.pi / 3.0 * np.arange(3, dtype=np.float64)
 """Where functions of degree one in (cos, sin) are sampled; three equal steps make the coefficients well conditioned."""
 
 SAMPLES = turns(THIRDS)
@@ -91,7 +91,7 @@ def equations(T: Floats) -> Equations:
 
 
 def _evenness(R: Floats) -> Floats:
-    """Return the smallest over the largest diagonal entry of triangles, a cheap measure of how near they are singular."""
+    """Return the smallest over the largest diagonal entry of triangles, a cheap measure of how singular they are."""
     sizes = np.abs(np.diagonal(R, axis1=1, axis2=2))
     return np.asarray(sizes.min(axis=1) / np.maximum(sizes.max(axis=1), 1e-300))
 

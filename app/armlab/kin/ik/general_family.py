@@ -15,18 +15,18 @@ from numpy.typing import NDArray
 from armlab.kin.ik import general_polish as newton
 from armlab.kin.ik.general_loop import Floats
 
-SINGULAR = 1e-4
+SINGULAR = 1e-5
 """A singular value of the Jacobian, in radians and units of length, below which it is looked at. Newton stops about
 1e-6 from a fold."""
 
-STEP = 0.25
+STEP = 0.35
 """Radians along a curve, in all six joints together."""
 
-MOST_STEPS = 120
-"""A curve that has not closed by then, 30 rad, is left open."""
+MOST_STEPS = 60
+"""A curve that has not closed by then, 21 rad, is left open."""
 
-MOST_CURVES = 16
-"""So many curves are followed; an arm hardly has more, and further members are only marked."""
+MOST_CURVES, MOST_TRIED = 8, 12
+"""So many curves are followed and so many other members tried; that there are infinitely many is known long before."""
 
 REPRESENTATIVES = 4
 """Of a curve, or of the members of families that are more than curves."""
@@ -53,7 +53,7 @@ class Split(NamedTuple):
     members: Floats
 
 
-def split(links: Floats, q: Floats, hand: Floats) -> Split:
+def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp]) -> Split:
     """Tell isolated solutions, singular ones and families apart.
 
     Parameters
@@ -63,14 +63,16 @@ def split(links: Floats, q: Floats, hand: Floats) -> Split:
     q : ndarray, shape (m, 6)
         Polished solutions, angles with their offsets.
     hand : ndarray, shape (4, 4)
+    losses : ndarray of int, shape (m,)
+        See `rank_losses`.
     """
-    losses = rank_losses(links, q, hand)
     isolated, curves, more = np.ones(len(q), dtype=bool), list[Floats](), list[Floats]()
     for i in np.flatnonzero(losses):
         if any(_distances(curve, q[i]).min() < STEP for curve in curves):
             isolated[i] = False
         elif losses[i] > 1 or len(curves) == MOST_CURVES:
-            isolated[i] = not _can_move(links, q[i], hand)
+            # Where so many can move, others are taken to do so as well.
+            isolated[i] = len(more) < MOST_TRIED and not _can_move(links, q[i], hand)
             more += [] if isolated[i] else [q[i]]
         elif len(curve := self_motion(links, q[i], hand)) > 1:
             isolated[i] = False
@@ -88,8 +90,8 @@ def split(links: Floats, q: Floats, hand: Floats) -> Split:
 def rank_losses(links: Floats, q: Floats, hand: Floats) -> NDArray[np.intp]:
     """Return by how much the Jacobians of configurations (m, 6) lose rank, shape (m,)."""
     columns = newton.errors_and_columns(links, q, np.broadcast_to(hand, (len(q), 4, 4)))[1]
-    # The other five singular values multiply to no more than (sum of squares / 5)^(5/2), and a determinant costs a tenth
-    # of a decomposition.
+    # The other five singular values multiply to no more than (sum of squares / 5)^(5/2), and a determinant costs a
+    # tenth of a decomposition.
     most = ((columns * columns).sum(axis=(1, 2)) / 5.0) ** 2.5
     suspects = np.flatnonzero(np.abs(np.linalg.det(columns)) < SINGULAR * most)
     losses = np.zeros(len(q), dtype=np.intp)
@@ -160,4 +162,5 @@ def _distances(points: Floats, q: Floats) -> Floats:
 
 def _evenly(curve: Floats) -> Floats:
     """Return `REPRESENTATIVES` points evenly along a curve, or all when there are fewer."""
-    return curve[np.unique(np.linspace(0, len(curve), REPRESENTATIVES, endpoint=False).astype(int))]
+    chosen = np.unique(np.linspace(0, len(curve), REPRESENTATIVES, endpoint=False).astype(int))
+    return np.asarray(curve[chosen])

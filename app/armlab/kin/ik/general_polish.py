@@ -24,10 +24,6 @@ FLOOR = 1e-13
 LARGEST_STEP = 0.5
 """Radians a joint moves in one step at most."""
 
-SAME = 1e-5
-"""Solutions closer than this, in radians in all joints together, are one. At a fold, where two solutions merge, an error e of the
-pose is an error of about sqrt(e) of the angles, which is added."""
-
 _UNIT = np.eye(6)
 
 _CROSS = np.array([np.cross(a, b) for a in np.eye(3) for b in np.eye(3)])
@@ -127,21 +123,14 @@ def damped_steps(errors: Floats, columns: Floats) -> Floats:
     return np.asarray((columns @ np.linalg.solve(normal, errors[..., None]))[..., 0])
 
 
-def groups(q: Floats, sizes: Floats) -> NDArray[np.intp]:
-    """Return for each configuration the first one that is the same, whole turns apart, shape (m,).
-
-    Parameters
-    ----------
-    q : ndarray, shape (m, 6)
-    sizes : ndarray, shape (m,)
-        Errors, see `SAME`.
-    """
+def groups(q: Floats, tolerance: float) -> NDArray[np.intp]:
+    """Return for each configuration (m, 6) the first one that is the same, whole turns apart, shape (m,)."""
     if not len(q):
         return np.empty(0, dtype=np.intp)
     points = np.concatenate([np.cos(q), np.sin(q)], axis=1)
     # All points have the length sqrt(6).
     apart = np.sqrt(np.maximum(12.0 - 2.0 * points @ points.T, 0.0))
-    first = np.argmax(apart < SAME + 3.0 * np.sqrt(np.maximum(sizes[:, None], sizes)), axis=1)
+    first = np.argmax(apart < tolerance, axis=1)
     while (first[first] < first).any():
         first = first[first]
-    return first
+    return np.asarray(first)

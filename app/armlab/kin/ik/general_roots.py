@@ -19,10 +19,13 @@ from numpy.typing import NDArray
 
 from armlab.kin.ik.general_loop import Floats
 
-REAL = 1e-3
+REAL = 2e-2
 """An eigenvalue counts as real when |Im x| / (1 + |x|^2), half the imaginary part of the angle, is below this. Nearly
 double roots become complex by the square root of the perturbation of the loop, 1e-4 to 1e-2; candidates that are none
 are sorted out later, so too large costs only time."""
+
+SPURIOUS = 0.03
+"""Roots with |exp(i t)| below this, or above its inverse, may be spurious: a fourfold root moves far."""
 
 PHASES = 0.3 + np.pi / 3.0 * np.arange(6)
 """Values of phi to choose from: half a turn away from it, where x is infinite, should be no root."""
@@ -48,9 +51,9 @@ def matrices(middle: Floats, hidden: int) -> Floats:
     """
     moved = np.moveaxis(middle, 2 + hidden, 0).reshape(3, -1, 6, 9)
     grid = (moved @ _MONOMIALS).reshape(3, -1, 6, 3, 3)
-    M = np.zeros((3, grid.shape[1], 12, 4, 3))
-    M[:, :, :6, :3] = M[:, :, 6:, 1:] = grid
-    M = M.reshape(3, -1, 12, 12)
+    shifted = np.zeros((3, grid.shape[1], 12, 4, 3))
+    shifted[:, :, :6, :3] = shifted[:, :, 6:, 1:] = grid
+    M = shifted.reshape(3, -1, 12, 12)
     lengths = np.sqrt(np.einsum("kbij,kbij->bi", M, M))
     return np.asarray(M / np.where(lengths > 0.0, lengths, 1.0)[..., None])
 
@@ -79,12 +82,12 @@ def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
 def _inverses(A: Floats) -> Floats:
     """Return inverses (..., 12, 12); where one matrix is exactly singular, all are moved by some roundings."""
     try:
-        return np.linalg.inv(A)
+        return np.asarray(np.linalg.inv(A))
     except np.linalg.LinAlgError:
-        return np.linalg.inv(A + 1e-13 * np.random.default_rng(12).normal(size=(12, 12)))
+        return np.asarray(np.linalg.inv(A + 1e-13 * np.random.default_rng(12).normal(size=(12, 12))))
 
 
-def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats]:
+def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats, NDArray[np.complex128]]:
     """Return candidates for the real common roots.
 
     Parameters
@@ -97,6 +100,8 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats]:
     owner : ndarray of int, shape (m,)
         Which set of equations each belongs to.
     angles : ndarray, shape (m, 3)
+    circle : ndarray of complex, shape (B, 24)
+        exp(i t) of all roots t of the hidden angle, complex ones, too; 0 and infinite for the spurious ones.
 
     Raises
     ------
@@ -112,6 +117,8 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats]:
     companion[:, 12:, :12] = -inverse @ (M[0] + c * M[1] + s * M[2])
     companion[:, 12:, 12:] = -2.0 * inverse @ (c * M[2] - s * M[1])
     x, vectors = np.linalg.eig(companion)
+    with np.errstate(divide="ignore", invalid="ignore"):  # infinite where x is -i, a spurious root
+        circle = np.exp(1j * phi)[:, None] * (1.0 + 1j * x) / (1.0 - 1j * x)
     # One of each complex pair.
     real = (np.abs(x.imag) < REAL * (1.0 + np.abs(x) ** 2)) & (x.imag >= 0.0)
     owner = np.nonzero(real)[0]
@@ -122,7 +129,32 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats]:
     angles[:, hidden] = phi[owner] + 2.0 * np.arctan(x.real)
     first, second = (k for k in range(3) if k != hidden)
     angles[:, first], angles[:, second] = _angles_of(monomials)
-    return owner, angles
+    return owner, angles, circle
+
+
+def unrest(one: NDArray[np.complex128], other: NDArray[np.complex128]) -> Floats:
+    """Return how far roots differ, shape (N,), between two eliminations of N loops moved a little in different ways.
+
+    Isolated roots, complex ones as well, hardly move. On a family of solutions the move decides which members are left,
+    or that none are.
+
+    Parameters
+    ----------
+    one, other : ndarray of complex, shape (N, 24)
+        Roots as exp(i t); those near 0 and infinity, the spurious ones, do not count.
+    """
+    (first, counts), (second, others) = _without_spurious(one), _without_spurious(other)
+    weights, weights_2 = 1.0 / np.hypot(1.0, np.abs(first)), 1.0 / np.hypot(1.0, np.abs(second))
+    apart = np.abs(first[:, :, None] - second[:, None]) * weights[:, :, None] * weights_2[:, None]
+    farthest = np.where(counts, apart.min(axis=2), 0.0), np.where(others, apart.min(axis=1), 0.0)
+    return np.asarray(np.maximum(*(each.max(axis=1) for each in farthest)))
+
+
+def _without_spurious(circle: NDArray[np.complex128]) -> tuple[NDArray[np.complex128], NDArray[np.bool_]]:
+    """Return roots with 0 for the spurious ones, and which are none."""
+    sizes = np.abs(circle)
+    counts = (sizes > SPURIOUS) & (sizes < 1.0 / SPURIOUS)
+    return np.where(counts, circle, 0.0), counts
 
 
 def _real(vectors: NDArray[np.inexact]) -> Floats:

@@ -1,11 +1,12 @@
 """Passes of elimination and polishing until they agree.
 
 A formulation is a cyclic shift of the loop (6) and a hidden joint (3). On general arms all 18 work. On special ones
-(parallel, crossing or meeting axes) roots share eigenvalues, whose eigenvectors mix, and most formulations are singular;
-a pose can be special, too. Both end when every motion of the loop is moved a little at random: the roots part, the
-matrices become regular, the candidates are off by about the size of the move over their distance, and Newton's method
-on the loop itself removes that. Too small a move leaves roots together, too large a one takes nearly double ones away,
-so sizes differ from pass to pass. A pass costs about half a millisecond, so the first two are made at once.
+(parallel, crossing or meeting axes) roots share eigenvalues, whose eigenvectors mix, and most formulations are
+singular; a pose can be special, too. Both end when every motion of the loop is moved a little at random: the roots
+part, the matrices become regular, the candidates are off by about the size of the move over their distance, and
+Newton's method on the loop itself removes that. Too small a move leaves roots together, too large a one takes nearly
+double ones away, so sizes differ from pass to pass. A pass costs about half a millisecond, so the first two are made
+at once.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from armlab.kin.ik import general_polish as newton
 from armlab.kin.ik.general_equations import all_angles, equations
 from armlab.kin.ik.general_family import rank_losses
 from armlab.kin.ik.general_loop import JOINTS, Floats, Loop, inverses, turns
-from armlab.kin.ik.general_roots import leading, matrices, roots
+from armlab.kin.ik.general_roots import leading, matrices, roots, unrest
 from armlab.kin.rotations import rotation_from_axis_angle
 from armlab.kin.transforms import transform
 
@@ -31,8 +32,16 @@ SEED = 6
 RANKED_ON = 6
 """Random poses formulations are ranked on."""
 
-STARTS, STEPS_OF_DESCENT = 96, 25
-"""Of the search by descents, for arms and poses without isolated solutions."""
+STARTS, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT = 96, 40, 15
+"""Of the search by descents, for arms and poses that are singular."""
+
+SAME, SAME_SINGULAR = 1e-5, 1e-2
+"""Solutions closer than this, in radians in all joints together, are one. An error e of the pose is one of e^(1/k) of
+the angles where k solutions merge, so singular ones scatter."""
+
+RESTLESS = 1e-3
+"""Roots that differ by more between the first two passes show a family; at regular poses they differ by less than
+1e-4."""
 
 ACCEPTED = 1e-9
 """Error of a solution in radians and units of length."""
@@ -78,7 +87,7 @@ class Found(NamedTuple):
     def agreed(self) -> bool:
         """Whether one pass found all, and each was found at least twice; with nothing found, whether two looked."""
         if not len(self.q):
-            return self.by.shape[1] >= 2
+            return int(self.by.shape[1]) >= 2
         return bool(self.by.all(axis=0).any() and (self.by.sum(axis=1) >= 2).all())
 
 
@@ -116,31 +125,40 @@ class Search:
         formulations = () if deficient else _ranking(loop, moves[1], starts[:RANKED_ON])
         return cls(loop, formulations, moves, starts, deficient)
 
-    def descents(self, hand: Floats) -> Found:
-        """Return what Newton's method finds from random starts, as one more pass."""
-        hands = np.broadcast_to(hand, (STARTS, 4, 4))
-        q, sizes = newton.polish(self.loop.links, self.starts, hands, STEPS_OF_DESCENT, STEPS_OF_DESCENT - 5)
-        good = sizes < ACCEPTED
-        return merged(q[good], sizes[good], np.ones((int(good.sum()), 1), dtype=bool))
+    def stage(self, hands: Floats, number: int) -> tuple[list[Found], Floats]:
+        """Make the passes of one stage for N targets, shape (N, 4, 4).
 
-    def stage(self, hands: Floats, number: int) -> list[Found]:
-        """Return what the passes of one stage find for each of N targets, shape (N, 4, 4)."""
-        first = sum(len(stage) for stage in STAGES[:number])
-        owners, candidates = [], []
-        for rank in sorted({one.rank for one in STAGES[number]}):
-            passes = [first + k for k, one in enumerate(STAGES[number]) if one.rank == rank]
-            motions = (motions_of(self.loop, hands) @ self.moves[passes][:, None]).reshape(-1, JOINTS, 4, 4)
-            owner, q = candidates_of(motions, self.formulations[rank])
-            owners.append((owner // len(hands) + passes[0] - first) * len(hands) + owner % len(hands))
+        Returns
+        -------
+        found : list of Found
+            For each target.
+        unrest : ndarray, shape (N,)
+            See `unrest`; infinite where an elimination failed.
+        """
+        N, passes = len(hands), STAGES[number]
+        first, ranks = sum(map(len, STAGES[:number])), sorted({one.rank for one in passes})
+        owners, candidates, restless = [], [], np.zeros(N)
+        for rank in ranks:
+            mine = np.array([k for k, one in enumerate(passes) if one.rank == rank])
+            motions = (motions_of(self.loop, hands) @ self.moves[first + mine][:, None]).reshape(-1, JOINTS, 4, 4)
+            owner, q, circle = candidates_of(motions, self.formulations[rank])
+            owners.append(mine[owner // N] * N + owner % N)
             candidates.append(q)
-        owner = np.concatenate(owners)
-        pose, by = owner % len(hands), owner // len(hands)
+            if len(mine) == 2:
+                restless = unrest(circle[:N], circle[N:])
+        by, pose = np.divmod(np.concatenate(owners), N)
         q, sizes = newton.polish(self.loop.links, np.concatenate(candidates), hands[pose])
+        good, every = sizes < ACCEPTED, np.eye(len(passes), dtype=bool)
+        rows = [np.flatnonzero(good & (pose == k)) for k in range(N)]
+        return [merged(q[k], sizes[k], every[by[k]]) for k in rows], restless
+
+    def descents(self, hand: Floats) -> Found:
+        """Return what Newton's method finds from random starts, in two halves that count as passes."""
+        hands = np.broadcast_to(hand, (STARTS, 4, 4))
+        q, sizes = newton.polish(self.loop.links, self.starts, hands, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT)
         good = sizes < ACCEPTED
-        every = np.eye(len(STAGES[number]), dtype=bool)
-        return [
-            merged(q[mine], sizes[mine], every[by[mine]]) for k in range(len(hands)) for mine in [good & (pose == k)]
-        ]
+        halves = np.repeat(np.eye(2, dtype=bool), STARTS // 2, axis=0)
+        return merged(q[good], sizes[good], halves[good])
 
 
 def motions_of(loop: Loop, hands: Floats) -> Floats:
@@ -151,8 +169,10 @@ def motions_of(loop: Loop, hands: Floats) -> Floats:
     return motions
 
 
-def candidates_of(motions: Floats, formulation: tuple[int, int]) -> tuple[NDArray[np.intp], Floats]:
-    """Return which loop (m,) and all angles (m, 6) of the candidates of one formulation.
+def candidates_of(
+    motions: Floats, formulation: tuple[int, int]
+) -> tuple[NDArray[np.intp], Floats, NDArray[np.complex128]]:
+    """Return the candidates of one formulation: which loop (m,), all angles (m, 6), and all roots (B, 24).
 
     There are none where the elimination is exactly singular: the pass then disagrees with the others.
     """
@@ -160,17 +180,27 @@ def candidates_of(motions: Floats, formulation: tuple[int, int]) -> tuple[NDArra
     shifted = np.roll(motions, -shift, axis=1)
     found = equations(shifted)
     try:
-        owner, middle = roots(found.middle, hidden)
+        owner, middle, circle = roots(found.middle, hidden)
     except np.linalg.LinAlgError:
-        return np.empty(0, dtype=np.intp), np.empty((0, JOINTS))
-    return owner, np.roll(all_angles(shifted, found, owner, middle), shift, axis=1)
+        return np.empty(0, dtype=np.intp), np.empty((0, JOINTS)), np.full((len(motions), 24), np.nan + 0j)
+    return owner, np.roll(all_angles(shifted, found, owner, middle), shift, axis=1), circle
 
 
 def merged(q: Floats, sizes: Floats, by: NDArray[np.bool_]) -> Found:
     """Return configurations without repetition: of those that are the same the most exact one."""
     order = np.argsort(sizes, kind="stable")
     q, sizes, by = q[order], sizes[order], by[order]
-    first = newton.groups(q, sizes)
+    return _without_repetition(q, sizes, by, newton.groups(q, SAME))
+
+
+def without_echoes(found: Found, singular: NDArray[np.bool_]) -> Found:
+    """Return the same with singular solutions that are closer than `SAME_SINGULAR` taken for one."""
+    first, rows = np.arange(len(found.q)), np.flatnonzero(singular)
+    first[rows] = rows[newton.groups(found.q[rows], SAME_SINGULAR)]
+    return _without_repetition(*found, first)
+
+
+def _without_repetition(q: Floats, sizes: Floats, by: NDArray[np.bool_], first: NDArray[np.intp]) -> Found:
     together = np.zeros_like(by)
     np.logical_or.at(together, first, by)
     kept = first == np.arange(len(q))

@@ -25,7 +25,7 @@ import numpy as np
 
 from armlab.kin.ik.closed._roots import Roots, roots
 from armlab.kin.ik.closed_form import FREE_ANGLES
-from armlab.kin.ik.screws import Screws, Vector, across, angle_about
+from armlab.kin.ik.screws import Screws, Vector, across, angle_about, cross
 from armlab.kin.ik.trig import Angles, sine_cosine
 from armlab.kin.lines import Line, common_normal
 
@@ -80,11 +80,15 @@ class _Placer:
     def _values(self, f: Callable[[float], float], size: float) -> Iterator[tuple[float, frozenset[int]]]:
         yield from _each(roots(f, self.s.kinds[2] == "R", size, self.s.scale), 2)
 
+    def _at_distance(self, square: Callable[[float], float], wanted: float) -> Iterator[tuple[float, frozenset[int]]]:
+        """Yield values of joint 3 at which a squared distance, in m², is the wanted one."""
+        yield from self._values(lambda q3: square(q3) - wanted, wanted + self.s.scale**2)
+
     def _turns(self) -> Pairs:
         s, w, L = self.s, self.w, self.s.scale
         normal = common_normal(Line(s.o[0], s.z[0]), Line(s.o[1], s.z[1]), scale=L)
         n, a = normal.normal, normal.a
-        m = np.cross(s.z[1], n)
+        m = cross(s.z[1], n)
         parallel = normal.kind in ("parallel", "coincident")
         sigma, kappa = 0.0 if parallel else float(s.z[0] @ m), float(s.z[0] @ s.z[1])
         Z, R = float(s.z[0] @ (w - normal.foot1)), float((w - normal.foot1) @ (w - normal.foot1))
@@ -100,7 +104,7 @@ class _Placer:
         if a == 0.0:
             if sigma == 0.0:
                 return  # One axis twice: not three joints for a place.
-            for q3, free in self._values(lambda q3: square(q3) - R, R + L * L):
+            for q3, free in self._at_distance(square, R):
                 y1, y2, h = local(q3)
                 yield from self._with(sine_cosine(y1, y2, (Z - kappa * h) / sigma, L), q3, free)
             return
@@ -113,8 +117,7 @@ class _Placer:
         heights = [local(q3)[2] for q3 in (0.0, 1.0, 2.0)]
         if max(heights) - min(heights) <= FLAT * L:
             for g1, g2 in _of_constant_height(Z, R, a, sigma, kappa, heights[0]):
-                size = heights[0] ** 2 + g1 * g1 + g2 * g2
-                for q3, free in self._values(lambda q3, size=size: square(q3) - size, size + L * L):
+                for q3, free in self._at_distance(square, heights[0] ** 2 + g1 * g1 + g2 * g2):
                     yield from self._towards(local(q3), g1, g2, q3, free)
             return
 
@@ -155,11 +158,11 @@ class _Placer:
     def _slide_and_turn(self) -> Pairs:
         s, w, L = self.s, self.w, self.s.scale
         z1, z2, o = s.z[0], s.z[1], s.o[1]
-        n = np.cross(z1, z2)
+        n = cross(z1, z2)
         if float(np.linalg.norm(n)) <= FLAT:
-            n = np.cross(z2, np.eye(3)[int(np.argmin(np.abs(z2)))])
+            n = cross(z2, np.eye(3)[int(np.argmin(np.abs(z2)))])
         n = n / np.linalg.norm(n)
-        m, v = np.cross(z2, n), np.cross(z1, n)
+        m, v = cross(z2, n), cross(z1, n)
         g1, V = float(n @ (w - o)), float(v @ (w - o))
         vm, vz = float(v @ m), float(v @ z2)
 
@@ -184,12 +187,12 @@ class _Placer:
 
     def _slides(self) -> Pairs:
         s, w, L = self.s, self.w, self.s.scale
-        normal = np.cross(s.z[0], s.z[1])
+        normal = cross(s.z[0], s.z[1])
         across_both = float(np.linalg.norm(normal))
         if across_both <= FLAT:
             return
         normal = normal / across_both
-        sideways = np.cross(normal, s.z[0])
+        sideways = cross(normal, s.z[0])
         for q3, free in self._values(lambda q3: float(normal @ (self.third(q3) - w)), L + float(np.abs(w).max())):
             yield float(sideways @ (w - self.third(q3))) / float(sideways @ s.z[1]), q3, free
 

@@ -125,7 +125,11 @@ def solve_plane(plane: Plane, G: Vector, angle: bool) -> list[Way]:
     angle : bool
     """
     w = plane.point(G[:3, 3])
-    ways = list(_with_angle(plane, G, w) if angle else place_two(*plane.flats, plane.tool, w, plane.scale))
+    if angle:
+        ways = list(_with_angle(plane, G, w))
+    else:
+        first, second = plane.flats
+        ways = list(place_two(first, second, plane.tool, w, plane.scale))
     height = float(plane.n @ (G[:3, 3] - plane.home[:3, 3]))
     raised = {joint: sense * height for joint, sense in plane.lifts}
     return [({**values, **raised}, free) for values, free in ways]
@@ -156,9 +160,8 @@ def _with_angle(plane: Plane, G: Vector, w: complex) -> Iterator[Way]:
         def from_tool(x: complex) -> complex:
             return plane.tool + back * (x - w)
 
-        for values, free in place_two(
-            _undone(third), _undone(second), first.centre, from_tool(first.centre), plane.scale
-        ):
+        goal = from_tool(first.centre)
+        for values, free in place_two(_undone(third), _undone(second), first.centre, goal, plane.scale):
             rest = phi - sum(flat.way.real * values[flat.joint] for flat in (second,) if flat.turns)
             yield {**values, first.joint: wrap(first.way.real * rest)}, free
     elif len(turning) == 1:
@@ -188,8 +191,7 @@ def place_two(first: Flat, second: Flat, t: complex, w: complex, scale: float) -
         x = w - second.centre
         along, rest = -(x * first.way.conjugate()).real, abs(x) ** 2 - abs(t - second.centre) ** 2
         for q1 in _halves(1.0, along, rest):
-            for values, free in _then_first(second, {first.joint: q1}, t, w - q1 * first.way, scale, frozenset()):
-                yield values, free
+            yield from _then_first(second, {first.joint: q1}, t, w - q1 * first.way, scale, frozenset())
     else:
         for q1, q2 in _combined((first.way, second.way), w - t):
             yield {first.joint: q1, second.joint: q2}, frozenset()

@@ -70,13 +70,13 @@ def _of_slide(f: Callable[[float], float], size: float, length: float) -> Roots:
         return Roots(every=True)
     kept = coefficients[int(np.argmax(large)) :]
     if len(kept) == 3:
-        return Roots(_of_square(kept, length))
+        return Roots(_of_square(kept.tolist(), length))
     near = [x for x in np.roots(kept) if abs(x.imag) < NEAR_REAL * (1.0 + abs(x))]
     return Roots(_polished([length * float(x.real) for x in near], f, size, 1e-4 * length, wrapping=False))
 
 
 def _of_square(coefficients: Sequence[float], length: float) -> tuple[float, ...]:
-    a, b, c = (float(value) for value in coefficients)
+    a, b, c = coefficients
     square = b * b - 4.0 * a * c
     scale = b * b + abs(4.0 * a * c)
     if square < -1e-11 * scale:

@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from armlab.kin.ik.closed_form import FREE_ANGLES
-from armlab.kin.ik.screws import Vector, across, angle_about
+from armlab.kin.ik.screws import Vector, across, angle_about, cross, rotation
 from armlab.kin.ik.trig import sine_cosine
-from armlab.kin.rotations import rotation_from_axis_angle
 
 STRAIGHT = 1e-10
 """Sine between the first and the last axis below which they are one line."""
@@ -45,7 +42,7 @@ def turn(z: Sequence[Vector], R: Vector) -> list[Turned]:
     """
     z0, z1, z2 = z
     goal = R @ z2
-    a, b = float(z0 @ np.cross(z1, z2)), float(z0 @ z2 - (z0 @ z1) * (z1 @ z2))
+    a, b = float(z0 @ cross(z1, z2)), float(z0 @ z2 - (z0 @ z1) * (z1 @ z2))
     c = float(z0 @ goal - (z0 @ z1) * (z1 @ z2))
     right = abs(z0 @ z1) < RIGHT and abs(z1 @ z2) < RIGHT
     # The sine of the angle between first and last axis, known better than as sqrt(1 - cos²).
@@ -53,14 +50,10 @@ def turn(z: Sequence[Vector], R: Vector) -> list[Turned]:
     root = (sine if sine > STRAIGHT else 0.0) if right else None
     found: list[Turned] = []
     for q1 in sine_cosine(a, b, c, 1.0, root).values:
-        moved = _rotation(z1, q1) @ z2
+        moved = rotation(z1, q1) @ z2
         free = across(z0, moved) <= STRAIGHT or sine <= STRAIGHT
         for q0 in FREE_ANGLES if free else (angle_about(z0, moved, goal),):
-            rest = (_rotation(z0, q0) @ _rotation(z1, q1)).T @ R
-            side = np.cross(z2, z1)
+            rest = (rotation(z0, q0) @ rotation(z1, q1)).T @ R
+            side = cross(z2, z1)
             found.append(Turned((float(q0), q1, angle_about(z2, side, rest @ side)), free))
     return found
-
-
-def _rotation(axis: Vector, angle: float) -> Vector:
-    return np.asarray(rotation_from_axis_angle(axis, angle), dtype=np.float64)

@@ -145,8 +145,8 @@ def iteration_method(key: str) -> IterationMethod:
 def damped_step(point: Point, damping: Floats) -> Floats:
     """Return J^T (J J^T + damping I)^-1 e, (B, k), from the singular values.
 
-    The sum of sigma / (sigma^2 + damping) v u^T e, which is the same with (J^T J + damping I)^-1 J^T (notes 5.112-5.113,
-    where the second identity should be m x m). Directions with sigma = 0 get nothing, also without damping.
+    The sum of sigma / (sigma^2 + damping) v u^T e; the same as (J^T J + damping I)^-1 J^T e. Directions with sigma = 0
+    get nothing, also without damping. Notes 5.112-5.115; the second identity matrix of 5.113 should be m x m.
     """
     square = point.sigma**2 + damping[:, None]
     return _spread(point, point.sigma / np.where(square > 0.0, square, math.inf))
@@ -160,4 +160,4 @@ def inverse_step(point: Point, cutoff: float = 0.0) -> Floats:
 
 def _spread(point: Point, factors: Floats) -> Floats:
     along = np.einsum("bmr,bm->br", point.U, point.e)
-    return np.einsum("brk,br->bk", point.Vt, factors * along)
+    return np.asarray(np.einsum("brk,br->bk", point.Vt, factors * along))

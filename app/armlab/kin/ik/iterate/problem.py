@@ -79,7 +79,7 @@ class Point(NamedTuple):
     @property
     def slope(self) -> Floats:
         """J^T e (B, k): how fast half the squared error falls with each free joint."""
-        return np.einsum("bmk,bm->bk", self.J, self.e)
+        return np.asarray(np.einsum("bmk,bm->bk", self.J, self.e))
 
     @property
     def sigma_max(self) -> Floats:
@@ -99,7 +99,8 @@ class Point(NamedTuple):
     def take(self, rows: NDArray[np.intp]) -> Point:
         """Return the points of some rows."""
         misfit = Misfit(*(part[rows] for part in self.misfit))
-        return Point(*(part[rows] for part in self[:6]), misfit, self.represented[rows])
+        q, e, J, U, sigma, Vt = (part[rows] for part in self[:6])
+        return Point(q, e, J, U, sigma, Vt, misfit, self.represented[rows])
 
 
 class Problem:

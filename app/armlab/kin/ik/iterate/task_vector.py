@@ -59,9 +59,10 @@ class TaskVector:
 
     def kinds(self, arm: Arm) -> tuple[Kind, ...]:
         """Return the unit of each component."""
-        turns: tuple[Kind, ...] = ("rad",) * (self.task.m - len(self.task.position))
-        own: tuple[Kind, ...] = tuple("rad" if arm.rows[i - 1].revolute else "m" for i, _ in self.joints)
-        return ("m",) * len(self.task.position) + turns + own
+        place: list[Kind] = ["m" for _ in self.task.position]
+        turns: list[Kind] = ["rad" for _ in range(self.task.m - len(place))]
+        own: list[Kind] = ["rad" if arm.rows[i - 1].revolute else "m" for i, _ in self.joints]
+        return (*place, *turns, *own)
 
 
 def task_vector(

@@ -22,9 +22,9 @@ def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory)
     """Return B# e, refused where B has no inverse."""
     B = _corrected(problem, point, memory) if memory else point.J
     # An iterate far away can spoil B; what is not finite is no matrix to invert.
-    finite = np.isfinite(B).all(axis=(1, 2))
+    finite = np.asarray(np.all(np.isfinite(B), axis=(1, 2)))
     U, sigma, Vt = np.linalg.svd(np.where(finite[:, None, None], B, 0.0), full_matrices=False)
-    refused = sigma[:, -1] <= SINGULAR * sigma[:, 0]
+    refused = np.asarray(sigma[:, -1] <= SINGULAR * sigma[:, 0])
     kept = sigma > SINGULAR * sigma[:, :1]
     factors = np.where(kept, 1.0 / np.where(kept, sigma, 1.0), 0.0)
     dq = np.einsum("brk,br->bk", Vt, factors * np.einsum("bmr,bm->br", U, point.e))

@@ -58,7 +58,7 @@ def _sampled(problem: Problem, q: Floats, joint: int, moves: Floats) -> Floats:
 
 def _best_turn(problem: Problem, q: Floats, joint: int, low: Floats, high: Floats) -> Floats:
     """Return the turn (B,) to the lowest point of a0 + a1 cos + b1 sin + a2 cos 2 + b2 sin 2 within one turn."""
-    at = 2.0 * math.pi * np.arange(5) / 5.0
+    at: Floats = 2.0 * math.pi * np.arange(5.0) / 5.0
     costs = _sampled(problem, q, joint, at)
     a1, b1 = (0.4 * costs @ wave for wave in (np.cos(at), np.sin(at)))
     a2, b2 = (0.4 * costs @ wave for wave in (np.cos(2.0 * at), np.sin(2.0 * at)))

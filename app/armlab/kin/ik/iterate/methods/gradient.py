@@ -11,7 +11,6 @@ Notes 4.123-4.126, with the correction to the remark after 4.129.
 
 from __future__ import annotations
 
-
 from armlab.kin.ik.iterate.method import IterationMethod, Memory, Move, Parameter, Parameters
 from armlab.kin.ik.iterate.problem import Floats, Point, Problem
 

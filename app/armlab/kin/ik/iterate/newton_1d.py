@@ -1,0 +1,136 @@
+"""Newton's method for one equation in one unknown, with the tangent of each step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from armlab.errors import InputError
+from armlab.kin.checks import finite_floats, whole_number
+
+SMALL = 1e-14
+"""|f| at which the iteration ends: the rounding of a function of about 1."""
+
+
+class Tangent(NamedTuple):
+    """The line y = slope x + intercept."""
+
+    slope: float
+    intercept: float
+
+    @property
+    def root(self) -> float:
+        """Where the line meets y = 0: the next iterate; nan for a line along the axis."""
+        return -self.intercept / self.slope if self.slope else math.nan
+
+
+class Newton1D(NamedTuple):
+    """One iterate: x, f(x), and the tangent there."""
+
+    x: float
+    f: float
+    tangent: Tangent
+
+
+@dataclass(frozen=True)
+class Example1D:
+    """One equation f(x) = 0 for the lesson.
+
+    Attributes
+    ----------
+    key, title : str
+        The title is the equation in words, with what to see.
+    f, df : callable
+    x0 : float
+    """
+
+    key: str
+    title: str
+    f: Callable[[float], float]
+    df: Callable[[float], float]
+    x0: float
+
+
+EXAMPLES = (
+    Example1D("root_of_two", "x² − 2 = 0: quadratic convergence", lambda x: x * x - 2.0, lambda x: 2.0 * x, 1.0),
+    Example1D(
+        "one_joint",
+        "cos q − 1/2 = 0: the joint of a 1R arm of unit length that puts p_x at 0.5 m",
+        lambda x: math.cos(x) - 0.5,
+        lambda x: -math.sin(x),
+        0.5,
+    ),
+    Example1D(
+        "near_flat",
+        "cos q − 1/2 = 0 from beside the singularity q = 0: a small slope, a long jump",
+        lambda x: math.cos(x) - 0.5,
+        lambda x: -math.sin(x),
+        0.02,
+    ),
+    Example1D("too_far", "atan x = 0 from too far away: it diverges", math.atan, lambda x: 1.0 / (1.0 + x * x), 1.5),
+    Example1D(
+        "cycle", "x³ − 2x + 2 = 0: it goes round", lambda x: x**3 - 2.0 * x + 2.0, lambda x: 3.0 * x * x - 2.0, 0.0
+    ),
+)
+"""Section 4.4.1 of the notes: f minus a wanted value, its tangent, and what may go wrong."""
+
+
+def newton_1d(
+    f: Callable[[float], float], df: Callable[[float], float], x0: float, *, tolerance: float = SMALL, most: int = 20
+) -> list[Newton1D]:
+    """Iterate x_(n+1) = x_n - f(x_n) / f'(x_n) and return each iterate with its tangent.
+
+    It ends where |f| is within the tolerance, the tangent is level, a number is not finite, or after ``most`` steps;
+    the last iterate is always the last of the list.
+
+    Parameters
+    ----------
+    f, df : callable
+        Function and derivative.
+    x0 : float
+    tolerance : float
+    most : int
+
+    Raises
+    ------
+    InputError
+        ``x0`` is not finite, or the function is not at ``x0``.
+
+    References
+    ----------
+    Notes 4.106-4.110. Equation 4.110 prints x_(n+1) = f / f'; x_n minus it is right, as in 4.107 and 4.109.
+
+    Examples
+    --------
+    >>> [round(step.x, 6) for step in newton_1d(lambda x: x * x - 2, lambda x: 2 * x, 1.0, most=3)]
+    [1.0, 1.5, 1.416667, 1.414216]
+    """
+    x = float(finite_floats(x0, "x0", (), "a finite number"))
+    found: list[Newton1D] = []
+    for _ in range(whole_number(most, "most", 0) + 1):
+        point = _point(f, df, x)
+        if point is None:
+            break
+        found.append(point)
+        if abs(point.f) <= tolerance or point.tangent.slope == 0.0:
+            break
+        # The root of the tangent; x minus the quotient keeps the last digit that the intercept would cost.
+        x = x - point.f / point.tangent.slope
+        if not math.isfinite(x):
+            break
+    if not found:
+        raise InputError(f"f: expected a function with a finite value and slope at x0 = {x0}")
+    return found
+
+
+def _point(f: Callable[[float], float], df: Callable[[float], float], x: float) -> Newton1D | None:
+    """Return the iterate at x; None where function or slope is not a finite number."""
+    try:
+        value, slope = float(f(x)), float(df(x))
+    except (OverflowError, ValueError, ZeroDivisionError):
+        return None
+    if not (math.isfinite(value) and math.isfinite(slope)):
+        return None
+    return Newton1D(x, value, Tangent(slope, value - slope * x))

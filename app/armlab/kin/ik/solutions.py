@@ -1,0 +1,113 @@
+"""All solutions of an inverse-kinematics problem, and what is known about their number."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from itertools import product
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.ik.rest import AT
+
+Completeness = Literal["none", "complete", "at least", "infinite"]
+
+MOST_EQUIVALENTS = 4096
+"""Whole-turn copies that are listed at most."""
+
+
+@dataclass(frozen=True, eq=False)
+class IkSolutions:
+    """What `armlab.kin.ik.solve_all.solve_all` found.
+
+    Attributes
+    ----------
+    arm : Arm
+    q : ndarray, shape (k, n)
+        Rad and m. Each angle is inside its limits by whole turns where it can be and then nearest to zero; sorted by
+        joint 1, then joint 2, and so on. Of infinitely many some representatives.
+    names : tuple of str
+        The branch of each, such as ``"shoulder left, elbow up, wrist flip"``; numbers where an arm has no such words.
+    within_limits : ndarray of bool, shape (k,)
+    beyond : ndarray, shape (k, n)
+        How far each joint is below (negative) or above (positive) its limits in rad or m; 0 inside.
+    completeness : str
+        ``"none"``: there is no solution; ``"complete"``: these are all; ``"at least"``: these were found by a search,
+        there may be more (or, with k = 0, some); ``"infinite"``: a family, of which these are representatives.
+    sentence : str
+        The same in words, with the reason.
+    method : str
+        Key of the closed form, ``"general_6r"``, ``"self_motion"``, ``"many_starts"`` or ``"held"``.
+    why : str
+        Why that one was used.
+    families : tuple of ndarray, shape (s, n)
+        Points along curves of solutions, in order, where they were traced.
+    """
+
+    arm: Arm = field(repr=False)
+    q: NDArray[np.float64]
+    names: tuple[str, ...]
+    within_limits: NDArray[np.bool_]
+    beyond: NDArray[np.float64]
+    completeness: Completeness
+    sentence: str
+    method: str
+    why: str
+    families: tuple[NDArray[np.float64], ...] = ()
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+    @property
+    def how_far_out(self) -> tuple[str, ...]:
+        """For each solution which joints are beyond their limits and by how much; empty text inside, shape (k,)."""
+        return tuple(_out(self.arm, row) for row in self.beyond)
+
+    def equivalents(self, k: int) -> NDArray[np.float64]:
+        """Return solution k and its copies by whole turns that are inside the limits, shape (j, n).
+
+        Sorted like ``q``; empty where a joint is outside its limits at every turn.
+        """
+        choices = []
+        for i, row in enumerate(self.arm.rows):
+            value, (low, high) = float(self.q[k, i]), self.arm.limits[i]
+            if not row.revolute:
+                choices.append([value] if low - AT <= value <= high + AT else [])
+                continue
+            first, last = math.ceil((low - AT - value) / math.tau), math.floor((high + AT - value) / math.tau)
+            choices.append([value + turns * math.tau for turns in range(first, last + 1)])
+        count = math.prod(map(len, choices))
+        if count == 0:
+            return np.empty((0, self.arm.n))
+        return np.array([row for row, _ in zip(product(*choices), range(MOST_EQUIVALENTS), strict=False)])
+
+
+def beyond_limits(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how far joint values (k, n) are outside the limits, rad or m, negative below; within `AT` of one is 0."""
+    low, high = arm.limits.T
+    out = np.where(q < low - AT, q - low, np.where(q > high + AT, q - high, 0.0))
+    return np.asarray(out, dtype=np.float64)
+
+
+def sorted_rows(q: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Return the order of rows by joint 1, then 2 and so on, values that differ by rounding counting as equal."""
+    keys = np.round(q, 6) + 0.0
+    return np.asarray(np.lexsort(keys.T[::-1]), dtype=np.intp)
+
+
+def _out(arm: Arm, row: NDArray[np.float64]) -> str:
+    return ", ".join(
+        f"joint {i + 1} by {_amount(abs(float(value)), arm.rows[i].revolute)} {'above' if value > 0 else 'below'}"
+        for i, value in enumerate(row)
+        if value != 0.0
+    )
+
+
+def _amount(value: float, revolute: bool) -> str:
+    if revolute:
+        degrees = math.degrees(value)
+        return f"{degrees:.1f}°" if degrees >= 0.05 else "less than 0.1°"
+    return f"{value * 1000.0:.0f} mm" if value >= 0.0005 else "less than 1 mm"

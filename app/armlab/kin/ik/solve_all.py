@@ -1,0 +1,297 @@
+"""Every solution of the inverse kinematics, by the best way the arm's structure allows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.checks import whole_number
+from armlab.kin.ik.branches import branch_names
+from armlab.kin.ik.closed_form import closed_form_of, known_structure
+from armlab.kin.ik.general_6r import solve_general
+from armlab.kin.ik.held import checked_held, with_held
+from armlab.kin.ik.loop import wrapped
+from armlab.kin.ik.many_starts import STARTS, many_starts
+from armlab.kin.ik.self_motion import STEP, SelfMotion, distance_to, evenly, trace_self_motion
+from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits, sorted_rows
+from armlab.kin.ik.verdict import task_error_of
+from armlab.kin.ik.verified import distinct, polished, reaches
+from armlab.kin.transforms import as_pose, inverse
+
+Vector = NDArray[np.float64]
+
+FAMILY_STARTS = 48
+"""Starts of the search for the self-motions of a redundant arm; each one is a piece of a family."""
+
+FAMILIES = 4
+"""Curves that are traced."""
+
+REPRESENTATIVES = 8
+"""Configurations that stand for each of them."""
+
+SURFACE = 16
+"""Configurations that stand for a family of more than one dimension."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Answer:
+    """Verified configurations of an arm and what is known about them, before names and limits."""
+
+    q: list[Vector]
+    completeness: Completeness
+    reason: str
+    method: str
+    why: str
+    families: tuple[Vector, ...] = ()
+
+
+def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float] | None = None) -> IkSolutions:
+    """Find all joint values that put the tool at a pose, as far as the arm's task goes.
+
+    A closed form where the structure has one, elimination for other arms of six turns, the self-motion for arms with
+    joints to spare, and a search from many starts for the rest. Each solution is verified by forward kinematics to
+    1e-9 m and rad. Joint limits do not restrict the solutions of arms without spare joints; they are reported.
+
+    Parameters
+    ----------
+    arm : Arm
+    T : array_like, shape (4, 4)
+        Wanted pose of the tool in the world. Components outside the task are ignored. Where its rotation is one only
+        nearly (1e-6 is let through), the nearest rotation is meant.
+    seed : int
+        Of random starts, where they are used; the same call gives the same answer, bit by bit.
+    held : mapping, optional
+        Joints (1-based) that are given, with their values in rad or m: the others are solved for.
+
+    Returns
+    -------
+    IkSolutions
+
+    Raises
+    ------
+    InputError
+        ``T`` is no pose, the seed is no whole number, or a held joint or value is wrong.
+
+    References
+    ----------
+    Notes, section 4.3.
+
+    Examples
+    --------
+    >>> arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0), ("R", 1.0, 0.0, 0.0, 0.0)])
+    >>> found = solve_all(arm, arm.fk([0.0, np.pi / 2]))
+    >>> found.names, np.degrees(found.q).round(6).tolist()
+    (('elbow down', 'elbow up'), [[0.0, 90.0], [90.0, -90.0]])
+    """
+    pose = _nearest_pose(as_pose(T, "T"))
+    seed, fixed = whole_number(seed, "seed", 0), checked_held(arm, held)
+    answer = _with_held(arm, pose, seed, fixed) if fixed else _solve(arm, pose, seed)
+    return _finished(arm, answer)
+
+
+def _solve(arm: Arm, T: Vector, seed: int) -> _Answer:
+    if closed_form_of(arm) is not None:
+        answer = _by_closed_form(arm, T)
+        if answer is not None:
+            return answer
+    if known_structure(arm).free:
+        return _with_spare_joints(arm, T, seed)
+    if bool(arm.revolute.all()) and arm.n == 6 and arm.task.key == "pose":
+        return _by_elimination(arm, T)
+    return _by_search(arm, T, seed)
+
+
+def _by_closed_form(arm: Arm, T: Vector) -> _Answer | None:
+    """Return what the closed form gives; None where it only sampled a family and no sample was a solution."""
+    known = closed_form_of(arm)
+    assert known is not None
+    form, why = known
+    G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
+    found = form.solve(arm, G)
+    q = _verified(arm, T, found.q)
+    why = f"{form.title}: {why}"
+    if q and found.families:
+        return _Answer(q, "infinite", " ".join(found.families), form.key, why)
+    if q:
+        return _Answer(q, "complete", "", form.key, why)
+    if found.sampled or (found.q and arm.n == 6):
+        return None
+    reason = found.none or "The target is off what the joints of this arm can do."
+    return _Answer([], "none", reason, form.key, why)
+
+
+def _by_elimination(arm: Arm, T: Vector) -> _Answer:
+    found = solve_general(arm, T)
+    why = f"General 6R: {known_structure(arm).why}"
+    q = _verified(arm, T, list(found.q))
+    completeness: Completeness = found.completeness
+    if completeness == "complete" and not q:
+        completeness = "none"
+    return _Answer(q, completeness, f"{found.reason[:1].upper()}{found.reason[1:]}.", "general_6r", why, found.families)
+
+
+def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = None) -> _Answer:
+    why = "No closed form is known here for this arm and task: a search from random starts."
+    if _is_beyond(arm, T):
+        return _Answer([], "none", _BEYOND, "many_starts", why)
+    G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
+    q = _verified(arm, T, list(many_starts(arm, G, seed=seed, held=held)), held)
+    if any(_moves(arm, row, held) for row in q):
+        reason = "Some of them move while the tool stands still."
+        return _Answer(q[:SURFACE], "infinite", reason, "many_starts", why)
+    return _Answer(q, "at least", f"Found from {STARTS} random starts; a search proves nothing.", "many_starts", why)
+
+
+def _moves(arm: Arm, q: Vector, held: dict[int, float] | None) -> bool:
+    """Return whether a configuration without held joints is a point of a self-motion."""
+    return not held and len(trace_self_motion(arm, q, limits=False).q) > 3
+
+
+def _with_spare_joints(arm: Arm, T: Vector, seed: int) -> _Answer:
+    why = known_structure(arm).why
+    if _is_beyond(arm, T):
+        return _Answer([], "none", _BEYOND, "self_motion", why)
+    G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
+    starts = list(many_starts(arm, G, seed=seed, starts=FAMILY_STARTS, inside=True))
+    found = _verified(arm, T, starts)
+    if not found:
+        more = list(many_starts(arm, G, seed=seed + 1))
+        found = _verified(arm, T, more)
+    if not found:
+        return _Answer([], "at least", f"None found from {FAMILY_STARTS + STARTS} random starts.", "self_motion", why)
+    inside = [q for q in found if arm.within_limits(q)]
+    found = inside or found
+    if known_structure(arm).free > 1:
+        reason = f"These {min(SURFACE, len(found))} stand for them."
+        return _Answer(found[:SURFACE], "infinite", reason, "self_motion", why)
+    return _of_curves(arm, found, why)
+
+
+def _of_curves(arm: Arm, found: list[Vector], why: str) -> _Answer:
+    """Trace the self-motions through solutions and let points evenly along them stand for all."""
+    motions: list[SelfMotion] = []
+    for q in found:
+        if len(motions) == FAMILIES:
+            break
+        if distance_to(arm, q, [motion.q for motion in motions]) > 2.0 * STEP:
+            motions.append(trace_self_motion(arm, q, limits=arm.within_limits(q)))
+    curves = [motion for motion in motions if len(motion.q) > 1]
+    points = [row for motion in motions for row in evenly(arm, motion, REPRESENTATIVES)]
+    completeness: Completeness = "infinite" if curves else "at least"
+    count = len(curves)
+    reason = (
+        f"{count} {'family was' if count == 1 else 'families were'} found, each by {REPRESENTATIVES} representatives."
+        if curves
+        else "The self-motion has shrunk to points here."
+    )
+    return _Answer(points, completeness, reason, "self_motion", why, tuple(motion.q for motion in curves))
+
+
+def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> _Answer:
+    """Solve for the joints that are not held."""
+    values = np.array([held.get(i, 0.0) for i in range(arm.n)])
+    listed = " and ".join(f"q{i + 1}" for i in sorted(held))
+    if len(held) == arm.n:
+        reached = reaches(arm, values, task_error_of(arm).target(T))
+        why = "All joints are held."
+        reason = "" if reached else "All joints are held, and the tool is elsewhere."
+        return _Answer([values] if reached else [], "complete" if reached else "none", reason, "held", why)
+    rest = with_held(arm, held)
+    if rest is None:
+        return _by_search(arm, T, seed, held)
+    answer = _solve(rest, T, seed)
+    kept = [i for i in range(arm.n) if i not in held]
+
+    def whole(rows: Sequence[Vector] | Vector) -> list[Vector]:
+        found = []
+        for row in rows:
+            q = values.copy()
+            q[kept] = row
+            found.append(q)
+        return found
+
+    families = tuple(np.array(whole(curve)) for curve in answer.families)
+    why = f"With {listed} held, {answer.why[:1].lower()}{answer.why[1:]}"
+    target = task_error_of(arm).target(T)
+    q = [row for row in whole(answer.q) if polished(arm, row, target, _mask(arm, held)) is not None]
+    return replace(answer, q=q, why=why, families=families)
+
+
+def _mask(arm: Arm, held: Mapping[int, float]) -> NDArray[np.bool_]:
+    return np.array([i in held for i in range(arm.n)])
+
+
+def _verified(
+    arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None
+) -> list[Vector]:
+    """Return polished candidates that forward kinematics confirms, wrapped, without repetition, in canonical order."""
+    target = task_error_of(arm).target(T)
+    mask = _mask(arm, held) if held else None
+    good = [q for one in candidates if (q := polished(arm, one, target, mask)) is not None]
+    near = np.zeros(arm.n)
+    placed = [_tidy(wrapped(q.tolist(), near, arm.revolute, arm.limits)) for q in good]
+    kept = distinct(arm, placed)
+    return [kept[i] for i in sorted_rows(np.array(kept))] if kept else []
+
+
+def _tidy(q: Vector) -> Vector:
+    """Return joint values with half turns on the positive side, however they were rounded."""
+    return np.where(np.abs(q + math.pi) < 1e-12, math.pi, q)
+
+
+_BEYOND = "The target is farther away than all links in a line."
+
+
+def _is_beyond(arm: Arm, T: Vector) -> bool:
+    """Return whether the controlled coordinates alone are out of reach; slides are not held to their limits."""
+    if not bool(arm.revolute.all()) or not arm.task.position:
+        return False
+    G = inverse(arm.base) @ T
+    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + 1e-9)
+
+
+def _finished(arm: Arm, answer: _Answer) -> IkSolutions:
+    q = np.array(answer.q).reshape(-1, arm.n)
+    beyond = beyond_limits(arm, q)
+    within = ~np.any(beyond, axis=1)
+    return IkSolutions(
+        arm=arm,
+        q=q,
+        names=branch_names(arm, q),
+        within_limits=within,
+        beyond=beyond,
+        completeness=answer.completeness,
+        sentence=_sentence(answer, int(within.sum())),
+        method=answer.method,
+        why=answer.why,
+        families=answer.families,
+    )
+
+
+def _sentence(answer: _Answer, inside: int) -> str:
+    k = len(answer.q)
+    if answer.completeness == "none":
+        head = "No solution."
+    elif answer.completeness == "infinite":
+        head = f"Infinitely many solutions, here {k} of them."
+    elif answer.completeness == "at least":
+        head = f"At least {k} solution{'' if k == 1 else 's'}." if k else "None found."
+    else:
+        head = f"{k} solution{'' if k == 1 else 's'}, and no others."
+    limits = f" {'None' if inside == 0 else inside} of them within the joint limits." if 0 < k != inside else ""
+    return f"{head} {answer.reason}".strip() + limits
+
+
+def _nearest_pose(T: Vector) -> Vector:
+    U, _, V = np.linalg.svd(T[:3, :3])
+    pose = T.copy()
+    R = U @ V
+    # What is a rotation up to rounding stays as it came.
+    if float(np.abs(R - T[:3, :3]).max()) > 1e-14:
+        pose[:3, :3] = R
+    return pose

@@ -1,0 +1,88 @@
+"""Long work beside the commands: what is wanted of it follows from the state, what it finds comes back as commands.
+
+A job is declared, not started: when what it wants has changed, the work under way is given up and begun anew, and when
+it wants nothing any more, the work is cancelled. So a command stays pure, and an undo or another arm cancels by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, ClassVar, NamedTuple
+
+from armlab.plugins import discover
+from armlab.session.state import Command, State
+
+
+class Wanted(NamedTuple):
+    """What a job is to work on.
+
+    Attributes
+    ----------
+    key : hashable
+        Work on equal keys is the same work and is not done twice in a row.
+    inputs : object
+        All that it needs; immutable.
+    """
+
+    key: Hashable
+    inputs: Any
+
+
+@dataclass(frozen=True)
+class Job:
+    """The constant ``JOB`` of a module in `armlab.session.jobs`.
+
+    Parameters
+    ----------
+    key : str
+    title : str
+        What a person is told has failed, such as ``"The search for all solutions"``.
+    wanted : callable
+        ``wanted(state, panels) -> Wanted | None``, cheap: what to work on, None for nothing. ``panels`` are the keys of
+        the panels that are open in some window of the student.
+    run : callable
+        ``run(inputs)`` yields what it has found so far, again and again; None where there is nothing new. Between two
+        of them lie some 30 ms of work at most: all students share one thread.
+    delivered : callable
+        ``delivered(state, inputs, found) -> State``: the state with what was found. Pure; it may be called with what
+        belongs to a state that has passed, and then returns the present state as it is.
+    interval : float
+        Seconds between the beginnings of two pieces of work for one student, at least.
+    """
+
+    key: str
+    title: str
+    wanted: Callable[[State, frozenset[str]], Wanted | None]
+    run: Callable[[Any], Iterator[Any]]
+    delivered: Callable[[State, Any, Any], State]
+    interval: float = 0.0
+
+
+@cache
+def jobs() -> dict[str, Job]:
+    """Return all jobs."""
+    from armlab.session import jobs as folder
+
+    return discover(folder, "JOB", Job)
+
+
+@dataclass(frozen=True, eq=False)
+class Deliver(Command):
+    """Hand in what a job has found so far; of several waiting the newest counts."""
+
+    job: Job
+    inputs: Any
+    found: Any
+    snapshot: ClassVar[bool] = True
+    undoable: ClassVar[bool] = False
+
+    @property
+    def channel(self) -> object:
+        """One for each job."""
+        return Deliver, self.job.key
+
+    def apply(self, state: State) -> State:
+        """Return the state with what was found."""
+        return self.job.delivered(state, self.inputs, self.found)

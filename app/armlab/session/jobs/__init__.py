@@ -1,0 +1,1 @@
+"""One file a job; each holds a constant ``JOB``."""

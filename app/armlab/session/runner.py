@@ -1,0 +1,147 @@
+"""The one thread that does the long work of all students, a piece of each in turn."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from armlab.session.job import Deliver, Job, Wanted, jobs
+from armlab.session.session import Refuse, Session
+from armlab.session.state import Command
+
+log = logging.getLogger(__name__)
+
+REST = 0.25
+"""Part of the time of a piece for which the thread rests after it: hands that drag come first."""
+
+Post = Callable[[Session, Command], None]
+
+
+@dataclass(eq=False)
+class Task:
+    """One job of one student.
+
+    Attributes
+    ----------
+    wanted : Wanted or None
+        What the state asks for now.
+    begun : Wanted or None
+        What was begun last, maybe finished.
+    pieces : iterator or None
+        The work under way.
+    due : float
+        When the next piece of work may begin, in seconds of the clock.
+    """
+
+    session: Session
+    job: Job
+    wanted: Wanted | None = None
+    begun: Wanted | None = None
+    pieces: Iterator[Any] | None = None
+    due: float = 0.0
+
+    @property
+    def has_work(self) -> bool:
+        """Whether something is under way, or to be begun or cancelled."""
+        return self.pieces is not None or self.is_outdated
+
+    @property
+    def is_outdated(self) -> bool:
+        """Whether something else is wanted than what was begun."""
+        wanted, begun = self.wanted, self.begun
+        return (wanted is None) != (begun is None) or (wanted and wanted.key) != (begun and begun.key)
+
+
+class Runner(threading.Thread):
+    """Does what the jobs of all students want, a piece of each in turn.
+
+    Parameters
+    ----------
+    post : callable
+        ``post(session, command)`` hands in a command, from any thread.
+    clock : callable
+        Seconds of a steady clock.
+    """
+
+    def __init__(self, post: Post, clock: Callable[[], float] = time.monotonic) -> None:
+        super().__init__(daemon=True, name="armlab-jobs")
+        self._post, self._clock = post, clock
+        self._changed = threading.Condition()
+        self._tasks: dict[tuple[str, str], Task] = {}
+        self._stopping = False
+
+    def follow(self, session: Session, panels: frozenset[str]) -> None:
+        """Look at what the state of a session wants now; returns at once, from any thread."""
+        state = session.state
+        for job in jobs().values():
+            wanted = job.wanted(state, panels)
+            with self._changed:
+                task = self._tasks.get((session.token, job.key))
+                if task is None:
+                    if wanted is None:
+                        continue
+                    task = self._tasks[session.token, job.key] = Task(session, job)
+                task.wanted = wanted
+                if task.has_work:
+                    self._changed.notify()
+
+    def forget(self, session: Session) -> None:
+        """Cancel the work for a student who has gone."""
+        with self._changed:
+            for key in [key for key in self._tasks if key[0] == session.token]:
+                self._tasks.pop(key).wanted = None
+
+    def stop(self) -> None:
+        """End after the piece at hand."""
+        with self._changed:
+            self._stopping = True
+            self._changed.notify()
+
+    def run(self) -> None:
+        """Work until `stop`."""
+        while (task := self._next()) is not None:
+            began = self._clock()
+            self._work(task)
+            took = self._clock() - began
+            if not self._stopping and took > 0.0:
+                time.sleep(REST * took)
+
+    def _next(self) -> Task | None:
+        """Wait for the task whose turn it is; None at the end."""
+        with self._changed:
+            while not self._stopping:
+                now = self._clock()
+                waiting = [task for task in self._tasks.values() if task.has_work]
+                ready = [task for task in waiting if task.due <= now]
+                if ready:
+                    # First due, first served: nobody waits for another's long work longer than for a piece of it.
+                    return min(ready, key=lambda task: task.due)
+                self._changed.wait(min((task.due for task in waiting), default=now + 3600.0) - now)
+        return None
+
+    def _work(self, task: Task) -> None:
+        """Do one piece."""
+        with self._changed:
+            wanted, outdated = task.wanted, task.is_outdated
+        now = self._clock()
+        task.due = now + task.job.interval
+        if outdated:
+            task.begun = wanted
+            task.pieces = None if wanted is None else task.job.run(wanted.inputs)
+        if task.pieces is None or task.begun is None:
+            return
+        try:
+            found = next(task.pieces)
+        except StopIteration:
+            task.pieces = None
+        except Exception:
+            log.exception("job %s failed", task.job.key)
+            task.pieces = None
+            self._post(task.session, Refuse(f"{task.job.title} has failed inside the lab. The rest works on."))
+        else:
+            if found is not None:
+                self._post(task.session, Deliver(task.job, task.begun.inputs, found))

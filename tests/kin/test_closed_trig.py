@@ -1,0 +1,82 @@
+"""a sin + b cos = c, with every special case, and two such equations."""
+
+import math
+
+import pytest
+
+from armlab.kin.ik.trig import half_tangents, sine_cosine, two_equations, wrap
+
+
+def residual(theta, a, b, c):
+    return abs(a * math.sin(theta) + b * math.cos(theta) - c)
+
+
+def test_random_equations_have_the_angle_they_were_made_from(rng):
+    for _ in range(500):
+        a, b, theta = rng.normal(), rng.normal(), rng.uniform(-math.pi, math.pi)
+        found = sine_cosine(a, b, a * math.sin(theta) + b * math.cos(theta))
+        assert 1 <= len(found.values) <= 2
+        assert min(abs(wrap(value - theta)) for value in found.values) < 1e-6
+        assert all(residual(value, a, b, a * math.sin(theta) + b * math.cos(theta)) < 1e-12 for value in found.values)
+
+
+def test_b_plus_c_zero_is_no_special_case(truth):
+    case = truth["C4.3-tan-half-degenerate"]
+    a, b, c = (case["inputs"][name] for name in "abc")
+    assert sorted(sine_cosine(a, b, c).values) == pytest.approx(sorted(case["expected"]["theta"]), abs=case["tol"])
+    tangents = half_tangents(a, b, c)
+    assert math.inf in tangents
+    assert sorted(2.0 * math.atan(u) for u in tangents) == pytest.approx(sorted(case["expected"]["theta"]), abs=1e-12)
+
+
+def test_half_tangents_are_those_of_the_angles(rng):
+    for _ in range(200):
+        a, b, c = rng.normal(size=3)
+        angles = sorted(sine_cosine(a, b, c).values)
+        assert sorted(2.0 * math.atan(u) for u in half_tangents(a, b, c)) == pytest.approx(angles, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("equation", "tangents"), [((0.0, 1.0, 1.0), (0.0, 0.0)), ((0.0, 1.0, -1.0), (math.inf, math.inf))]
+)
+def test_both_half_tangents_at_once(equation, tangents):
+    assert half_tangents(*equation) == tangents
+    assert len(sine_cosine(*equation).values) == 1
+
+
+def test_no_angle_one_angle_every_angle():
+    assert sine_cosine(0.6, 0.8, 1.1).values == ()
+    assert sine_cosine(0.6, 0.8, 1.0).values == pytest.approx((math.atan2(0.6, 0.8),))
+    assert sine_cosine(0.6, 0.8, -1.0).values == pytest.approx((math.atan2(-0.6, -0.8),))
+    assert sine_cosine(0.0, 0.0, 0.0).every
+    nothing = sine_cosine(0.0, 0.0, 0.5)
+    assert nothing.values == ()
+    assert not nothing.every
+
+
+def test_a_hair_beyond_the_boundary_is_the_boundary():
+    assert len(sine_cosine(0.0, 1.0, 1.0 + 1e-13).values) == 1
+    assert sine_cosine(0.0, 1.0, 1.0 + 1e-9).values == ()
+
+
+def test_two_equations(rng):
+    for _ in range(200):
+        theta = rng.uniform(-math.pi, math.pi)
+        s, c = math.sin(theta), math.cos(theta)
+        (a1, b1), (a2, b2) = rng.normal(size=(2, 2))
+        if abs(a1 * b2 - a2 * b1) < 1e-3:
+            continue
+        found = two_equations((a1, b1, a1 * s + b1 * c), (a2, b2, a2 * s + b2 * c))
+        assert found.values == pytest.approx((theta,), abs=1e-9)
+        # Sine and cosine that belong to no angle.
+        assert two_equations((1.0, 0.0, 2.0 * s + 2.0), (0.0, 1.0, 2.0 * c)).values == ()
+
+
+def test_two_equations_that_say_the_same_or_nothing_or_contradict():
+    one = (0.3, -0.8, 0.2)
+    twice = (0.6, -1.6, 0.4)
+    assert two_equations(one, twice).values == pytest.approx(sine_cosine(*one).values)
+    assert two_equations(one, (0.0, 0.0, 0.0)).values == pytest.approx(sine_cosine(*one).values)
+    assert two_equations(one, (0.6, -1.6, 0.9)).values == ()
+    assert two_equations(one, (0.0, 0.0, 0.5)).values == ()
+    assert two_equations((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)).every
