@@ -1,4 +1,4 @@
-"""One new file each: a panel, a layer, a part, a film, a robot, a lesson, a check, a question, a method, a command."""
+"""One new file each: a panel, a layer, a part, a film, a long work, a robot, a lesson, a check, a method, and more."""
 
 import os
 import re
@@ -14,13 +14,18 @@ TOP = Path(__file__).resolve().parents[2]
 PANEL = '''
 """A made-up panel."""
 from armlab.session.parts.joints import Joints
+from armlab.session.state import part_types
 from armlab.ui.plugin import Panel
 
 def build(gui, state, post):
     text = gui.html()
-    return lambda state: text.show(f"made-up: {state[Joints].arm.n} joints")
+    def show(state):
+        part = next((part for part in state if part.key == "made_up"), None)
+        text.show(f"made-up: {state[Joints].arm.n} joints, counted {part and part.value}")
 
-PANEL = Panel("made_up", "Made up", "STAR", 50, (Joints,), build)
+    return show
+
+PANEL = Panel("made_up", "Made up", "STAR", 50, tuple(part_types()), build)
 '''
 
 ROBOT = """
@@ -160,6 +165,43 @@ from armlab.session.parts.timeline import Clip
 CLIP = Clip("made_up", "Made-up film", lambda state: 2.0, lambda state: (), lambda state, time: state)
 '''
 
+JOB = '''
+"""A made-up long work: it counts to three while its panel is open."""
+from dataclasses import replace
+from armlab.session.job import Job, Wanted
+from armlab.session.parts.made_up import MadeUp
+
+def delivered(state, inputs, found):
+    return state.replace(replace(state[MadeUp], value=found))
+
+JOB = Job("made_up", "The counting", lambda state, panels: Wanted(0, 0) if "made_up" in panels else None,
+          lambda inputs: iter([1, 2, 33]), delivered)
+'''
+
+ITERATION = '''
+"""A made-up way to iterate: a tenth of the gradient."""
+from armlab.kin.ik.iterate.method import IterationMethod, Move
+
+def step(problem, point, parameters, memory):
+    return Move(0.1 * point.slope)
+
+ITERATION = IterationMethod("made_up", "made-up steps", 99, step)
+'''
+
+CLOSED = '''
+"""A made-up closed form: for the arm of one joint that was made up."""
+import numpy as np
+from armlab.kin.ik.closed_form import ClosedForm, Found
+
+def solve(arm, T):
+    return Found([np.array([np.arctan2(T[1, 3], T[0, 3])])])
+
+def fits(arm):
+    return "It was made up." if arm.name == "Made-up 1R" else None
+
+CLOSED = ClosedForm("made_up", "Made-up form", 1, fits, solve)
+'''
+
 LOOK = """
 import asyncio
 from support.fake_browser import FakeBrowser, cookie_of
@@ -175,7 +217,7 @@ async def main(url):
     await browser.connect()
     await browser.until(lambda: "al-notes" in browser.html())
     await browser.open("made_up", "target", "robot")
-    await browser.until(lambda: "made-up: 6 joints" in browser.html())
+    await browser.until(lambda: "made-up: 6 joints, counted 33" in browser.html())
     await browser.until(lambda: any(c["props"].get("label") == "Family" for c in browser.controls.values()))
     method = next(c for c in browser.controls.values() if c["props"].get("label") == "Method")
     assert "Made-up method" in method["props"]["options"], method
@@ -192,6 +234,9 @@ assert "made_up" in armlab.robots()
 arm = armlab.load("planar_2r")
 result = armlab.ik.solve(arm, arm.fk([0.4, 0.9]), q0=[0.4, 0.8], method="made_up")
 assert result.position_error < 0.2
+assert armlab.ik.iterate(arm, arm.fk([0.4, 0.9]), [0.4, 0.8], "made_up").position_error[-1] < 0.01
+made_up = armlab.load("made_up")
+assert armlab.ik.solve_all(made_up, made_up.fk([0.4])).method == "made_up"
 assert "made_up" in [kind.key for kind in part_types()]
 assert "made_up" in clips()
 assert problems("made_up") == [], problems("made_up")
@@ -203,7 +248,10 @@ FILES = {
     "app/armlab/ui/panels/made_up.py": PANEL,
     "app/armlab/ui/layers/made_up.py": LAYER,
     "app/armlab/kin/ik/methods/made_up.py": METHOD,
+    "app/armlab/kin/ik/iterate/methods/made_up.py": ITERATION,
+    "app/armlab/kin/ik/closed/made_up.py": CLOSED,
     "app/armlab/session/parts/made_up.py": PART,
+    "app/armlab/session/jobs/made_up.py": JOB,
     "app/armlab/session/clips/made_up.py": CLIP,
     "app/armlab/content/checks/made_up.py": CHECK,
     "app/armlab/content/questions/made_up.py": QUESTION,

@@ -158,6 +158,7 @@ def test_all_kinds_are_found():
         "target_at",
         "joint_at",
         "joints_at",
+        "joints_found",
         "manipulability_at_least",
         "manipulability_at_most",
         "singular",

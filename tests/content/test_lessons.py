@@ -131,6 +131,10 @@ def test_mistakes_in_the_front_matter(line, says):
         ("# No front matter", r"expected a first line \+\+\+"),
         ("+++\ntitle = 'x'\n", r"expected a second line \+\+\+"),
         (FRONT, "expected at least one step"),
+        (
+            f"{FRONT}\n```hint\nLook.\n```\n\n## One\n",
+            r"introduction: expected a block 'hint' in a step, after its '## Title'",
+        ),
         (FRONT.replace("planar_2r", "planar2r") + STEP, "robot: unknown robot 'planar2r'; did you mean 'planar_2r'"),
         (FRONT.replace("S4.0-2R", "two links") + STEP, "teaches: unknown row of the inventory"),
         (FRONT.replace('title = "A lesson"', "") + STEP, "title: missing"),

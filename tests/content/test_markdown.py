@@ -180,7 +180,8 @@ def test_formulas(latex, inside):
     [
         (r"\foo{x}", r"the formula \$\\foo\{x\}\$ has an unknown command \\foo"),
         (r"{", "cannot be converted"),
-        (r"x_1_2", "cannot be converted: DoubleSubscripts"),
+        (r"x_1_2", "cannot be converted: there are two indices _ in a row"),
+        (r"\frac{1}{", "it ends too early; a brace or an argument is missing"),
         (r"\frac{1}", "is not complete"),
         (r"\left(", "cannot be converted"),
         (r"\begin{aligned} a &= b \\ c &= d \end{aligned}", "may not contain linebreak"),

@@ -1,5 +1,6 @@
 """Answers that are matrices or formulas."""
 
+import html
 import math
 
 import numpy as np
@@ -225,3 +226,23 @@ BARE = 'variables = ["q1"]\n'
 def test_broken_questions_name_file_and_key(kind, text, says):
     with pytest.raises(ContentError, match=rf"f\.md: {says}"):
         ask(kind, text)
+
+
+@pytest.mark.parametrize("text", ["500mm 25cm", "0.5m 0.25", "0.5; 250mm", "(1/2)m 0.25m"])
+def test_an_entry_may_have_a_unit_of_its_own(text):
+    assert VECTOR.judge(text).right
+
+
+@pytest.mark.parametrize(
+    ("question", "text", "says"),
+    [
+        (VECTOR, "500rad 0.25", "Row 1, column 1: this is an angle; write a length in m."),
+        (M, "1 2 3; 4 5m 6; 7 8 10", "Row 2, column 2: this is a length; write the number alone."),
+        (M, "1 2 3; 4 ? 6; 7 8 10", "Row 2, column 2 is empty."),
+        (VECTOR, "0.5 x", "Row 1, column 2: unknown name 'x'"),
+    ],
+)
+def test_an_entry_that_cannot_be_used_says_why(question, text, says):
+    verdict = question.judge(text)
+    assert (verdict.right, verdict.name) == (False, "unreadable")
+    assert html.unescape(verdict.says).startswith(says)

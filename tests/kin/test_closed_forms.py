@@ -140,14 +140,6 @@ def test_case_of_the_scara(truth):
     assert found.method == "scara"
 
 
-def test_the_ur10_of_the_notes_exactly(truth):
-    case = truth["C4.3-UR10-exact"]
-    arm = catalogue()["ur10_notes"].arm
-    expected = np.array(case["expected"]["q_deg"] if "q_deg" in case["expected"] else np.degrees(case["expected"]["q"]))
-    found = solve_all(arm, arm.fk(np.radians(expected[0])))
-    assert same_set(arm, found.q, np.radians(expected), 1e-6)
-
-
 def test_planar_2r_on_both_circles_and_outside(truth):
     case = truth["C4.3.3-2R-ik-boundary"]
     arm = planar(case["inputs"]["l1"], case["inputs"]["l2"])

@@ -152,7 +152,7 @@ def test_bad_gains_and_times_are_refused():
         with pytest.raises(InputError, match="gain: expected a positive number or 2 of them"):
             ik.transpose_flow(TWO_R, at(1, 1), [0, 1], gain=gain)
     arm = catalogue()["puma560"].arm
-    with pytest.raises(InputError, match="one gain for all components of the orientation"):
+    with pytest.raises(InputError, match="one number for all components of the orientation"):
         ik.transpose_flow(arm, arm.fk(np.zeros(6)), np.zeros(6), gain=[1, 1, 1, 1, 2, 1])
     for duration, dt in ((1.0, 0.0), (-1.0, 0.1), (1e9, 1e-3), (math.inf, 0.1)):
         with pytest.raises(InputError, match="duration"):

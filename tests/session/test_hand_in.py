@@ -67,6 +67,19 @@ def marks(report):
 # --- The file
 
 
+def test_before_a_prediction_the_file_does_not_tell_what_is_predicted(fresh, own):
+    state = done(fresh, OpenLesson("v", variant=3), GoToStep(1))
+    assert state[LessonPart].hides
+    assert json.loads(hand_in(state))["parts"] == {}
+    assert "joints" in json.loads(hand_in(done(state, Answer("1"))))["parts"]
+
+
+def test_roots_and_powers_are_not_lost_in_plain_text():
+    question = lesson("axis_angle_quaternion").steps[2].question
+    assert plain(question.judge("-1; 1; 1").says).endswith("divide by √3.")
+    assert "√(90^2+90^2)" in plain(lesson("axis_angle_quaternion").steps[0].question.judge("3").says)
+
+
 def test_work_gets_the_verdicts_of_the_screen(solved):
     report = judge(hand_in(solved), "v")
     assert (report.student, report.lesson, report.variant, report.changed) == ("Ada Lovelace", "v", 3, False)

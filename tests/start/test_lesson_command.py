@@ -120,6 +120,39 @@ def test_a_file_that_cannot_be_read_is_told_with_its_line(typed, place):
     assert "not a text in UTF-8" in typed("lesson", "check", path)[1]
 
 
+def test_what_leads_out_of_a_folder_is_told_and_the_others_are_checked(typed, place):
+    (place / "mine" / "t.md").unlink()
+    (place / "outside").mkdir()
+    (place / "outside" / "lesson.md").write_text(VARIED, encoding="utf-8")
+    (place / "mine" / "linked").symlink_to(place / "outside", target_is_directory=True)
+    line = f"{Path('mine') / 'linked'}: it leads out of the folder mine; put the files themselves there\n"
+    assert typed("lesson", "check", "mine") == (1, f"{line}v: 3 steps, no problems\n", "")
+    status, out, _ = typed("lesson", "check", "--lessons", "mine", "--variants", "0")
+    assert (status, out.splitlines(keepends=True)[0]) == (1, line)
+    assert typed("lesson", "check", "mine/linked") == (1, "", f"armlab: {line}".replace("\\", "/"))
+
+
+def test_a_picture_with_a_mistake_is_named(typed, place):
+    (place / "drawn").mkdir()
+    (place / "drawn" / "lesson.md").write_text(VARIED, encoding="utf-8")
+    (place / "drawn" / "arm.svg").write_text("<svg onload='alert(1)'/>", encoding="utf-8")
+    status, out, _ = typed("lesson", "check", "drawn")
+    assert (status, out) == (1, f"{Path('drawn') / 'arm.svg'}: the drawing has a handler onload; draw it without\n")
+
+
+def test_links_into_the_lab_have_to_lead_somewhere(typed, place):
+    links = (
+        "[a](/lesson/first_arm) [b](/lesson/firts_arm/3) [c](/robot/scara) [d](/robot/scar) [e](/) [f](https://x.org)"
+    )
+    text = TWO_STEPS.replace("Only text.\n", f"Only text.\n\n```hint\n{links}\n```\n")
+    (place / "mine" / "t.md").write_text(text, encoding="utf-8")
+    out = typed("lesson", "check", "mine/t.md")[1]
+    line = text.splitlines().index("## Read") + 1
+    assert f"t.md:{line}: step 1: link: unknown lesson 'firts_arm'; did you mean 'first_arm'?" in out
+    assert f"t.md:{line}: step 1: link: unknown robot 'scar'; did you mean 'scara'?" in out
+    assert out.count(": link: ") == 2
+
+
 START = "q_deg = [0, 20]"
 
 

@@ -46,3 +46,37 @@ def worst_error(arm: Arm, q: np.ndarray, T: np.ndarray) -> float:
 def no_duplicates(arm: Arm, q: np.ndarray, tolerance: float = 1e-6) -> bool:
     """Return whether all rows differ."""
     return all(len(q) == k + 1 or apart(arm, q[k + 1 :], q[k]).min() > tolerance for k in range(len(q)))
+
+
+def by_many_starts(arm: Arm, T: np.ndarray, starts: int = 1000, seed: int = 0, steps: int = 60) -> np.ndarray:
+    """Return every solution for a whole pose that damped Newton steps reach from random starts, shape (k, n).
+
+    Written apart from what it judges: only the arm's forward kinematics and Jacobian, whole batches, no cleverness.
+    """
+    rng, L = np.random.default_rng(seed), arm.length_scale
+    low, high = np.where(arm.revolute, -np.pi, arm.limits[:, 0]), np.where(arm.revolute, np.pi, arm.limits[:, 1])
+    q = rng.uniform(low, high, (starts, arm.n))
+    scales = np.where(arm.revolute, 1.0, L)
+    units = np.array([1.0 / L] * 3 + [1.0] * 3)
+    done = []
+    for _ in range(steps):
+        tool, J = np.asarray(arm.fk(q)), np.asarray(arm.jacobian(q)) * units[:, None] * scales
+        R = tool[:, :3, :3]
+        axis = 0.5 * np.cross(R, np.broadcast_to(T[:3, :3], R.shape), axis=1).sum(axis=2)
+        cosine = 0.5 * (np.einsum("kij,ij->k", R, T[:3, :3]) - 1.0)
+        turn = axis / np.sqrt(np.maximum(0.5 + 0.5 * cosine, 1e-9))[:, None]
+        e = np.concatenate([(T[:3, 3] - tool[:, :3, 3]) / L, turn], axis=1)
+        size = np.linalg.norm(e, axis=1)
+        near = size < 1e-11
+        done.append(q[near])
+        q, J, e, size = q[~near], J[~near], e[~near], size[~near]
+        if not len(q):
+            break
+        normal = J @ np.swapaxes(J, 1, 2) + (0.1 * size**2 + 1e-14)[:, None, None] * np.eye(6)
+        step = np.einsum("kij,ki->kj", J, np.linalg.solve(normal, e[..., None])[..., 0])
+        q = q + np.clip(step, -1.5, 1.5) * scales
+    found: list[np.ndarray] = []
+    for row in np.vstack(done):
+        if not contains(arm, np.array(found), row, 1e-5):
+            found.append(row)
+    return np.array(found).reshape(-1, arm.n)

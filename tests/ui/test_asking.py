@@ -10,7 +10,7 @@ from armlab.ui.plugin import layers
 from armlab.ui.tab import COVERED
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
-from support.own_lessons import QUESTIONS, in_lesson, lesson, load, piece, to_step, write
+from support.own_lessons import ARM, QUESTIONS, in_lesson, lesson, load, piece, to_step, write
 from support.student import run
 
 
@@ -169,6 +169,10 @@ def test_the_entries_of_a_grid_stay_apart():
     assert filled(["atan2(1,2)", "0"]) == "atan2(1,2) 0"
 
 
+def test_a_unit_stays_with_its_number():
+    assert filled(["500 mm", "2 (m)"], ["1 000", "90 °"]) == "500mm 2(m); (1,000) 90°"
+
+
 # -- formulas ----------------------------------------------------------------------------------------------------
 
 
@@ -266,7 +270,7 @@ def test_a_prediction_hides_arm_and_values_until_the_first_answer(url):
         await browser.press("lesson-answer", "1")
         await browser.until(lambda: "Both links in a line" in browser.html())
         await browser.until(lambda: "Your prediction is noted." in browser.html())
-        assert "✕ Not yet" in browser.html()
+        assert "✕ Not as predicted" in browser.html()  # there is no second try
         await browser.until(lambda: len(seen.things()) > 2)
         await browser.open("joints")
         await browser.until(lambda: COVERED not in browser.html())
@@ -278,6 +282,62 @@ def test_a_prediction_hides_arm_and_values_until_the_first_answer(url):
         await browser.until(lambda: len(browser.notices) == 2)
         assert "the first one counts" in browser.notices[1]
         assert 'value="1"' in piece(browser, "lesson-answer")
+        await browser.close()
+
+    run(main())
+
+
+VALUES = """
+## Guess
+
+```question
+kind = "number"
+text = "How far is the tool?"
+answer = 1
+tolerance = 0.5
+hide = ["values"]
+```
+"""
+
+
+def test_while_values_are_hidden_the_arm_stays_and_no_overlay_tells_them(tmp_path):
+    front = ARM + 'overlays = ["projections", "frames"]\n'
+    folder = write(tmp_path, values=lesson(VALUES, front))
+
+    async def main():
+        cookie = cookie_of(address)
+        load(address, cookie, "lesson/values")
+        browser = FakeBrowser(address, cookie, "/lesson/values")
+        seen = Seen(browser)
+        await browser.connect()
+        await browser.until(lambda: "lesson-foot" in browser.html())
+        await browser.until(lambda: len(seen.things()) > 2)
+
+        def told():
+            return [name for name, on in seen.shown.items() if on and "projections" in name]
+
+        assert not told()
+        await browser.press("lesson-answer", "1")
+        await browser.until(lambda: bool(told()))
+        await browser.close()
+
+    with running_lab(lessons=folder) as address:
+        run(main())
+
+
+def test_a_teacher_s_file_does_not_tell_what_is_to_be_predicted(url):
+    async def main():
+        browser, _ = await watched(url, cookie_of(url))
+        await to_step(browser, 5)
+        await browser.open("author")
+        await browser.press("save-lesson")
+        await browser.until(lambda: bool(browser.notices))
+        assert "Answer the question of the lesson first" in browser.notices[0]
+        assert browser.downloads == {}
+        await browser.press("lesson-answer", "1")
+        await browser.until(lambda: "Your prediction is noted." in browser.html())
+        await browser.press("save-lesson")
+        await browser.until(lambda: "my_lesson.md" in browser.downloads)
         await browser.close()
 
     run(main())

@@ -2,14 +2,16 @@
 
 import asyncio
 import html
+import json
 import re
 
 import numpy as np
 import pytest
 
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.content.write_robot import robot_toml
 from armlab.content.write_table import write_table
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.session.edits import AddJoint, Convert, PasteTable, SetCell
 from armlab.session.parts.notation import Notation
@@ -25,6 +27,11 @@ from support.fake_browser import cookie_of
 from support.student import run, student
 
 PUMA = catalogue()["puma560"]
+
+TILTED = Arm.from_dh(
+    [("R", 0.1, 0.3, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)], "modified", name="Tilted", task="xy"
+)
+"""A planar arm on a slope: its task means nothing in the frame 0 of the standard table."""
 
 
 class FieldsWithoutPage:
@@ -160,6 +167,21 @@ def test_remainders_of_a_conversion_are_told_both_ways():
     panda = apply(State.initial(catalogue()["panda"]), SetCell(0, "alpha", -np.pi / 2))
     turned = apply(panda, Convert("standard"))
     assert "base: R<sub>x</sub>(−90°) moved here from row 1" in moved_lines(turned[RobotPart], units)
+
+
+def test_a_conversion_that_cannot_keep_the_task_says_so():
+    tilted = State.initial(own_robot(TILTED, "tilted", None))
+    units = units_of(tilted)
+    there = apply(tilted, Convert("standard"))[RobotPart]
+    assert there.robot.arm.task.key == "xy phi"
+    assert "in the axes of the other frame 0; it is now position (x, y) and" in moved_lines(there, units)
+    read = RobotPart.from_json(json.loads(json.dumps(there.to_json())), there.robot)
+    assert moved_lines(read, units) == moved_lines(there, units)
+    with pytest.raises(InputError, match="moved"):
+        RobotPart.from_json({**there.to_json(), "task_kept": "no"}, there.robot)
+    kept = apply(State.initial(catalogue()["planar_2r"]), Convert("modified"))[RobotPart]
+    assert "it is now" not in moved_lines(kept, units)
+    assert "task_kept" not in kept.to_json()
 
 
 def test_a_saved_file_has_a_name_it_can_be_loaded_under():

@@ -75,13 +75,14 @@ class Place:
 
     def __init__(self, folders: Iterable[Path] = ()) -> None:
         self._folders: list[Traversable] = [resources.folder("lessons")]
+        self._problems: list[str] = []
         for folder in folders:
             add_folder(folder)
             self._folders.append(folder)
 
     def all(self) -> list[Found]:
         """Return all lessons of the lab and of the folders given."""
-        return [found for folder in self._folders for found in _in(folder)]
+        return [found for folder in self._folders for found in self._in(folder)]
 
     def one(self, typed: str) -> Found:
         """Return the lesson that is meant.
@@ -111,7 +112,36 @@ class Place:
             if typed.endswith(ENDING) or not KEY.match(typed):
                 raise InputError(f"{typed}: there is no such lesson, file or folder")
             lessons()[typed]  # says which names there are
-        return _at(typed, Path(os.path.abspath(typed)))
+        return self._at(typed, Path(os.path.abspath(typed)))
+
+    def problems(self) -> list[str]:
+        """Return a line for each entry of the folders looked into that cannot be a lesson."""
+        return list(dict.fromkeys(self._problems))
+
+    def _at(self, typed: str, path: Path) -> list[Found]:
+        """Return the lessons of a file or folder, and add its folder to those of the lab."""
+        if path.is_dir() and not (path / LESSON).is_file():
+            add_folder(path)
+            found = self._in(path)
+            if not found and not self._problems:
+                raise InputError(f"{typed}: there is no lesson in this folder; expected NAME{ENDING} or NAME/{LESSON}")
+            return found
+        whole = path.parent if path.name == LESSON else path
+        if path.is_file() and (not path.name.endswith(ENDING) or path.name.lower() == README):
+            raise InputError(f"{typed}: expected a lesson, NAME{ENDING}")
+        add_folder(whole.parent)
+        found, wrong = _looked(whole.parent)
+        # Beside NAME.md there may be a folder NAME: the one that was typed is meant.
+        meant = [each for each in found if isinstance(each.source.text, Path) and _of(each.source.text, whole)]
+        if not meant:
+            refused = next((problem for name, problem in wrong if name == whole.name), "")
+            raise InputError(f"{typed}: {refused or f'expected a lesson, NAME{ENDING} or NAME/{LESSON}'}")
+        return meant
+
+    def _in(self, folder: Traversable) -> list[Found]:
+        found, wrong = _looked(folder)
+        self._problems += [f"{shown(folder.joinpath(name) if name else folder)}: {problem}" for name, problem in wrong]
+        return found
 
 
 def add_lessons_option(parser: argparse.ArgumentParser) -> None:
@@ -121,34 +151,19 @@ def add_lessons_option(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _at(typed: str, path: Path) -> list[Found]:
-    """Return the lessons of a file or folder, and add its folder to those of the lab."""
-    if path.is_dir() and not (path / LESSON).is_file():
-        add_folder(path)
-        found = _in(path)
-        if not found:
-            raise InputError(f"{typed}: there is no lesson in this folder; expected NAME{ENDING} or NAME/{LESSON}")
-        return found
-    whole = path.parent if path.name == LESSON else path
-    if path.is_file() and (not path.name.endswith(ENDING) or path.name.lower() == README):
-        raise InputError(f"{typed}: expected a lesson, NAME{ENDING}")
-    add_folder(whole.parent)
-    found = [each for each in _in(whole.parent) if each.key == whole.name.removesuffix(ENDING)]
-    # Beside NAME.md there may be a folder NAME: the one that was typed is meant.
-    meant = [each for each in found if isinstance(each.source.text, Path) and _of(each.source.text, whole)]
-    if not meant:
-        raise InputError(f"{typed}: expected a lesson, NAME{ENDING} or NAME/{LESSON}")
-    return meant
-
-
 def _of(text: Path, whole: Path) -> bool:
     return whole in (text.absolute(), text.absolute().parent)
 
 
-def _in(folder: Traversable) -> list[Found]:
-    """Return the lessons of a folder, with their files as a person at the working folder can open them."""
-    sources, _ = sources_of(folder, f"{folder.name}/")
-    return [Found(source.key, shown(source.text), source) for source in sources]
+def _looked(folder: Traversable) -> tuple[list[Found], list[tuple[str, str]]]:
+    """Return the lessons of a folder, with their files as a person at the working folder can open them.
+
+    Beside them what cannot be a lesson: its name, empty for the folder itself, and why.
+    """
+    label = f"{folder.name}/"
+    sources, wrong = sources_of(folder, label)
+    found = [Found(source.key, shown(source.text), source) for source in sources]
+    return found, [(error.file.removeprefix(label), error.problem) for error in wrong]
 
 
 def shown(file: Traversable) -> str:

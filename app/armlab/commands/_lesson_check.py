@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from armlab.commands import CommandType
@@ -36,7 +37,9 @@ def run(options: argparse.Namespace) -> int:
         raise InputError(f"--variants: expected 0 to {MOST_VARIANTS}, got {options.variants}")
     place = Place(options.lessons)
     chosen = [found for typed in options.lesson for found in place.some(typed)] if options.lesson else place.all()
-    count = 0
+    for line in place.problems():
+        print(line)
+    count = len(place.problems())
     for found in {each.file: each for each in chosen}.values():
         problems = list(problems_of(found, options.variants))
         count += len(problems)
@@ -94,8 +97,10 @@ def _played(found: Found, lesson: Lesson, told: set[tuple[int, str]]) -> Iterato
 
 def _of_error(found: Found, error: ContentError, variant: int = 0) -> str:
     where = f"variant {variant}: " if variant else ""
-    line = getattr(error, "line", 1)
-    return f"{found.file}:{line}: {where}{f'{error.key}: ' if error.key else ''}{error.problem}"
+    file, name = PurePath(found.file), PurePath(error.file).name
+    # A picture has no lines.
+    place = f"{file}:{getattr(error, 'line', 1)}" if name == file.name else str(file.with_name(name))
+    return f"{place}: {where}{f'{error.key}: ' if error.key else ''}{error.problem}"
 
 
 def _line_of(text: str, key: str) -> int:

@@ -1,8 +1,10 @@
-"""Whether what a lesson names is there: rows of the inventory, panels, switches, films."""
+"""Whether what a lesson names is there: rows of the inventory, panels, switches, films, links into the lab."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
+from urllib.parse import unquote
 
 from armlab.content import rows
 from armlab.content.actions import SetSwitch
@@ -10,8 +12,12 @@ from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.looked_at import LookedAt
 from armlab.content.lesson import Lesson, Step
+from armlab.content.lessons import lessons
+from armlab.content.robots import catalogue
 from armlab.errors import suggestion
 from armlab.session.parts.timeline import clips
+
+_LINK = re.compile(r'href="/(?P<kind>lesson|robot)/(?P<key>[^/"?#]*)')
 
 
 def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
@@ -30,6 +36,7 @@ def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
     panels, switches = _panels(), _switches()
     set_by_solution = [action.name for action in step.solution if isinstance(action, SetSwitch)]
     yield from (f"solution: {text}" for text in _unknown("switch", set_by_solution, switches))
+    yield from of_text(_texts(step))
     checks = [] if step.check is None else [step.check.check, *(wrong.check for wrong in step.check.wrong)]
     for looked in (found for check in checks for found in _looked_at(check)):
         yield from (f"check: {text}" for text in _unknown("panel", [looked.panel], panels))
@@ -37,6 +44,23 @@ def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
         yield from (f"check: {text}" for text in _unknown("film", [looked.film], clips()))
         if looked.panel and looked.panel in lesson.hidden:
             yield f"check: the panel {looked.panel!r} is to be opened, and the lesson hides it"
+
+
+def of_text(html: str) -> Iterator[str]:
+    """Yield the links of a text to lessons and arms that are not there."""
+    known: dict[str, Iterable[str]] = {"lesson": lessons().lessons, "robot": catalogue().robots}
+    for link in _LINK.finditer(html):
+        yield from (f"link: {text}" for text in _unknown(link["kind"], [unquote(link["key"])], known[link["kind"]]))
+
+
+def _texts(step: Step) -> str:
+    """Return all that is to be read at a step."""
+    texts = [step.html, *step.hints, step.reveal_html]
+    if step.question is not None:
+        texts += [step.question.html, *(wrong.says for wrong in step.question.wrong)]
+    if step.check is not None:
+        texts += [wrong.says for wrong in step.check.wrong]
+    return "".join(texts)
 
 
 def _looked_at(check: Check) -> Iterator[LookedAt]:

@@ -10,6 +10,8 @@ import hashlib
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from markdown_it.token import Token
+
 from armlab.content import robots
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_fields import Fields
@@ -72,6 +74,7 @@ def parse_lesson(
     if not sections:
         line = before + body.count("\n") + 1
         raise LessonError(file, "", "expected at least one step, a section that begins with '## Title'", line)
+    _only_text(setting, intro)
     intro_html = prose.html(intro, "introduction", before)
     return Lesson(
         key=key,
@@ -97,6 +100,15 @@ def parse_lesson(
         live=prose.used,
         steps=tuple(read_step(setting, i + 1, section) for i, section in enumerate(sections)),
     )
+
+
+def _only_text(setting: Setting, intro: list[Token]) -> None:
+    """Refuse a block that belongs to a step: in an introduction nobody would check, ask or open it."""
+    for token in intro:
+        name = token.info.strip() if token.type == "fence" else ""
+        if name in (*TABLES, *TEXTS):
+            problem = f"expected a block {name!r} in a step, after its '## Title'; it stands before the first one"
+            raise LessonError(setting.file, "introduction", problem, setting.line(token))
 
 
 def digest_of(text: str, pictures: Mapping[str, str] | None = None) -> str:

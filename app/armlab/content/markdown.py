@@ -36,6 +36,17 @@ _ATTRIBUTES = re.compile(
     "|accentunder|displaystyle|scriptlevel|notation"
 )
 _VALUE = re.compile(r"[\w .,%#+-]*")
+_REASONS = {
+    "NoAvailableTokens": "it ends too early; a brace or an argument is missing",
+    "Index": "it ends too early; a brace or an argument is missing",
+    "MissingEnd": "a \\end{...} is missing",
+    "ExtraLeftOrMissingRight": "a \\right to a \\left is missing",
+    "MissingSuperScriptOrSubscript": "something is missing after ^ or _",
+    "DoubleSubscripts": "there are two indices _ in a row",
+    "DoubleSuperscripts": "there are two exponents ^ in a row",
+}
+"""What the converter means by its exceptions."""
+
 _PARTS = {
     **dict.fromkeys(("mfrac", "mroot", "msub", "msup", "munder", "mover"), 2),
     **dict.fromkeys(("msubsup", "munderover"), 3),
@@ -57,7 +68,8 @@ def formula(latex: str, block: bool = False) -> str:
         hyphens = latex.replace("\u2212", "-")  # the converter knows them as minus signs, and no others
         converted: str = latex2mathml.converter.convert(hyphens, display="block" if block else "inline")
     except Exception as error:  # the converter has no common exception, and fails with IndexError as well
-        reason = type(error).__name__.removesuffix("Error")
+        name = type(error).__name__.removesuffix("Error")
+        reason = _REASONS.get(name) or re.sub(r"(?<!^)(?=[A-Z])", " ", name).lower()
         raise InputError(f"the formula ${latex}$ cannot be converted: {reason}") from None
     try:
         root = ElementTree.fromstring(_well_formed(converted))

@@ -46,10 +46,12 @@ class Remainders:
     """What a conversion moved: ``after.base = before.base @ base`` and ``after.tool = tool @ before.tool``.
 
     A tool that was taken into the last row has moved the other way, and its entries have the other sign.
+    ``task_kept`` says whether the arm still controls what it did; see `task_kept`.
     """
 
     base: Link
     tool: Link
+    task_kept: bool = True
 
 
 def converted(arm: Arm, convention: Convention) -> Arm:
@@ -100,9 +102,9 @@ def remainders(before: Arm, after: Arm) -> Remainders:
     if before.convention == after.convention:
         return Remainders(nothing, nothing)
     if after.convention == "modified":
-        return Remainders(nothing, _last(before))
+        return Remainders(nothing, _last(before), task_kept(before, after))
     taken = _last(after)
-    return Remainders(_links(before)[0], Link(0.0 - taken.a, 0.0 - taken.alpha))
+    return Remainders(_links(before)[0], Link(0.0 - taken.a, 0.0 - taken.alpha), task_kept(before, after))
 
 
 def task_kept(before: Arm, after: Arm) -> bool:

@@ -8,11 +8,13 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import dataclass
+from html import escape
 from html.parser import HTMLParser
 
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
 from armlab.content.observation import Observation
+from armlab.content.typed_formula import typed_formula
 from armlab.errors import ArmlabError, InputError
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.lesson import LessonPart, same_table, signed
@@ -25,6 +27,11 @@ MOST = 1_000_000
 
 LONGEST_KEY = 64
 """Characters of the name of a lesson."""
+
+OF_THE_STUDENT = ("lesson", "shelf")
+"""Keys of the parts that are no state of the lab: the file has the progress of its own lesson only."""
+
+_MATH = re.compile("<math.*?</math>", re.DOTALL)
 
 
 def hand_in(state: State) -> str:
@@ -47,7 +54,8 @@ def hand_in(state: State) -> str:
         "variant": found.variant,
         "digest": found.digest,
         "progress": written(part.progress),
-        "parts": {each.key: each.to_json() for each in state if each.key not in ("lesson", "shelf")},
+        # Before a prediction the state would tell what is to be predicted.
+        "parts": {} if part.hides else {each.key: each.to_json() for each in state if each.key not in OF_THE_STUDENT},
     }
     return json.dumps(data, indent=1, ensure_ascii=False)
 
@@ -232,13 +240,13 @@ def printable(text: str) -> str:
 
 
 def plain(html: str) -> str:
-    """Return the text of markup on one line.
+    """Return the text of markup on one line; formulas as they would be typed.
 
-    >>> plain("<p>one &lt; <b>two</b></p>")
-    'one < two'
+    >>> plain("<p>one &lt; <b>two</b></p>"), plain("<math><mfrac><mn>1</mn><msqrt><mn>3</mn></msqrt></mfrac></math>")
+    ('one < two', '1/√3')
     """
     parser = _Text()
-    parser.feed(html)
+    parser.feed(_MATH.sub(lambda found: escape(typed_formula(found[0])), html))
     parser.close()
     return " ".join("".join(parser.found).split())
 

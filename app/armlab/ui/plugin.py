@@ -43,6 +43,8 @@ class Panel:
         called at once.
     tab : str
         Key of the panel whose tab it shares as one of its pages; empty for a tab of its own.
+    page : str
+        What its page is called where that is not its title, which a first page lends to its tab.
     rebuilds : tuple of part types
         ``build`` is called anew when one of these has changed: another arm, other units.
     see_through : bool
@@ -66,6 +68,7 @@ class Panel:
     watches: tuple[type[Part], ...]
     build: Callable[[Gui, State, Post], Show]
     tab: str = ""
+    page: str = ""
     rebuilds: tuple[type[Part], ...] = (RobotPart, Notation)
     see_through: bool = False
     hides: tuple[str, ...] = ()
@@ -95,6 +98,8 @@ class Layer:
         Key of the panel with which it comes and goes; empty when it does not.
     hides : tuple of str
         Keys of layers that say the same in fewer words, and are hidden while its switch is on.
+    silent : bool
+        Whether it tells no numbers and shows no results, and may stay while a question of a lesson hides the values.
     """
 
     key: str
@@ -104,6 +109,7 @@ class Layer:
     switch: Switch | None = None
     panel: str = ""
     hides: tuple[str, ...] = ()
+    silent: bool = False
 
 
 @cache

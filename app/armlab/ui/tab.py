@@ -78,7 +78,14 @@ class Tab:
             return
         channel = self._head.channel_id
         pages = "".join(
-            button(channel, key, escaped(page.title), "page", role="tab", aria_selected=str(key == self.page).lower())
+            button(
+                channel,
+                key,
+                escaped(page.page or page.title),
+                "page",
+                role="tab",
+                aria_selected=str(key == self.page).lower(),
+            )
             for key, page in self.pages.items()
             if key not in self._hidden
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from armlab.kin.ik import Verdict
+from armlab.session.parts.target import Judged
 from armlab.ui.format import capitalised, escaped
 from armlab.ui.units import Units
 
@@ -44,11 +45,18 @@ def verdict_card(verdict: Verdict, units: Units) -> str:
     """Return the verdict as a coloured card with a sign and words."""
     kind = verdict_kind(verdict)
     head, body = verdict_words(verdict, units)
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {capitalised(escaped(head))}</b>{escaped(body)}</div>'
+    notes = "".join(f"<p>{capitalised(escaped(note))}.</p>" for note in notes_of(verdict))
+    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {capitalised(escaped(head))}</b>{escaped(body)}{notes}</div>'
 
 
 def verdict_line(verdict: Verdict, units: Units) -> str:
     """Return the verdict in one line."""
     kind = verdict_kind(verdict)
     head, body = verdict_words(verdict, units)
-    return f'<b class="{kind}">{SIGNS[kind]} {escaped(head)}</b> {escaped(body)}'
+    notes = "".join(f'<i class="note">{escaped(note)}</i>' for note in notes_of(verdict))
+    return f'<b class="{kind}">{SIGNS[kind]} {escaped(head)}</b> {escaped(body)}{notes}'
+
+
+def notes_of(verdict: Verdict) -> tuple[str, ...]:
+    """Return what else there is to say: a branch that was crossed, a singularity that is near."""
+    return verdict.notes if isinstance(verdict, Judged) else ()

@@ -120,8 +120,11 @@ class View:
 
     def _hidden(self, state: State) -> frozenset[str]:
         """Return the keys of layers that are in the way of an open panel, or of a layer that is switched on."""
-        if "arm" in state[LessonPart].hides:
+        predicted = state[LessonPart].hides
+        if "arm" in predicted:
             return frozenset(layers()) - OF_THE_ROOM
+        if predicted:
+            return frozenset(key for key, layer in layers().items() if not layer.silent)
         on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
         opened = [panels()[key] for key in self.open_panels]
         hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.content.expressions import parse
+from armlab.content.quantities import UNITS, read_quantity
 from armlab.content.symbols import MINUS_SIGNS
 from armlab.errors import InputError
 
@@ -18,7 +19,7 @@ _SIGNS = str.maketrans({**dict.fromkeys(MINUS_SIGNS, "-"), **dict.fromkeys("\u00
 _MADE_BY = re.compile(r"\b(?:np\.|numpy\.|sp\.|sympy\.)?(?:array|matrix|Matrix)\s*\(")
 
 
-def read_matrix(text: str, shape: tuple[int, int]) -> NDArray[np.float64]:
+def read_matrix(text: str, shape: tuple[int, int], unit: str = "") -> NDArray[np.float64]:
     """Return a matrix as typed; its entries are formulas such as ``sqrt(2)/2``.
 
     Parameters
@@ -26,6 +27,8 @@ def read_matrix(text: str, shape: tuple[int, int]) -> NDArray[np.float64]:
     text : str
     shape : tuple of int
         The shape that is asked: of the ways a row can be split the one that gives it is taken.
+    unit : str
+        In which the entries are returned; one may have a unit of its own, ``500mm``.
 
     Returns
     -------
@@ -35,7 +38,8 @@ def read_matrix(text: str, shape: tuple[int, int]) -> NDArray[np.float64]:
     Raises
     ------
     InputError
-        An entry cannot be read, or the rows differ in length; the text names row and column.
+        An entry cannot be read, is missing (``?``) or has another kind of unit, or the rows differ in length; the
+        text names row and column.
     """
     if len(text) > LONGEST:
         raise InputError(f"A matrix has at most {LONGEST} characters; this has {len(text)}.")
@@ -47,7 +51,7 @@ def read_matrix(text: str, shape: tuple[int, int]) -> NDArray[np.float64]:
     if len({len(row) for row in entries}) > 1:
         lengths = ", ".join(str(len(row)) for row in entries)
         raise InputError(f"The rows differ in length: they have {lengths} entries.")
-    return np.array([[_entry(word, i, k) for k, word in enumerate(row, 1)] for i, row in enumerate(entries, 1)])
+    return np.array([[_entry(word, i, k, unit) for k, word in enumerate(row, 1)] for i, row in enumerate(entries, 1)])
 
 
 def _lines(text: str) -> list[str]:
@@ -101,8 +105,28 @@ def _outside(line: str, separator: str) -> list[str]:
     return parts
 
 
-def _entry(word: str, i: int, k: int) -> float:
+def _entry(word: str, i: int, k: int, unit: str) -> float:
+    place = f"Row {i}, column {k}"
+    if word == "?":
+        raise InputError(f"{place} is empty.")
     try:
         return parse(word).value({})
     except InputError as error:
-        raise InputError(f"Row {i}, column {k}: {error}") from None
+        value = _with_unit(word, place, unit)
+        if value is None:
+            raise InputError(f"{place}: {error}") from None
+        return value
+
+
+def _with_unit(word: str, place: str, unit: str) -> float | None:
+    """Return an entry that has a unit of its own, or None when it has none."""
+    try:
+        number, own = read_quantity(word)
+    except InputError:
+        return None
+    if own is None:
+        return None
+    (asked, size), (kind, own_size) = UNITS[unit], UNITS[own]
+    if kind != asked:
+        raise InputError(f"{place}: this is {kind}; write {f'{asked} in {unit}' if unit else 'the number alone'}.")
+    return number * own_size / size

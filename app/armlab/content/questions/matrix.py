@@ -61,7 +61,7 @@ class MatrixQuestion:
     def judge(self, text: str) -> Verdict:
         """Return the verdict on a matrix as typed; a vector may be written as a row or as a column."""
         try:
-            got = read_matrix(text, (self.answer.shape[0], self.answer.shape[1]))
+            got = read_matrix(text, (self.answer.shape[0], self.answer.shape[1]), self.unit)
         except InputError as error:
             return unreadable(error)
         if 1 in self.answer.shape and got.shape == self.answer.T.shape:

@@ -119,6 +119,14 @@
     }
   });
 
+  // <div data-chan=ID data-cell=NAME data-pick>: where it is clicked, as parts of its box from the upper left corner.
+  document.addEventListener('click', event => {
+    const picked = event.target.closest?.('[data-pick]');
+    if (!picked) return;
+    const box = picked.getBoundingClientRect();
+    send(picked, `${(event.clientX - box.left) / box.width},${(event.clientY - box.top) / box.height}`);
+  });
+
   // A field that is left is sent, and its answer may replace the button that is being pressed: the press counts.
   let down = null;
   document.addEventListener('pointerdown', event => { down = event.target.closest?.('button[data-chan]'); }, true);

@@ -1,6 +1,11 @@
-"""Inverse kinematics: `solve` for one solution, `judge` for what a configuration is worth, `methods` for the ways.
+"""Inverse kinematics.
 
-`iterate` runs a method as a lesson shows it, every step recorded; `basins` maps which solution it reaches from where.
+`solve` finds one solution and `solve_batch` one for each of many poses, by any of the `methods` and
+`iteration_methods`; `solve_all` finds all of them, `self_motion` the curve of a redundant arm; `judge` says what a
+configuration is worth.
+
+`iterate` runs a method as a lesson shows it, every step recorded, and `transpose_flow` the continuous scheme; `basins`
+maps which solution a method reaches from where.
 """
 
 from armlab.kin.ik.iterate import (
@@ -18,27 +23,36 @@ from armlab.kin.ik.iterate import (
     transpose_flow,
 )
 from armlab.kin.ik.method import Method, method_named, methods
+from armlab.kin.ik.poses import IkBatch, solve_batch
+from armlab.kin.ik.self_motion import self_motion
+from armlab.kin.ik.solutions import IkSolutions
 from armlab.kin.ik.solve import IkResult, solve
+from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.ik.verdict import Verdict, judge
 
 __all__ = [
-    "IkResult",
-    "Method",
-    "Verdict",
-    "judge",
-    "method_named",
-    "methods",
-    "solve",
     "Basins",
     "Flow",
+    "IkBatch",
+    "IkResult",
+    "IkSolutions",
     "IterationMethod",
+    "Method",
     "TaskVector",
     "Trace",
+    "Verdict",
     "basins",
     "iterate",
     "iteration_method",
     "iteration_methods",
+    "judge",
+    "method_named",
+    "methods",
     "newton_1d",
+    "self_motion",
+    "solve",
+    "solve_all",
+    "solve_batch",
     "task_vector",
     "transpose_flow",
 ]

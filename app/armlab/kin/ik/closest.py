@@ -10,7 +10,8 @@ and for the orientation, with rotation R = [r_1 r_2 r_3], target [t_1 t_2 t_3] a
 
     d2 (sum r_k . t_k) / dq_i dq_j = z_i^T M z_j - (z_i . z_j) tr M
 
-The squared distance is |position error|^2 / length scale^2 + 2 - 2 cos(theta), the same as everywhere.
+The squared distance is |position error|^2 / length scale^2 + 2 - 2 cos(theta), the same as everywhere; weights of the
+components multiply its parts by their squares.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from armlab.kin.graph.expression import Number
 from armlab.kin.graph.kernel import Kernel
 from armlab.kin.graph.vector import Vector
 from armlab.kin.ik.problem import FLOOR, Errors, Linearised, Posed, TaskError
+from armlab.kin.ik.weights import Weights
 
 NONE: Vector = (0.0, 0.0, 0.0)
 
@@ -42,7 +44,7 @@ class Closest(TaskError):
     ) -> Linearised:
         """Return one step at ``q`` and the errors there."""
         numbers = self._compiled(*q, *target, *([1.0] * self.arm.n if free is None else free), gain)
-        return Linearised(numbers[:-3], self._errors(numbers[-3:]))
+        return Linearised(numbers[: self._n], self._errors(numbers[self._n :]))
 
     def curve(
         self, q: Sequence[float], target: Sequence[float], free: Sequence[float]
@@ -52,18 +54,18 @@ class Closest(TaskError):
         Both in scaled joint variables; zero for joints that are not free.
         """
         n = self.arm.n
-        numbers = self._curved(*q, *target, *free)
-        return np.array(numbers[:n]), np.array(numbers[n:-3]).reshape(n, n), self._errors(numbers[-3:])
+        numbers, end = self._curved(*q, *target, *free), n + n * n
+        return np.array(numbers[:n]), np.array(numbers[n:end]).reshape(n, n), self._errors(numbers[end:])
 
     @cached_property
     def _curved(self) -> Callable[..., tuple[float, ...]]:
-        posed = Posed(self.arm, holds=True)
+        posed = Posed(self.arm, True, self.weights)
         H = [entry for row in _scaled_curvature(self.arm, posed) for entry in row]
         return Kernel(posed.graph, [*posed.slope, *H, *posed.squares], self._inputs()).scalar
 
     @cached_property
     def _compiled(self) -> Callable[..., tuple[float, ...]]:
-        posed = Posed(self.arm, holds=True)
+        posed = Posed(self.arm, True, self.weights)
         mu = posed.cost * posed.graph.variable(self._inputs()) + FLOOR
         H = _scaled_curvature(self.arm, posed)
         for i in range(self.arm.n):
@@ -83,21 +85,26 @@ def _scaled_curvature(arm: Arm, posed: Posed) -> list[list[Number]]:
 def _curvature(arm: Arm, posed: Posed) -> list[list[Number]]:
     """Return the second derivatives (n, n) of half the squared scaled distance, in joint variables."""
     n, coordinates = arm.n, arm.task.coordinates
-    far = [posed.far[k] / arm.length_scale**2 for k in coordinates]
+    far = [posed.far[k] * pull for k, pull in zip(coordinates, posed.pulls, strict=True)]
     moves = [[column[k] for k in coordinates] for column in posed.linear]
     curvature: list[list[Number]] = [[0.0] * n for _ in range(n)]
     for i in range(n):
         turned = [vec.dot(posed.angular[i], column) for column in zip(*posed.overlap, strict=True)]
         for j in range(i, n):
             bend = vec.cross(posed.angular[i], posed.linear[j])
-            entry = vec.dot(moves[i], moves[j]) / arm.length_scale**2 - vec.dot(far, [bend[k] for k in coordinates])
+            pulled = [value * pull for value, pull in zip(moves[j], posed.pulls, strict=True)]
+            placed = vec.dot(moves[i], pulled) - vec.dot(far, [bend[k] for k in coordinates])
             trace = posed.overlap[0][0] + posed.overlap[1][1] + posed.overlap[2][2]
-            entry = entry + vec.dot(posed.angular[i], posed.angular[j]) * trace - vec.dot(turned, posed.angular[j])
-            curvature[i][j] = curvature[j][i] = entry
+            turning = vec.dot(posed.angular[i], posed.angular[j]) * trace - vec.dot(turned, posed.angular[j])
+            curvature[i][j] = curvature[j][i] = placed + posed.turn_pull * turning
     return curvature
 
 
-@lru_cache(maxsize=64)
-def closest_of(arm: Arm) -> Closest:
+def closest_of(arm: Arm, weights: Weights | None = None) -> Closest:
     """Return the compiled solver of an arm (arms are compared by identity)."""
-    return Closest(arm)
+    return _closest_of(arm, weights)
+
+
+@lru_cache(maxsize=64)
+def _closest_of(arm: Arm, weights: Weights | None) -> Closest:
+    return Closest(arm, weights)

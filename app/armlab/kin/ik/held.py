@@ -19,6 +19,9 @@ from armlab.kin.transforms import inverse, transform
 
 Vector = NDArray[np.float64]
 
+ROUNDING = 1e-13
+"""Of the length scale: shorter lengths of the arm that is left are zero."""
+
 
 def checked_held(arm: Arm, held: Mapping[int, float] | None) -> dict[int, float]:
     """Return held joints, 0-based, from a mapping of 1-based joints to values in rad or m.
@@ -65,16 +68,18 @@ def with_held(arm: Arm, held: Mapping[int, float]) -> Arm | None:
     x, place = start[:3, 0], start[:3, 3]
     for j, k in pairwise(range(len(kept))):
         normal = common_normal(Line(place, s.z[j]), Line(s.o[k], s.z[k]), scale=arm.length_scale)
-        d = float((normal.foot1 - place) @ s.z[j])
+        d = _length(float((normal.foot1 - place) @ s.z[j]), arm)
         rows.append(Row("R" if s.kinds[j] == "R" else "P", normal.a, normal.alpha, d, _turn(x, normal.normal, s.z[j])))
         x, place = normal.normal, normal.foot2
     rows.append(Row("R" if s.kinds[-1] == "R" else "P"))
     z = s.z[-1]
     end = transform(np.column_stack([x, np.cross(z, x), z]), place)
+    tool = _orthonormal(inverse(end) @ s.home)
+    tool[:3, 3] = [_length(value, arm) for value in tool[:3, 3].tolist()]
     return Arm.from_dh(
         rows,
         base=_orthonormal(arm.base @ start),
-        tool=_orthonormal(inverse(end) @ s.home),
+        tool=tool,
         limits=arm.limits[kept],
         task=arm.task,
         name=arm.name,
@@ -105,6 +110,11 @@ def _any_frame(z: Vector, o: Vector) -> Vector:
     x = np.cross(z, np.eye(3)[int(np.argmin(np.abs(z)))])
     x = x / np.linalg.norm(x)
     return np.asarray(transform(np.column_stack([x, np.cross(z, x), z]), o), dtype=np.float64)
+
+
+def _length(value: float, arm: Arm) -> float:
+    """Return a length, 0 for rounding: of an arm without lengths it would be the scale."""
+    return 0.0 if abs(value) < ROUNDING * arm.length_scale else value
 
 
 def _turn(x: Vector, to: Vector, z: Vector) -> float:

@@ -1,4 +1,8 @@
-"""The shared loops of the numerical methods: a free descent for solving, and one inside limits for following a hand."""
+"""The shared loops of the compiled methods: a free descent for solving, and one inside limits for following a hand.
+
+Both help a method along: they clip, shorten or repeat its steps, and stop as soon as nothing is left to gain. The loop
+of `armlab.kin.ik.iterate` does none of this, because a lesson shows what a method does by itself.
+"""
 
 from __future__ import annotations
 
@@ -53,15 +57,21 @@ class Descent:
 
 def arrived(errors: Errors) -> bool:
     """Return whether the scaled error is within `TOLERANCE` and, which is more for a very long arm, reached."""
-    return errors.cost <= TOLERANCE**2 and errors.reached
+    return errors.scaled2 <= TOLERANCE**2 and errors.reached
 
 
 def descend(
-    problem: Problem, target: Sequence[float], q0: Sequence[float], free: Sequence[float] | None, limit: int
+    problem: Problem,
+    target: Sequence[float],
+    q0: Sequence[float],
+    free: Sequence[float] | None,
+    limit: int,
+    path: list[list[float]] | None = None,
 ) -> Descent:
     """Iterate without limits on the joints; the caller wraps the angles and looks at the limits.
 
-    The plain method: each step is taken as it comes, only clipped to `MAX_STEP`.
+    The plain method: each step is taken as it comes, only clipped to `MAX_STEP`. All iterates after ``q0`` are added to
+    ``path`` where there is one.
     """
     q, gain = list(q0), problem.gain
     largest = _largest_steps(problem)
@@ -73,6 +83,8 @@ def descend(
             value + (dq if -most < dq < most else _clip(dq, most))
             for value, dq, most in zip(q, at.step, largest, strict=True)
         ]
+        if path is not None:
+            path.append(q)
         at = problem.linearise(q, target, gain, free)
     return Descent(q, at.errors, limit)
 

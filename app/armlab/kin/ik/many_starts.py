@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ik.many_at_once import damped_steps, many_at_once
 from armlab.kin.ik.verdict import task_error_of
 
 Vector = NDArray[np.float64]
@@ -56,9 +57,9 @@ def many_starts(
     for joint, value in (held or {}).items():
         q[:, joint], free[joint] = value, 0.0
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
-    done = []
+    batch, done = many_at_once(arm), []
     for _ in range(STEPS):
-        J, e = _linearised(arm, q, G)
+        J, e = batch.linearised(q, G)
         size = np.einsum("ki,ki->k", e, e)
         arrived = size <= NEAR**2
         if arrived.any():
@@ -66,48 +67,5 @@ def many_starts(
             q, J, e, size = q[~arrived], J[~arrived], e[~arrived], size[~arrived]
         if not len(q):
             break
-        J = J * free
-        normal = J @ np.swapaxes(J, 1, 2) + (DAMPING * size + FLOOR)[:, None, None] * np.eye(J.shape[1])
-        step = np.einsum("kij,ki->kj", J, np.linalg.solve(normal, e[..., None])[..., 0])
-        q = q + np.clip(step, -LONGEST, LONGEST) * scales
+        q = q + np.clip(damped_steps(J * free, e, DAMPING * size + FLOOR), -LONGEST, LONGEST) * scales
     return np.vstack(done) if done else np.empty((0, arm.n))
-
-
-def _linearised(arm: Arm, q: Vector, G: NDArray[np.floating]) -> tuple[Vector, Vector]:
-    """Return the scaled task Jacobian (k, m, n) and error (k, m) of a batch; see `armlab.kin.ik.problem.Posed`."""
-    turn, L = arm.base[:3, :3].T, arm.length_scale
-    tool = np.asarray(arm.fk(q), dtype=np.float64)
-    R = turn @ tool[:, :3, :3]
-    p = (tool[:, :3, 3] - arm.base[:3, 3]) @ turn.T
-    whole = np.asarray(arm.jacobian(q), dtype=np.float64)
-    linear, angular = turn @ whole[:, :3], turn @ whole[:, 3:]
-    far = (G[:3, 3] - p)[:, arm.task.coordinates] / L
-    rows, errors = [linear[:, arm.task.coordinates] / L], [far]
-    kind = arm.task.rotation
-    if kind != "none":
-        turned = _turn(kind, R, np.asarray(G[:3, :3]))
-        if kind == "phi":
-            rows.append(angular[:, 2:])
-            errors.append(turned[:, 2:])
-        elif kind == "approach":
-            rows.append(np.swapaxes(R[:, :, :2], 1, 2) @ angular)
-            errors.append(np.einsum("kji,kj->ki", R[:, :, :2], turned))
-        else:
-            rows.append(angular)
-            errors.append(turned)
-    scales = np.where(arm.revolute, 1.0, L)
-    return np.concatenate(rows, axis=1) * scales, np.concatenate(errors, axis=1)
-
-
-def _turn(kind: str, R: Vector, wanted: Vector) -> Vector:
-    """Return 2 sin(theta / 2) times the axis of the controlled turn to the wanted orientation, shape (k, 3)."""
-    goal = wanted.copy()
-    columns, weight = slice(0, 3), 0.5
-    if kind == "approach":
-        columns, weight = slice(2, 3), 1.0
-    elif kind == "phi":
-        goal[2] = 0.0
-    present, goals = R[:, :, columns], np.broadcast_to(goal[:, columns], R[:, :, columns].shape)
-    turned = weight * np.cross(present, goals, axis=1).sum(axis=2)
-    cosine = weight * (present * goals).sum(axis=(1, 2)) - (0.5 if kind == "full" else 0.0)
-    return np.asarray(turned / np.sqrt(np.abs(0.5 + 0.5 * cosine) + 1e-9)[:, None])

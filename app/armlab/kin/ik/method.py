@@ -1,4 +1,9 @@
-"""What a numerical method of inverse kinematics is: a rule for one step. Loop, limits and stopping are shared."""
+"""What a compiled method of inverse kinematics is: a rule for one step. Loop, limits and stopping are shared.
+
+A step is written once with + - * / and runs on expressions, which makes it fast enough to be behind every drag. Methods
+for lessons (`armlab.kin.ik.iterate.method`) may use anything, singular values and memory among it, take several
+parameters, and run on many configurations at once: another kind of rule, so another class and another folder.
+"""
 
 from __future__ import annotations
 
@@ -18,6 +23,8 @@ Rows of positions are divided by the arm's length scale and prismatic columns mu
 pure numbers of the size of radians.
 """
 
+Damping = Callable[[Any, Any], Any]
+
 
 @dataclass(frozen=True)
 class Method:
@@ -34,9 +41,9 @@ class Method:
         compiled. Otherwise it is called with NumPy arrays.
     gain : float
         Default of the method's parameter (damping, step size).
-    damped : bool
-        Whether a larger gain means a shorter, safer step: the loop then raises it when a step fails, and shortens the
-        step otherwise.
+    damping : callable, optional
+        ``damping(square, gain)``: the number the step adds to the diagonal of J J^T where e^T e is ``square``. A larger
+        gain then means a shorter, safer step: the loop raises it when a step fails, and shortens the step otherwise.
     closed : bool
     """
 
@@ -45,18 +52,23 @@ class Method:
     order: int
     step: Step
     gain: float
-    damped: bool = False
+    damping: Damping | None = None
     closed: bool = True
+
+    @property
+    def damped(self) -> bool:
+        """Whether a larger gain means a shorter, safer step."""
+        return self.damping is not None
 
 
 @cache
 def methods() -> dict[str, Method]:
-    """Return all methods by key, in the order of lists."""
+    """Return all compiled methods by key, in the order of lists."""
     return discover(_folder, "METHOD", Method)
 
 
 def method_named(key: str) -> Method:
-    """Return a method by key."""
-    if key not in methods():
+    """Return a compiled method by key; `UnknownName` when there is none."""
+    if not isinstance(key, str) or key not in methods():
         raise UnknownName("method", key, methods())
     return methods()[key]

@@ -19,21 +19,28 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.checks import whole_number
+from armlab.kin.ik.rest import AT
 from armlab.kin.ik.verdict import joint_values, task_error_of
 
 Vector = NDArray[np.float64]
 
-STEP = 0.1
+STEP = 0.15
 """Length of a step, radians or length scales."""
 
 LEAST_STEP = 1e-3
 """A step that has to be shorter than this ends the curve."""
 
 MOST_STEPS = 2000
-"""In each direction: about 200 rad of travel."""
+"""In each direction: about 300 rad of travel."""
 
-EXACT = 1e-11
+EXACT = 1e-12
 """Scaled error of a point on the curve; Newton steps leave a much smaller one."""
+
+FLOOR = 1e-13
+"""Keeps normal equations solvable at singular places; steps elsewhere do not feel it."""
+
+AT_LIMIT, LIMIT_STEPS = 1e-11, 40
+"""Radians, or length scales, at which a joint is at its limit, and how often that is tried; about six are enough."""
 
 RANK = 1e-7
 """Singular values of the scaled task Jacobian below this, relative to the largest, are zero."""
@@ -47,6 +54,8 @@ class SelfMotion:
     ----------
     q : ndarray, shape (m, n)
         Points in order, about `STEP` apart; a single one where nothing can move. Angles are continuous.
+    target : ndarray, shape (4, 4)
+        What the tool does not leave.
     closed : bool
         Whether the last point is followed by the first, maybe whole turns on.
     freedom : int
@@ -54,12 +63,20 @@ class SelfMotion:
         an isolated solution.
     stops : tuple of int
         0-based joints whose limits stop it at its first and last point; -1 where it ends for another reason.
+    bounds : ndarray, shape (2, n)
+        Least and greatest joint values it was followed to.
     """
 
     q: Vector
+    target: Vector
     closed: bool
     freedom: int
     stops: tuple[int, int]
+    bounds: Vector
+
+    def admits(self, q: Vector) -> bool:
+        """Return whether joint values (n,) are inside the limits of this motion."""
+        return bool(np.all((q >= self.bounds[0] - AT) & (q <= self.bounds[1] + AT)))
 
 
 def self_motion(arm: Arm, q: ArrayLike, count: int, *, limits: bool = True) -> Vector:
@@ -87,7 +104,8 @@ def self_motion(arm: Arm, q: ArrayLike, count: int, *, limits: bool = True) -> V
     """
     count = whole_number(count, "count", 2)
     values = joint_values(arm, q, "q")
-    return evenly(arm, trace_self_motion(arm, values, limits=limits), count)
+    target = np.asarray(arm.fk(values), dtype=np.float64)
+    return evenly(arm, trace_self_motion(arm, values, target, limits=limits), count)
 
 
 def evenly(arm: Arm, motion: SelfMotion, count: int) -> Vector:
@@ -95,44 +113,54 @@ def evenly(arm: Arm, motion: SelfMotion, count: int) -> Vector:
     curve = motion.q
     if len(curve) == 1:
         return curve.copy()
-    tracer = _Tracer(arm, curve[0], limits=False)
+    tracer = _Tracer(arm, curve[0], motion.target, limits=False)
     points = np.vstack([curve, _around(arm, curve)]) if motion.closed else curve
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0) / tracer.scales, axis=1))])
     wanted = np.linspace(0.0, along[-1], count, endpoint=not motion.closed)
     guesses = np.array([np.interp(wanted, along, points[:, i]) for i in range(arm.n)]).T
-    back = (tracer.corrected(guess) for guess in guesses)
-    # Where a guess does not come back the nearest point of the curve does as well.
-    nearest = (curve[min(int(np.argmin(np.abs(along - s))), len(curve) - 1)] for s in wanted)
-    return np.array([one if one is not None else other for one, other in zip(back, nearest, strict=True)])
+    found = []
+    for s, guess in zip(wanted, guesses, strict=True):
+        nearest = curve[min(int(np.argmin(np.abs(along - s))), len(curve) - 1)]
+        back = tracer.corrected(guess)
+        # Where a guess does not come back, or over a limit, the nearest point of the curve does as well.
+        found.append(nearest if back is None or not motion.admits(back) else back)
+    return np.array(found)
 
 
-def trace_self_motion(arm: Arm, q: ArrayLike, *, limits: bool = True) -> SelfMotion:
-    """Return the self-motion through a configuration, as far as it goes; see `self_motion`."""
-    values = joint_values(arm, q, "q")
-    tracer = _Tracer(arm, values, limits)
-    start = tracer.null_space(values)
+def trace_self_motion(arm: Arm, q: Vector, T: Vector, *, limits: bool = True, steps: int = MOST_STEPS) -> SelfMotion:
+    """Return the self-motion through a solution q (n,) for a target T (4, 4) in the world, as far as it goes.
+
+    The target and not the tool's own pose: of hands that are tilted differently two may have the angle phi of a third
+    and not that of each other. For ``limits`` see `self_motion`; ``steps`` are taken at most in each direction.
+    """
+    tracer = _Tracer(arm, q, T, limits)
+    start = tracer.null_space(q)
     freedom = start.shape[1]
+    bounds = np.array([tracer.low, tracer.high])
     if freedom == 0:
-        return SelfMotion(values[None], False, 0, (-1, -1))
+        return SelfMotion(q[None], T, False, 0, (-1, -1), bounds)
     direction = _canonical(start)
-    ahead, closed, last = tracer.follow(values, direction)
+    ahead, closed, last = tracer.follow(q, direction, steps)
     if closed:
-        return SelfMotion(np.array(ahead), True, freedom, (-1, -1))
-    behind, _, first = tracer.follow(values, -direction)
-    return SelfMotion(np.array([*behind[:0:-1], *ahead]), False, freedom, (first, last))
+        return SelfMotion(np.array(ahead), T, True, freedom, (-1, -1), bounds)
+    behind, _, first = tracer.follow(q, -direction, steps)
+    return SelfMotion(np.array([*behind[:0:-1], *ahead]), T, False, freedom, (first, last), bounds)
 
 
 class _Tracer:
     """Steps along the null space of one arm and one tool pose."""
 
-    def __init__(self, arm: Arm, start: Vector, limits: bool) -> None:
+    def __init__(self, arm: Arm, start: Vector, T: Vector, limits: bool) -> None:
         self.arm, self.start = arm, start
         self.scales = np.where(arm.revolute, 1.0, arm.length_scale)
         self.task = task_error_of(arm)
-        self.target = self.task.target(np.asarray(arm.fk(start), dtype=np.float64))
-        wide = 0.0 if limits else math.inf
-        self.low = np.minimum(arm.limits[:, 0], start) - wide
-        self.high = np.maximum(arm.limits[:, 1], start) + wide
+        self.target = self.task.target(T)
+        self.floor = FLOOR * np.eye(arm.task.m)
+        self.low, self.high = np.minimum(arm.limits[:, 0], start), np.maximum(arm.limits[:, 1], start)
+        if not limits:
+            # A slide would go on for ever.
+            wide = np.where(arm.revolute, math.inf, arm.reach or 1.0)
+            self.low, self.high = self.low - wide, self.high + wide
 
     def null_space(self, q: Vector, J: Vector | None = None) -> Vector:
         """Return an orthonormal basis (n, d) in scaled joint variables."""
@@ -153,14 +181,18 @@ class _Tracer:
             J, e, _ = self.task.at(q.tolist(), self.target)
             if float(e @ e) <= EXACT**2:
                 return q, J
-            q = q + np.linalg.lstsq(J, e, rcond=RANK)[0] * self.scales
+            q = q + J.T @ self._solved(J, e) * self.scales
         return None
 
-    def follow(self, q: Vector, direction: Vector) -> tuple[list[Vector], bool, int]:
+    def _solved(self, J: Vector, e: Vector) -> Vector:
+        """Return (J J^T + floor)^-1 e: with J^T before it the shortest step, at a singular place nearly so."""
+        return np.asarray(np.linalg.solve(J @ J.T + self.floor, e))
+
+    def follow(self, q: Vector, direction: Vector, steps: int) -> tuple[list[Vector], bool, int]:
         """Return the points from q on, whether they close, and the joint (0-based) whose limit stops them or -1."""
         points, length = [q], STEP
         heading = direction
-        for number in range(MOST_STEPS):
+        for number in range(steps):
             step = self._step(q, heading, length)
             if step is None:
                 length /= 4.0
@@ -168,12 +200,11 @@ class _Tracer:
                     return points, False, -1
                 continue
             there, J = step
-            out = np.flatnonzero((there < self.low) | (there > self.high))
-            if len(out):
-                last, joint = self._up_to_limit(q, heading, length, int(out[0]))
+            if float(self._over(there).max()) > AT_LIMIT:
+                last, joint = self._up_to_limit(q, heading, length, there)
                 return ([*points, last] if last is not None else points), False, joint
             moved = (there - q) / self.scales
-            heading = self._onward(there, J, moved / np.linalg.norm(moved))
+            heading = self._onward(J, moved / np.linalg.norm(moved))
             q, length = there, min(STEP, 2.0 * length)
             if number > 2 and self._is_back(q, heading, direction):
                 return points, True, -1
@@ -189,35 +220,60 @@ class _Tracer:
         straight = float(gone @ heading)
         return found if straight > 0.5 * length and float(np.linalg.norm(gone)) < 1.5 * length else None
 
-    def _onward(self, q: Vector, J: Vector, heading: Vector) -> Vector:
+    def _onward(self, J: Vector, heading: Vector) -> Vector:
         """Return the heading projected on the null space; in more than one dimension it goes as straight as it can."""
-        basis = self.null_space(q, J)
-        ahead = basis @ (basis.T @ heading)
+        ahead = heading - J.T @ self._solved(J, J @ heading)
         size = float(np.linalg.norm(ahead))
         return np.asarray(ahead / size) if size > 0.1 else heading
 
-    def _up_to_limit(self, q: Vector, heading: Vector, length: float, joint: int) -> tuple[Vector | None, int]:
-        """Return the last point inside the limits on this step, by bisection, and the joint at its limit."""
-        inside, least, most = None, 0.0, length
-        for _ in range(40):
-            middle = 0.5 * (least + most)
-            there = self.corrected(q + middle * heading * self.scales)
-            if there is None:
-                most = middle
-                continue
-            out = np.flatnonzero((there < self.low) | (there > self.high))
-            if len(out):
-                most, joint = middle, int(out[0])
+    def _over(self, q: Vector) -> Vector:
+        """Return by how much each joint is beyond its limits, negative inside, in scaled variables."""
+        return np.asarray(np.maximum(q - self.high, self.low - q) / self.scales)
+
+    def _up_to_limit(self, q: Vector, heading: Vector, length: float, there: Vector) -> tuple[Vector | None, int]:
+        """Return where a step that ends beyond a limit meets the first one, and its joint; None where that is q."""
+        joint, point = -1, there
+        for _ in range(self.arm.n):
+            joint = int(np.argmax(self._over(point)))
+            found = self._crossing(q, heading, length, point, joint)
+            if found is None:
+                return None, joint
+            point, length = found
+            if float(self._over(point).max()) <= AT_LIMIT:
+                break
+        return point, joint
+
+    def _crossing(
+        self, q: Vector, heading: Vector, length: float, there: Vector, joint: int
+    ) -> tuple[Vector, float] | None:
+        """Return the point at which a joint is at its limit and how far on it is, by false position (Illinois)."""
+        least, under = 0.0, float(self._over(q)[joint])
+        most, over = length, float(self._over(there)[joint])
+        before = 0
+        for _ in range(LIMIT_STEPS):
+            if under > -AT_LIMIT:
+                return None
+            middle = least + (most - least) * under / (under - over)
+            point = self.corrected(q + middle * heading * self.scales)
+            if point is None:
+                return None
+            beyond = float(self._over(point)[joint])
+            if abs(beyond) <= AT_LIMIT:
+                return point, middle
+            side = 1 if beyond > 0.0 else -1
+            if side > 0:
+                most, over, under = middle, beyond, under / 2.0 if side == before else under
             else:
-                inside, least = there, middle
-        return inside, joint
+                least, under, over = middle, beyond, over / 2.0 if side == before else over
+            before = side
+        return None
 
     def _is_back(self, q: Vector, heading: Vector, direction: Vector) -> bool:
         """Return whether the curve has come to where it started, whole turns apart counting as the same."""
+        if float(heading @ direction) <= 0.5:
+            return False
         gap = _apart(self.arm, q - self.start) / self.scales
-        return (
-            float(np.linalg.norm(gap)) < STEP and float(gap @ direction) >= -1e-9 and float(heading @ direction) > 0.5
-        )
+        return float(np.linalg.norm(gap)) < STEP and float(gap @ direction) >= -1e-9
 
 
 def _apart(arm: Arm, gap: Vector) -> Vector:

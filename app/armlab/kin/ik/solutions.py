@@ -18,6 +18,9 @@ Completeness = Literal["none", "complete", "at least", "infinite"]
 MOST_EQUIVALENTS = 4096
 """Whole-turn copies that are listed at most."""
 
+HALF_TURN = 1e-13
+"""In whole turns: angles this near to minus half a turn become plus half a turn."""
+
 
 @dataclass(frozen=True, eq=False)
 class IkSolutions:
@@ -27,8 +30,8 @@ class IkSolutions:
     ----------
     arm : Arm
     q : ndarray, shape (k, n)
-        Rad and m. Each angle is inside its limits by whole turns where it can be and then nearest to zero; sorted by
-        joint 1, then joint 2, and so on. Of infinitely many some representatives.
+        Rad and m. Each angle is inside its limits by whole turns where it can be and then nearest to zero, else nearest
+        to the limits; sorted by joint 1, then joint 2, and so on. Of infinitely many some representatives.
     names : tuple of str
         The branch of each, such as ``"shoulder left, elbow up, wrist flip"``; numbers where an arm has no such words.
     within_limits : ndarray of bool, shape (k,)
@@ -90,6 +93,21 @@ def beyond_limits(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
     low, high = arm.limits.T
     out = np.where(q < low - AT, q - low, np.where(q > high + AT, q - high, 0.0))
     return np.asarray(out, dtype=np.float64)
+
+
+def wrapped_rows(arm: Arm, q: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Return joint values (k, n) with each angle, whole turns added, inside its limits and then as near to zero as can
+    be; where no whole turn leads inside, as near to them as can be.
+
+    Half a turn is on the positive side, however it was rounded, where the limits leave the choice.
+    """
+    low, high = arm.limits.T
+    turns = np.floor(0.5 + HALF_TURN - q / math.tau)
+    first, last = np.ceil((low - AT - q) / math.tau), np.floor((high + AT - q) / math.tau)
+    # Outside at every turn, first = last + 1: above the limits or below them.
+    above = q + math.tau * first - high <= low - q - math.tau * last + AT
+    wanted = np.where(first <= last, np.clip(turns, first, last), np.where(above, first, last))
+    return np.where(arm.revolute, q + math.tau * wanted, q)
 
 
 def sorted_rows(q: NDArray[np.float64]) -> NDArray[np.intp]:

@@ -1,27 +1,33 @@
-"""One solution of the inverse kinematics: descents from the given and from random starts, inside the limits."""
+"""One solution of the inverse kinematics: descents from the given and from random starts, inside the limits.
+
+Where all fail, the list of all solutions has the last word for arms that have one: a solution, or the proof that there
+is none. What then is left is the closest configuration downhill of the start.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError
+from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.checks import whole_number
 from armlab.kin.ik.closest import closest_of
-from armlab.kin.ik.loop import Descent, descend, descend_inside, slip, wrapped
-from armlab.kin.ik.method import Method, method_named
-from armlab.kin.ik.problem import Errors, Problem
-from armlab.kin.ik.verdict import Verdict, checked_locks, free_joints, joint_values, judge
+from armlab.kin.ik.iterate.method import iteration_methods
+from armlab.kin.ik.iterate.trace import Trace
+from armlab.kin.ik.known import Known, known_solution
+from armlab.kin.ik.loop import Descent, descend_inside, slip
+from armlab.kin.ik.method import methods
+from armlab.kin.ik.problem import REACHED_M, Problem
+from armlab.kin.ik.search import Begin, Searched, compiled_search, iterated_search, problem_of
+from armlab.kin.ik.verdict import Verdict, checked_locks, joint_values, judge, task_error_of
+from armlab.kin.ik.weights import Weights, checked_weights
 from armlab.kin.transforms import as_pose
-
-ITERATIONS = 22
-"""Steps of one descent; a start that has not converged by then is replaced by another: cheaper than waiting."""
 
 SEARCHES = 100
 """Starts before giving up."""
@@ -35,8 +41,11 @@ STEPS_CLOSEST = 100
 BALANCES = 4
 """Descents of that kind at most, each after slipping off a balance; what is left then waits for the next call."""
 
+SURELY = 1e-9
+"""Part of its distance by which a target must be beyond the reach for a search to be pointless, not only rounding."""
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class IkResult:
     """The outcome of a solve; a target that cannot be reached is an outcome, too.
 
@@ -45,7 +54,7 @@ class IkResult:
     success : bool
         Reached inside the limits, within 1e-6 m and 1e-6 rad.
     q : ndarray, shape (n,)
-        The solution, or the closest configuration found.
+        The solution, or the closest configuration found; rad and m.
     position_error, rotation_error : float
         Metres and radians, of the components the task controls.
     iterations : int
@@ -53,7 +62,12 @@ class IkResult:
     reason : str
         What a student should know, in words.
     verdict : Verdict
-        The same as data.
+        What q is worth, as data.
+    proven : bool
+        Whether it is certain that no configuration inside the limits reaches the target.
+    trace : Trace or None
+        Where asked for, the record of the descent that succeeded, else of the last one of the search, which may have
+        ended outside the limits. The angles of its end may be whole turns from those of ``q``.
     """
 
     success: bool
@@ -63,16 +77,8 @@ class IkResult:
     iterations: int
     reason: str
     verdict: Verdict
-
-
-FAR = Errors(math.inf, math.inf, 1.0)
-"""The errors of a search that found nothing."""
-
-
-@lru_cache(maxsize=64)
-def problem_of(arm: Arm, method: Method) -> Problem:
-    """Return the compiled problem of an arm (arms are compared by identity)."""
-    return Problem(arm, method)
+    proven: bool = False
+    trace: Trace | None = None
 
 
 def solve(
@@ -80,9 +86,13 @@ def solve(
     T: ArrayLike,
     q0: ArrayLike | None = None,
     method: str = "dls",
+    weights: ArrayLike | None = None,
     seed: int = 0,
     locked: Sequence[bool] | None = None,
     searches: int = SEARCHES,
+    *,
+    trace: bool = False,
+    complete: bool = True,
 ) -> IkResult:
     """Find joint values that put the tool at a pose, as far as the arm's task goes.
 
@@ -95,18 +105,29 @@ def solve(
         First start; random when left out. Angles of the solution are those nearest to it, whole turns apart, inside the
         limits; in (-pi, pi], where the limits allow, when left out.
     method : str
-        Key of a method: see `methods`.
+        Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
+        parameters, some hundred times slower). Of ``"gradient"`` and ``"gauss_newton"``, which are both, it is the
+        compiled one.
+    weights : array_like, shape (m,), optional
+        Positive numbers without unit, one for each component of the arm's task: factors of its errors in half reaches
+        (``arm.length_scale`` metres) and radians. They decide which configuration counts as the closest to a target
+        that cannot be reached, not what counts as reached. Only their ratios matter; the components of an orientation
+        share one.
     seed : int
         Of the random starts; the same call gives the same answer.
     locked : sequence of bool, optional
         Joints that keep their value in ``q0``.
     searches : int
         Number of starts, at least 1.
+    trace : bool
+        Whether to record every step of the last descent.
+    complete : bool
+        Whether to ask for all solutions when no search succeeds, where the arm has a solver that knows them all.
 
     Raises
     ------
     InputError
-        ``T`` is no pose, shapes or numbers are wrong, or joints are locked without a ``q0``.
+        ``T`` is no pose, an unknown method, shapes or numbers are wrong, or joints are locked without a ``q0``.
 
     Examples
     --------
@@ -117,57 +138,88 @@ def solve(
     """
     pose = as_pose(T, "T")
     start = None if q0 is None else joint_values(arm, q0, "q0")
-    free = free_joints(checked_locks(arm, locked))
-    if free is not None and start is None:
-        raise InputError("locked: give q0, the values the locked joints keep")
-    seed, searches = whole_number(seed, "seed", 0), whole_number(searches, "searches", 1)
-    problem = problem_of(arm, method_named(method))
-    target = problem.target(pose)
-    found = _search(problem, target, start, free, seed, searches)
-    verdict = Verdict("reached", found.errors.position, found.errors.rotation, ())
-    if not found.converged:
-        from_here = arm.clip(np.zeros(arm.n)) if start is None else start
-        rest = come_closer(problem, target, from_here, free)
-        found = Descent(rest.q, rest.errors, found.iterations + rest.iterations)
-        verdict = judge(arm, pose, found.q, locked)
-    return IkResult(
-        success=verdict.reached,
-        q=np.array(found.q),
-        position_error=verdict.position_error,
-        rotation_error=verdict.rotation_error,
-        iterations=found.iterations,
-        reason=verdict.reason,
-        verdict=verdict,
+    how = checked_how(arm, method, weights, locked, seed, searches, bool(complete), bool(trace))
+    return solved(arm, pose, start, how)
+
+
+class How(NamedTuple):
+    """Checked arguments of `solve` besides the pose and the start, as named there."""
+
+    method: str
+    weights: Weights | None
+    locked: list[bool] | None
+    seed: int
+    searches: int
+    complete: bool
+    trace: bool
+
+
+def checked_how(
+    arm: Arm,
+    method: str,
+    weights: ArrayLike | None,
+    locked: Sequence[bool] | None,
+    seed: int,
+    searches: int,
+    complete: bool,
+    trace: bool,
+) -> How:
+    """Return checked arguments; `InputError` when they are wrong."""
+    if not isinstance(method, str) or (method not in methods() and method not in iteration_methods()):
+        raise UnknownName("method", method, {**methods(), **iteration_methods()})
+    return How(
+        method,
+        checked_weights(arm, weights),
+        checked_locks(arm, locked),
+        whole_number(seed, "seed", 0),
+        whole_number(searches, "searches", 1),
+        complete,
+        trace,
     )
 
 
-def _search(
-    problem: Problem,
-    target: Sequence[float],
-    start: NDArray[np.float64] | None,
-    free: Sequence[float] | None,
-    seed: int,
-    searches: int,
-) -> Descent:
-    """Try one start after the other until one converges inside the limits; return it, or the last."""
-    arm, iterations = problem.arm, 0
-    rng = np.random.default_rng(seed)
-    low, width = problem.starts
-    held = None if free is None else np.array(free) == 0.0
-    near = np.zeros(arm.n) if start is None else start
-    q = low
-    for search in range(searches):
-        q = start if search == 0 and start is not None else low + width * rng.random(arm.n)
-        if held is not None and start is not None:
-            q = np.where(held, start, q)
-        descent = descend(problem, target, q.tolist(), free, ITERATIONS)
-        iterations += descent.iterations
-        if descent.converged:
-            solution = wrapped(descent.q, near, arm.revolute, arm.limits)
-            solution = solution if held is None else np.where(held, q, solution)
-            if arm.within_limits(solution):
-                return Descent(solution.tolist(), descent.errors, iterations)
-    return Descent(q.tolist(), FAR, iterations)
+def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, how: How) -> IkResult:
+    """Return the outcome for checked arguments; `InputError` when joints are locked without a start."""
+    if start is None and how.locked is not None and any(how.locked):
+        raise InputError("locked: give q0, the values the locked joints keep")
+    target = task_error_of(arm).target(T)
+    distance = math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates))
+    beyond = distance > arm.reach + REACHED_M + SURELY * distance
+    pointless = beyond or (how.locked is not None and all(how.locked))
+    begin = Begin(arm, start, how.locked, how.seed, 1 if pointless else how.searches)
+    if how.method in methods():
+        found = compiled_search(begin, T, target, methods()[how.method], how.trace)
+    else:
+        found = iterated_search(begin, T, iteration_methods()[how.method], how.trace)
+    if found.q is not None and found.verdict is not None:
+        return _result(found, found.q, found.verdict, Known())
+    problem = problem_of(arm, methods().get(how.method, methods()["dls"]), how.weights)
+    rest = come_closer(problem, target, begin.near, begin.free)
+    found = found._replace(iterations=found.iterations + rest.iterations)
+    verdict = judge(arm, T, rest.q, how.locked, how.weights)
+    known = Known(proven=beyond)
+    if not (verdict.reached or beyond) and how.complete:
+        known = known_solution(arm, T, begin.near, how.locked)
+    if known.q is not None:
+        other = judge(arm, T, known.q)
+        if other.reached:
+            return _result(found, known.q, other, known)
+    return _result(found, np.array(rest.q), verdict, known)
+
+
+def _result(found: Searched, q: NDArray[np.float64], verdict: Verdict, known: Known) -> IkResult:
+    reasons = [verdict.reason, known.sentence] if verdict.reached else [verdict.reason, found.note, known.sentence]
+    return IkResult(
+        success=verdict.reached,
+        q=q,
+        position_error=verdict.position_error,
+        rotation_error=verdict.rotation_error,
+        iterations=found.iterations,
+        reason="; ".join(reason for reason in reasons if reason),
+        verdict=verdict,
+        proven=known.proven,
+        trace=found.trace,
+    )
 
 
 def come_closer(
@@ -177,17 +229,21 @@ def come_closer(
     free: Sequence[float] | None,
     travel: float = math.inf,
 ) -> Descent:
-    """Go downhill inside the limits from ``q0``, each joint by at most ``travel`` (rad, or length scales)."""
-    arm = problem.arm
-    start = arm.clip(q0)
+    """Go downhill inside the limits from ``q0``, each joint by at most ``travel`` (rad, or length scales).
+
+    A joint that is not free keeps its value, also outside its limits.
+    """
+    arm, values = problem.arm, np.asarray(q0, dtype=float)
+    start = arm.clip(values) if free is None else np.where(np.array(free) == 0.0, values, arm.clip(values))
     box = np.where(arm.revolute, travel, travel * arm.length_scale)
     low = np.maximum(arm.limits[:, 0], start - box)
     high = np.minimum(arm.limits[:, 1], start + box)
+    low, high = np.minimum(low, start), np.maximum(high, start)
     inside = low.tolist(), high.tolist()
     found = descend_inside(problem, target, start.tolist(), free, *inside, STEPS_INSIDE)
     if found.converged:
         return found
-    closest = closest_of(arm)
+    closest = closest_of(arm, problem.weights)
     for _ in range(BALANCES):
         rest = descend_inside(closest, target, found.q, free, *inside, STEPS_CLOSEST)
         found = Descent(rest.q, rest.errors, found.iterations + rest.iterations)

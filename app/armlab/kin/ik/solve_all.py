@@ -15,12 +15,11 @@ from armlab.kin.ik.branches import branch_names
 from armlab.kin.ik.closed_form import closed_form_of, known_structure
 from armlab.kin.ik.general_6r import solve_general
 from armlab.kin.ik.held import checked_held, with_held
-from armlab.kin.ik.loop import wrapped
 from armlab.kin.ik.many_starts import STARTS, many_starts
 from armlab.kin.ik.self_motion import STEP, SelfMotion, distance_to, evenly, trace_self_motion
-from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits, sorted_rows
+from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits, sorted_rows, wrapped_rows
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import distinct, polished, reaches
+from armlab.kin.ik.verified import EXACT, distinct, polished, reaches
 from armlab.kin.transforms import as_pose, inverse
 
 Vector = NDArray[np.float64]
@@ -128,7 +127,7 @@ def _by_closed_form(arm: Arm, T: Vector) -> _Answer | None:
 def _by_elimination(arm: Arm, T: Vector) -> _Answer:
     found = solve_general(arm, T)
     why = f"General 6R: {known_structure(arm).why}"
-    q = _verified(arm, T, list(found.q))
+    q = _in_order(arm, found.q)
     completeness: Completeness = found.completeness
     if completeness == "complete" and not q:
         completeness = "none"
@@ -141,15 +140,16 @@ def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = N
         return _Answer([], "none", _BEYOND, "many_starts", why)
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
     q = _verified(arm, T, list(many_starts(arm, G, seed=seed, held=held)), held)
-    if any(_moves(arm, row, held) for row in q):
+    if any(_moves(arm, row, T, held) for row in q):
         reason = "Some of them move while the tool stands still."
         return _Answer(q[:SURFACE], "infinite", reason, "many_starts", why)
-    return _Answer(q, "at least", f"Found from {STARTS} random starts; a search proves nothing.", "many_starts", why)
+    reason = f"{'Found from' if q else 'Looked for from'} {STARTS} random starts; a search proves nothing."
+    return _Answer(q, "at least", reason, "many_starts", why)
 
 
-def _moves(arm: Arm, q: Vector, held: dict[int, float] | None) -> bool:
+def _moves(arm: Arm, q: Vector, T: Vector, held: dict[int, float] | None) -> bool:
     """Return whether a configuration without held joints is a point of a self-motion."""
-    return not held and len(trace_self_motion(arm, q, limits=False).q) > 3
+    return not held and len(trace_self_motion(arm, q, T, limits=False, steps=4).q) > 3
 
 
 def _with_spare_joints(arm: Arm, T: Vector, seed: int) -> _Answer:
@@ -163,33 +163,47 @@ def _with_spare_joints(arm: Arm, T: Vector, seed: int) -> _Answer:
         more = list(many_starts(arm, G, seed=seed + 1))
         found = _verified(arm, T, more)
     if not found:
-        return _Answer([], "at least", f"None found from {FAMILY_STARTS + STARTS} random starts.", "self_motion", why)
+        return _Answer([], "at least", _SEARCHED, "self_motion", why)
     inside = [q for q in found if arm.within_limits(q)]
     found = inside or found
     if known_structure(arm).free > 1:
         reason = f"These {min(SURFACE, len(found))} stand for them."
         return _Answer(found[:SURFACE], "infinite", reason, "self_motion", why)
-    return _of_curves(arm, found, why)
+    return _of_curves(arm, T, found, why)
 
 
-def _of_curves(arm: Arm, found: list[Vector], why: str) -> _Answer:
+def _of_curves(arm: Arm, T: Vector, found: list[Vector], why: str) -> _Answer:
     """Trace the self-motions through solutions and let points evenly along them stand for all."""
     motions: list[SelfMotion] = []
     for q in found:
         if len(motions) == FAMILIES:
             break
         if distance_to(arm, q, [motion.q for motion in motions]) > 2.0 * STEP:
-            motions.append(trace_self_motion(arm, q, limits=arm.within_limits(q)))
+            motions.append(_motion(arm, T, q))
+    inside = [motion for motion in motions if arm.within_limits(motion.q[0])]
+    motions = inside or motions
     curves = [motion for motion in motions if len(motion.q) > 1]
-    points = [row for motion in motions for row in evenly(arm, motion, REPRESENTATIVES)]
+    target = task_error_of(arm).target(T)
+    along = [row for motion in motions for row in evenly(arm, motion, REPRESENTATIVES)]
+    points = _in_order(arm, distinct(arm, [row for row in along if reaches(arm, row, target)]))
     completeness: Completeness = "infinite" if curves else "at least"
     count = len(curves)
     reason = (
-        f"{count} {'family was' if count == 1 else 'families were'} found, each by {REPRESENTATIVES} representatives."
+        f"{count} {'family was' if count == 1 else 'families were'} found, each by up to {REPRESENTATIVES} of them."
         if curves
-        else "The self-motion has shrunk to points here."
+        else "No step along a self-motion led on from them."
     )
     return _Answer(points, completeness, reason, "self_motion", why, tuple(motion.q for motion in curves))
+
+
+def _motion(arm: Arm, T: Vector, q: Vector) -> SelfMotion:
+    """Return the self-motion through a solution: inside the limits, or all of it where no traced point is inside."""
+    if arm.within_limits(q):
+        return trace_self_motion(arm, q, T)
+    motion = trace_self_motion(arm, q, T, limits=False)
+    rows = wrapped_rows(arm, motion.q)
+    inside = rows[~np.any(beyond_limits(arm, rows), axis=1)]
+    return trace_self_motion(arm, inside[len(inside) // 2], T) if len(inside) else motion
 
 
 def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> _Answer:
@@ -233,16 +247,17 @@ def _verified(
     target = task_error_of(arm).target(T)
     mask = _mask(arm, held) if held else None
     good = [q for one in candidates if (q := polished(arm, one, target, mask)) is not None]
-    near = np.zeros(arm.n)
-    placed = [_tidy(wrapped(q.tolist(), near, arm.revolute, arm.limits)) for q in good]
-    kept = distinct(arm, placed)
-    return [kept[i] for i in sorted_rows(np.array(kept))] if kept else []
+    return _in_order(arm, distinct(arm, good), mask)
 
 
-def _tidy(q: Vector) -> Vector:
-    """Return joint values with half turns on the positive side, however they were rounded."""
-    return np.where(np.abs(q + math.pi) < 1e-12, math.pi, q)
+def _in_order(arm: Arm, solutions: Sequence[Vector] | Vector, held: NDArray[np.bool_] | None = None) -> list[Vector]:
+    """Return solutions inside the limits by whole turns, where that can be, in canonical order; held joints as are."""
+    q = np.array(solutions).reshape(-1, arm.n)
+    rows = wrapped_rows(arm, q) if held is None else np.where(held, q, wrapped_rows(arm, q))
+    return list(rows[sorted_rows(rows)])
 
+
+_SEARCHED = f"Looked for from {FAMILY_STARTS + STARTS} random starts; a search proves nothing."
 
 _BEYOND = "The target is farther away than all links in a line."
 
@@ -252,7 +267,7 @@ def _is_beyond(arm: Arm, T: Vector) -> bool:
     if not bool(arm.revolute.all()) or not arm.task.position:
         return False
     G = inverse(arm.base) @ T
-    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + 1e-9)
+    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + EXACT) + EXACT
 
 
 def _finished(arm: Arm, answer: _Answer) -> IkSolutions:

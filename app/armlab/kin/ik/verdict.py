@@ -16,6 +16,7 @@ from armlab.kin.checks import finite_floats, wrong
 from armlab.kin.ik.closest import closest_of
 from armlab.kin.ik.problem import TaskError
 from armlab.kin.ik.rest import is_flat, pushing, way_down
+from armlab.kin.ik.weights import Weights, checked_weights
 from armlab.kin.transforms import as_pose
 
 Status = Literal["reached", "limit", "beyond", "closest", "moving"]
@@ -60,7 +61,13 @@ class Verdict:
         }[self.status]
 
 
-def judge(arm: Arm, T: ArrayLike, q: ArrayLike, locked: Sequence[bool] | None = None) -> Verdict:
+def judge(
+    arm: Arm,
+    T: ArrayLike,
+    q: ArrayLike,
+    locked: Sequence[bool] | None = None,
+    weights: ArrayLike | None = None,
+) -> Verdict:
     """Say how a configuration stands to a target.
 
     Parameters
@@ -71,6 +78,8 @@ def judge(arm: Arm, T: ArrayLike, q: ArrayLike, locked: Sequence[bool] | None = 
     q : array_like, shape (n,)
     locked : sequence of bool, optional
         Joints that may not move.
+    weights : array_like, shape (m,), optional
+        Of the task components, for what "closest" means; see `armlab.kin.ik.solve.solve`.
 
     Raises
     ------
@@ -79,7 +88,8 @@ def judge(arm: Arm, T: ArrayLike, q: ArrayLike, locked: Sequence[bool] | None = 
     """
     pose, values = as_pose(T, "T"), joint_values(arm, q, "q")
     free = free_joints(checked_locks(arm, locked)) or [1.0] * arm.n
-    task = task_error_of(arm)
+    factors = checked_weights(arm, weights)
+    task = task_error_of(arm, factors)
     target = task.target(pose)
     slope, errors = task.slope(values.tolist(), target, free)
     if errors.reached and arm.within_limits(values):
@@ -88,12 +98,13 @@ def judge(arm: Arm, T: ArrayLike, q: ArrayLike, locked: Sequence[bool] | None = 
     pushed = pushing(values, slope, low, high)
     limits = tuple(int(i) for i in np.flatnonzero(pushed))
     status: Status = "moving"
-    if is_flat(slope, pushed, errors) and way_down(closest_of(arm), values, target, free, low, high) is None:
-        status = "beyond" if _beyond(arm, target) else "limit" if limits else "closest"
+    closest = closest_of(arm, factors)
+    if is_flat(slope, pushed, errors) and way_down(closest, values, target, free, low, high) is None:
+        status = "beyond" if _is_beyond(arm, target) else "limit" if limits else "closest"
     return Verdict(status, errors.position, errors.rotation, limits)
 
 
-def _beyond(arm: Arm, target: Sequence[float]) -> bool:
+def _is_beyond(arm: Arm, target: Sequence[float]) -> bool:
     """Return whether the controlled coordinates alone are farther away than all links in a line."""
     return math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates)) > arm.reach
 
@@ -117,7 +128,11 @@ def free_joints(locked: Sequence[bool] | None) -> list[float] | None:
     return [0.0 if held else 1.0 for held in locked] if locked is not None and any(locked) else None
 
 
-@lru_cache(maxsize=64)
-def task_error_of(arm: Arm) -> TaskError:
+def task_error_of(arm: Arm, weights: Weights | None = None) -> TaskError:
     """Return the compiled task error of an arm (arms are compared by identity)."""
-    return TaskError(arm)
+    return _task_error_of(arm, weights)
+
+
+@lru_cache(maxsize=64)
+def _task_error_of(arm: Arm, weights: Weights | None) -> TaskError:
+    return TaskError(arm, weights)

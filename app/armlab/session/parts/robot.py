@@ -54,6 +54,8 @@ class RobotPart(Part):
         data: dict[str, Json] = {"toml": robot_toml(self.robot), "origin": self.origin}
         if self.moved is not None:
             data["moved"] = [[link.a, link.alpha] for link in (self.moved.base, self.moved.tool)]
+            if not self.moved.task_kept:
+                data["task_kept"] = False
         return data
 
     @classmethod
@@ -62,19 +64,19 @@ class RobotPart(Part):
         if not isinstance(data, dict):
             return cls(robot, robot.key)
         origin = data["origin"]
-        return cls(robot, origin if origin in catalogue().robots else "", _moved(data.get("moved")))
+        return cls(robot, origin if origin in catalogue().robots else "", _moved(data.get("moved"), data.get("task_kept", True)))
 
 
 PART = PartType(RobotPart, order=0)
 
 
-def _moved(data: Json) -> Remainders | None:
+def _moved(data: Json, task_kept: Json) -> Remainders | None:
     if data is None:
         return None
     base, tool = ((float(a), float(alpha)) for a, alpha in data)
-    if not all(map(math.isfinite, base + tool)):
-        raise InputError(f"moved: expected finite numbers, got {data}")
-    return Remainders(Link(*base), Link(*tool))
+    if not all(map(math.isfinite, base + tool)) or not isinstance(task_kept, bool):
+        raise InputError(f"moved: expected finite numbers, got {data}, {task_kept}")
+    return Remainders(Link(*base), Link(*tool), task_kept)
 
 
 def robot_from_json(data: Json) -> Robot:

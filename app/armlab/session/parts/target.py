@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar, Literal, Self
+from typing import ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,14 @@ from numpy.typing import NDArray
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin import ik
-from armlab.kin.ik.solve import come_closer, problem_of
+from armlab.kin.ik.search import problem_of
+from armlab.kin.ik.solve import come_closer
 from armlab.kin.ik.target import feasible
 from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
 from armlab.session.parts.joints import Joints
+from armlab.session.solutions_way import another_way
+from armlab.session.solutions_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.state import Command, Json, Part, PartType, State
 
 Axes = Literal["world", "tool"]
@@ -30,11 +33,25 @@ never jumps, also beside a singularity; what is left follows with the next event
 SEARCHES_TYPED = 30
 """Starts of a solve for a typed target: some 10 ms when none of them succeeds."""
 
-OTHER_STARTS = 12
-"""Random starts of the search for another branch."""
+LINGER = 2.0
+"""Seconds for which words about a drag stay after what they say has passed."""
 
 FARTHEST = 1e3
 """Targets farther than so many times the reach are refused as slips of the pen."""
+
+
+class Said(NamedTuple):
+    """Words about a drag, and when they were true last, in seconds of the session's clock."""
+
+    text: str
+    at: float
+
+
+@dataclass(frozen=True)
+class Judged(ik.Verdict):
+    """A verdict with what else there is to say about a drag."""
+
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +69,10 @@ class Target(Part):
     handle : "move" or "turn"
     method : str
         Key of the method of inverse kinematics.
+    branch : tuple of str
+        On which branch the arm was when it last followed the target; nothing before it has.
+    crossing, near : Said or None
+        Which branch it has changed to, and which singularity it is near.
     """
 
     key: ClassVar[str] = "target"
@@ -61,6 +82,9 @@ class Target(Part):
     axes: Axes = "world"
     handle: Handle = "move"
     method: str = "dls"
+    branch: Branch = ()
+    crossing: Said | None = None
+    near: Said | None = None
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -69,7 +93,7 @@ class Target(Part):
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep axes and method; put the target on the tool of the new arm."""
-        return replace(self, pose=None, catching_up=False, handle="move")
+        return replace(self.on_tool(), handle="move")
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep the handle too when the arm still has that handle."""
@@ -77,11 +101,33 @@ class Target(Part):
         return replace(kept, handle=self.handle) if robot.arm.task.rotation != "none" else kept
 
     def after(self, before: State, now: State) -> Self:
-        """Put the target back on the tool when the joints were moved by anything but the target itself."""
-        moved = now[Joints].q is not before[Joints].q
-        if moved and self is before[Target] and self.pose is not None:
-            return replace(self, pose=None, catching_up=False)
-        return self
+        """Put the target back on the tool when the joints were moved by anything but the target itself.
+
+        Where it was the target that moved them, notice what there is to say.
+        """
+        if now[Joints].q is before[Joints].q or self.pose is None:
+            return self
+        if self is before[Target]:
+            return self.on_tool()
+        return self._noticing(before[Joints], now) if now[Joints].arm is before[Joints].arm else self
+
+    def on_tool(self) -> Self:
+        """Return the part with the target on the tool, and nothing to say."""
+        return replace(self, pose=None, catching_up=False, branch=(), crossing=None, near=None)
+
+    def jumped(self, joints: Joints) -> Self:
+        """Return the part after a jump to another solution: a change of branch that was wished is not news."""
+        return replace(self, catching_up=False, branch=branch_of(joints.arm, joints.q), crossing=None, near=None)
+
+    def _noticing(self, before: Joints, now: State) -> Self:
+        arm, q = before.arm, now[Joints].q
+        was = self.branch or branch_of(arm, before.q)
+        branch = followed(was, branch_of(arm, q))
+        change = crossed(was, branch)
+        crossing = Said(change, now.at) if change else _lasting(self.crossing, now.at)
+        near = _lasting(self.near, now.at)
+        text = near_singularity(arm, q, NEAR if near is None else STILL_NEAR)
+        return replace(self, branch=branch, crossing=crossing, near=Said(text, now.at) if text else near)
 
     def to_json(self) -> Json:
         """Write the target and how it is handled."""
@@ -106,10 +152,17 @@ def target_pose(state: State) -> NDArray[np.floating]:
     return state[Joints].tool_pose if pose is None else pose
 
 
-def verdict(state: State) -> ik.Verdict:
-    """Return what the present configuration is worth for the target."""
-    joints = state[Joints]
-    return ik.judge(joints.arm, target_pose(state), joints.q, joints.locked)
+def verdict(state: State) -> Judged:
+    """Return what the present configuration is worth for the target, and what the way there was worth saying."""
+    joints, target = state[Joints], state[Target]
+    found = ik.judge(joints.arm, target_pose(state), joints.q, joints.locked)
+    notes = tuple(said.text for said in (target.crossing, target.near) if said is not None)
+    return Judged(found.status, found.position_error, found.rotation_error, found.limits, notes)
+
+
+def _lasting(said: Said | None, at: float) -> Said | None:
+    """Return words that are not yet to be taken away."""
+    return said if said is not None and at - said.at < LINGER else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,13 +221,13 @@ class PlaceTarget(Command):
         """Return the state with the arm at a solution, or at the closest configuration from where it is."""
         joints, target = state[Joints], state[Target]
         pose = _wanted(joints, self.pose)
-        result = ik.solve(joints.arm, pose, joints.q, target.method, 0, joints.locked, searches=SEARCHES_TYPED)
+        result = ik.solve(joints.arm, pose, joints.q, target.method, locked=joints.locked, searches=SEARCHES_TYPED)
         return _placed(state, pose, result.q, catching_up=False)
 
 
 @dataclass(frozen=True)
 class GoAnotherWay(Command):
-    """Jump to another branch of the arm that reaches the target, if a search from random starts finds one."""
+    """Jump to the nearest other solution inside the limits."""
 
     label: ClassVar[str] = "jump to a solution"
 
@@ -184,14 +237,11 @@ class GoAnotherWay(Command):
         Raises
         ------
         InputError
-            None was found, which does not prove that there is none.
+            There is none, or none was found; the text says why.
         """
         joints, target = state[Joints], state[Target]
-        pose = target_pose(state)
-        found = ik.solve(joints.arm, pose, joints.q, target.method, 0, joints.locked, searches=OTHER_STARTS)
-        if not found.success:
-            raise InputError(f"no way to the target was found from {OTHER_STARTS} random starts")
-        return state.replace(joints.moved_to(found.q), replace(target, catching_up=False))
+        q = another_way(joints.arm, target_pose(state), joints.q, joints.locked, target.method)
+        return jumped_to(state, q)
 
 
 @dataclass(frozen=True)
@@ -203,7 +253,7 @@ class TargetToTool(Command):
     def apply(self, state: State) -> State:
         """Return the state with the target on the tool."""
         target = state[Target]
-        return state if target.pose is None else state.replace(replace(target, pose=None, catching_up=False))
+        return state if target.pose is None else state.replace(target.on_tool())
 
 
 @dataclass(frozen=True)
@@ -251,11 +301,25 @@ def _followed(state: State, handle: NDArray[np.floating] | None, travel: float) 
 def _placed(state: State, pose: NDArray[np.float64], q: NDArray[np.float64], catching_up: bool) -> State:
     joints = state[Joints].moved_to(q)
     if joints.arm.task.rotation == "none":
-        # The orientation is free: show the target as the tool will be there.
-        pose = np.array(pose)
-        pose[:3, :3] = joints.tool_pose[:3, :3]
+        pose = _with_rotation(pose, joints)
     pose.setflags(write=False)
     return state.replace(joints, replace(state[Target], pose=pose, catching_up=catching_up))
+
+
+def jumped_to(state: State, q: NDArray[np.float64]) -> State:
+    """Return the state at a solution for the target, which stays where it is."""
+    joints, target = state[Joints].moved_to(q), state[Target].jumped(state[Joints].moved_to(q))
+    if target.pose is not None and joints.arm.task.rotation == "none":
+        target = replace(target, pose=_with_rotation(target.pose, joints))
+    return state.replace(joints, target)
+
+
+def _with_rotation(pose: NDArray[np.float64], joints: Joints) -> NDArray[np.float64]:
+    """Return a pose whose orientation is free, as the tool will be there."""
+    turned = np.array(pose)
+    turned[:3, :3] = joints.tool_pose[:3, :3]
+    turned.setflags(write=False)
+    return turned
 
 
 def _wanted(joints: Joints, pose: NDArray[np.floating]) -> NDArray[np.float64]:

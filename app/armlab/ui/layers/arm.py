@@ -28,4 +28,4 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     return show
 
 
-LAYER = Layer("arm", order=10, watches=(Joints, Timeline), build=build)
+LAYER = Layer("arm", order=10, watches=(Joints, Timeline), build=build, silent=True)

@@ -72,4 +72,4 @@ def _groups(canvas: LayerCanvas) -> list[list[_Mark]]:
 
 
 SWITCH = Switch("frames", "Frames", "All Denavit–Hartenberg frames {0} to {n} and the tool's frame {E}.", "F")
-LAYER = Layer("frames", order=20, watches=(), build=build, switch=SWITCH)
+LAYER = Layer("frames", order=20, watches=(), build=build, switch=SWITCH, silent=True)

@@ -147,4 +147,4 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     return gizmo.show
 
 
-LAYER = Layer("gizmo", order=50, watches=(Joints, Target), build=build)
+LAYER = Layer("gizmo", order=50, watches=(Joints, Target), build=build, silent=True)

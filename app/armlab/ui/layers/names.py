@@ -42,4 +42,4 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 SWITCH = Switch("names", "Joint names", "The names of the joint variables at the joints.", "N", default=True)
-LAYER = Layer("names", order=40, watches=(Notation,), build=build, switch=SWITCH)
+LAYER = Layer("names", order=40, watches=(Notation,), build=build, switch=SWITCH, silent=True)

@@ -93,4 +93,4 @@ def _segments(canvas: LayerCanvas, i: int) -> np.ndarray:
     return pairs[long_enough].astype(np.float32)
 
 
-LAYER = Layer("skeleton", order=30, watches=(Display,), build=build, switch=SKELETON)
+LAYER = Layer("skeleton", order=30, watches=(Display,), build=build, switch=SKELETON, silent=True)

@@ -91,4 +91,4 @@ def _ground(canvas: LayerCanvas, look: Look, shadows: bool) -> None:
     )
 
 
-LAYER = Layer("stage", order=0, watches=(Display,), build=build)
+LAYER = Layer("stage", order=0, watches=(Display,), build=build, silent=True)

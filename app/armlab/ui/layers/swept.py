@@ -99,4 +99,4 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 SWITCH = Switch(
     "swept", "Swept curves", "What the tool point would trace if one joint alone moved from limit to limit.", "U"
 )
-LAYER = Layer("swept", order=84, watches=(Notation,), build=build, switch=SWITCH)
+LAYER = Layer("swept", order=84, watches=(Notation,), build=build, switch=SWITCH, silent=True)

@@ -86,4 +86,4 @@ def _dash_dot(start: Floats, end: Floats, dash: float) -> Segments:
 
 
 SWITCH = Switch("symbols", "Joint types", "The axis of each joint: R turns about it, P slides along it.", "J")
-LAYER = Layer("symbols", order=85, watches=(), build=build, switch=SWITCH)
+LAYER = Layer("symbols", order=85, watches=(), build=build, switch=SWITCH, silent=True)

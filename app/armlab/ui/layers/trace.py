@@ -68,4 +68,4 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 SWITCH = Switch("trace", "Trace", "The path of the tool point. Switch off to clear it.", "T")
-LAYER = Layer("trace", order=70, watches=(), build=build, switch=SWITCH)
+LAYER = Layer("trace", order=70, watches=(), build=build, switch=SWITCH, silent=True)

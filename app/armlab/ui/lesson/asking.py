@@ -17,6 +17,9 @@ ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-"
 _NEEDLESS = re.compile(r"\s+(?![\w.])|(?<![\w.)])\s+")
 """Spaces that stand between no two words."""
 
+_UNIT = re.compile(r"(?<=[\d.)])\s+(?=[a-zA-Z°][\w/^°]*$)")
+"""Spaces between a number and its unit."""
+
 _DECIMAL = re.compile(r"(?<=\d),(?=\d)")
 _PARTING = re.compile(r"[\s;,]+")
 _IN_BRACKETS = re.compile(r"\([^()]*\)")
@@ -68,10 +71,10 @@ class Draft:
 def _entry(text: str) -> str:
     """Return an entry of a matrix without what would part it from its neighbours or in two.
 
-    >>> _entry(" 1 / 2 "), _entry("0,5"), _entry("atan2(1, 2)"), _entry("1 0; 0 1")
-    ('1/2', '0.5', 'atan2(1,2)', '(1,0,0,1)')
+    >>> _entry(" 1 / 2 "), _entry("0,5"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("50 cm")
+    ('1/2', '0.5', 'atan2(1,2)', '(1,0,0,1)', '50cm')
     """
-    text = _NEEDLESS.sub("", text.strip())
+    text = _UNIT.sub("", _NEEDLESS.sub("", text.strip()))
     if "(" not in text:
         text = _DECIMAL.sub(".", text)
     if _PARTING.search(_IN_BRACKETS.sub("", text)):
@@ -133,10 +136,11 @@ def _grid(form: Grid, draft: Draft, settled: bool, channel: str, check: str) -> 
     return f'<div class="entries">{"".join(rows)}</div><div class="answer">{unit}{check}</div>'
 
 
-def said(verdict: Verdict | None) -> str:
-    """Return the verdict on the last answer; nothing before one is given."""
+def said(verdict: Verdict | None, settled: bool = False) -> str:
+    """Return the verdict on the last answer, which may be ``settled``; nothing before one is given."""
     if verdict is None:
         return ""
     if verdict.right:
         return f'<div class="verdict ok" role="status"><b>✓ {verdict.says}</b></div>'
-    return f'<div class="verdict no" role="status"><b>✕ Not yet</b>{verdict.says}</div>'
+    head = "Not as predicted" if settled else "Not yet"
+    return f'<div class="verdict no" role="status"><b>✕ {head}</b>{verdict.says}</div>'

@@ -85,7 +85,7 @@ class LessonPage:
         if self._draft is None or self._draft[0] != key:
             self._draft = key, Draft(question.form, typed)
         form = asked(question, typed, self._draft[1], settled, self._question.channel_id)
-        self._question.show(form + said(part.verdict))
+        self._question.show(form + said(part.verdict, settled))
 
     def _answered(self, cell: str, text: str) -> None:
         if self._state is None or self._draft is None:

@@ -9,6 +9,7 @@ from armlab.content.write_lesson import lesson_text
 from armlab.errors import ArmlabError
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.session import Refuse
@@ -34,6 +35,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         if cell == "title":
             title = " ".join(text.split())[:80] or title
         elif cell == "save-lesson":
+            if present[LessonPart].hides:
+                # The file would tell what is to be predicted.
+                post(Refuse("Answer the question of the lesson first, or close the lesson."))
+                return
             try:
                 gui.save(f"{file_name(title)}.md", written(title, present, gui))
             except ArmlabError as refusal:
@@ -78,7 +83,7 @@ PANEL = Panel(
     "For teachers",
     "PENCIL",
     6,
-    (RobotPart, Joints, Target, Display),
+    (RobotPart, Joints, Target, Display, LessonPart),
     build,
     tab="lessons",
     rebuilds=(),

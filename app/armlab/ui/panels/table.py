@@ -28,6 +28,7 @@ from armlab.ui.widgets import Fields, Gui, Html
 CONVENTIONS = {"standard": "Standard (Siciliano, notes)", "modified": "Modified (Craig)"}
 HINT = "Write the same arm in the other convention"
 BACK = "Back to the file's table"
+TASK_CHANGED = "What it controlled cannot be said in the axes of the other frame 0; it is now"
 
 
 class TablePanel:
@@ -167,7 +168,8 @@ def moved_lines(part: RobotPart, units: Units) -> str:
     elif tool.moves:
         lines.append(f"row {n}: {_moves(Link(0.0 - tool.a, 0.0 - tool.alpha), units)} moved here from the tool")
     told = "; ".join(lines) or "base and tool stay as they are"
-    return f'<p class="dim">The same arm; {told}.</p>'
+    task = "" if part.moved.task_kept else f" {TASK_CHANGED} {part.robot.arm.task.title}."
+    return f'<p class="dim">The same arm; {told}.{task}</p>'
 
 
 def _moves(link: Link, units: Units) -> str:

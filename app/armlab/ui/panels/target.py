@@ -83,10 +83,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     )
     card = gui.html()
     back = gui.button("Target to tool", lambda: post(TargetToTool()), "Put the target back on the tool.")
-    other = gui.button(
+    gui.button(
         "Go there another way",
         lambda: post(GoAnotherWay()),
-        "Look for another branch that reaches this target, and jump to it.",
+        "To the nearest other solution inside the limits. All of them are on the page Solutions.",
     )
 
     def show(state: State) -> None:
@@ -98,11 +98,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         axes.show(state[Target].axes)
         method.show(state[Target].method)
         card.show(verdict_card(state.derived(verdict), units))
-        status = state.derived(verdict).status
-        away = state[Target].pose is not None and status != "reached"
-        for button, on in ((back, away), (other, away and status in ("limit", "closest"))):
-            if button.visible != on:
-                button.visible = on
+        away = state[Target].pose is not None and state.derived(verdict).status != "reached"
+        if back.visible != away:
+            back.visible = away
 
     return show
 
@@ -183,9 +181,6 @@ PANEL = Panel(
     build,
     about=(
         "S1.1-inverse-kinematics",
-        "S4.3-multiplicity",
-        "S4.3.1-ik-cases",
-        "S4.3.2-methods",
         "4.4",
         "S5.2.1-dls",
         "inverse kinematics",

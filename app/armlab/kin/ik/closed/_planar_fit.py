@@ -15,7 +15,8 @@ from armlab.kin.ik.screws import Vector, screws_of
 @lru_cache(maxsize=64)
 def plane_for(arm: Arm, structure: str) -> Plane | None:
     """Return the plane of an arm of this structure whose task asks for exactly what its plane can do; or None."""
-    if known_structure(arm).key != structure:
+    known = known_structure(arm)
+    if known.key != structure or known.free:
         return None
     plane = plane_of(screws_of(arm))
     controlled = len(plane.flats) == (3 if arm.task.rotation == "phi" else 2)

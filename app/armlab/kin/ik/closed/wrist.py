@@ -18,7 +18,8 @@ from armlab.kin.ik.screws import Vector, screws_of
 def fits(arm: Arm) -> str | None:
     """Return why three turns about one point make the orientation, or None."""
     structure = known_structure(arm)
-    return structure.why if structure.key == "wrist" and arm.task.rotation == "full" else None
+    fitting = structure.key == "wrist" and arm.task.rotation == "full" and structure.free == 0
+    return structure.why if fitting else None
 
 
 def solve(arm: Arm, T: Vector) -> Found:

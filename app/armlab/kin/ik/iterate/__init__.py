@@ -1,6 +1,6 @@
 """Iterative inverse kinematics as a lesson shows it: every step as it comes, recorded in full.
 
-The fast solver behind a drag is `armlab.kin.ik.solve`; it shortens steps, restarts and keeps no record.
+The fast solver behind a drag is `armlab.kin.ik.solve`: its methods are compiled, it restarts and it minds the limits.
 """
 
 from armlab.kin.ik.iterate.basins import Basins, basins

@@ -7,7 +7,7 @@ solution the map shows. (From a start on the very edge of a basin rounding decid
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,7 +21,7 @@ from armlab.kin.ik.iterate.method import IterationMethod, iteration_method
 from armlab.kin.ik.iterate.problem import Floats, Problem
 from armlab.kin.ik.iterate.record import TOLERANCE, Limits, checked_tolerance, checked_vector, keeps_limits
 from armlab.kin.ik.iterate.task_vector import TaskVector
-from armlab.kin.ik.verdict import joint_values
+from armlab.kin.ik.verdict import checked_locks, joint_values
 from armlab.kin.transforms import as_pose
 
 FAILED, NOT_YET = -1, -2
@@ -30,11 +30,12 @@ FAILED, NOT_YET = -1, -2
 SAME = 1e-3
 """Distance of angles (chord) and lengths over the length scale within which two solutions are one."""
 
-PIECE = 512
-"""Starts computed at once: enough that the cost of a call is small against the work."""
+PIECE = 3072
+"""Starts computed at once, over the number of joints: enough that the cost of a call is small against the work."""
 
-BREATH = 2048
-"""Steps of single starts after which the map is given out, ready or not: some 30 ms of Newton's method."""
+BREATH = 4096
+"""Steps of single starts, over the number of joints, after which the map is given out, ready or not: some 15 ms of
+Newton's method."""
 
 MOST_PIXELS = 1_000_000
 
@@ -56,7 +57,7 @@ class Basins:
     across, up : ndarray, shapes (columns,) and (rows,)
         Values of the two joints at the centres of columns and rows, rad or m, ascending.
     rest : ndarray, shape (n,)
-        Start values of the other joints.
+        Start values of the other joints; of locked ones, their values.
     """
 
     rows: int
@@ -82,6 +83,7 @@ def basins(
     most: int = 100,
     limits: Limits = "none",
     task: TaskVector | str | None = None,
+    locked: Sequence[bool] | None = None,
     solutions: ArrayLike | None = None,
 ) -> Iterator[Basins]:
     """Yield the map of basins of attraction as far as it is done, again and again; stop asking to cancel.
@@ -91,19 +93,22 @@ def basins(
     Parameters
     ----------
     arm : Arm
-        With as many joints as task components, so that solutions are single configurations.
+        With as many free joints as task components, or fewer, so that solutions are single configurations.
     target : array_like, shape (4, 4)
     method : str
         Key of an iterative method.
     grid : (int, int)
         Rows and columns.
     joints : (int, int)
-        The joints (1-based) that vary across and up; over one turn, or their limits when these are kept and narrower.
+        The free joints (1-based) that vary across and up; over one turn, or their limits when these are kept and
+        narrower.
     rest : array_like, shape (n,), optional
         Start values of the other joints; drawn inside their limits with ``seed`` when left out.
     seed : int
     parameters, tolerance, most, limits, task
         As for `iterate`.
+    locked : sequence of bool, optional
+        Joints that stay at their value in ``rest``.
     solutions : array_like, shape (k, n), optional
         Solutions known before, which get the first numbers; others are numbered as they are found.
 
@@ -114,16 +119,20 @@ def basins(
     """
     chosen, vector = iteration_method(method), checked_vector(arm, task)
     rows, columns = _checked_grid(grid)
-    first, second = _checked_joints(arm, joints)
-    if arm.n > vector.m:
+    held = checked_locks(arm, locked) or [False] * arm.n
+    first, second = _checked_joints(arm, joints, held)
+    free = [i for i in range(arm.n) if not held[i]]
+    if len(free) > vector.m:
         raise InputError(
-            f"arm: expected as many task components as joints, got {vector.m} and {arm.n}: a redundant arm has "
-            "infinitely many solutions; lock joints or take one as a task component"
+            f"arm: expected as many task components as free joints, got {vector.m} and {len(free)}: a redundant arm "
+            "has infinitely many solutions; lock joints or take one as a task component"
         )
     clamp = keeps_limits(limits)
-    problem = Problem(arm, as_pose(target, "target"), vector, range(arm.n), None, clamp, chosen.chord)
+    problem = Problem(arm, as_pose(target, "target"), vector, free, None, clamp, chosen.chord)
     values, pair = chosen.values(parameters), checked_tolerance(tolerance)
     steps, start = whole_number(most, "most", 1), _rest(arm, rest, whole_number(seed, "seed", 0))
+    if clamp:
+        start[free] = arm.clip(start)[free]
     known = np.zeros((0, arm.n)) if solutions is None else as_floats(solutions, "solutions", "numbers")
     if known.ndim != 2 or known.shape[1] != arm.n or not np.isfinite(known).all():
         raise wrong("solutions", f"finite numbers of shape (k, {arm.n})", solutions)
@@ -136,7 +145,7 @@ def _pieces(run: _Run, rest: Floats, joints: tuple[int, int], across: Floats, up
     rows, columns = len(up), len(across)
     index = np.full((rows, columns), NOT_YET)
     iterations = np.zeros((rows, columns), dtype=np.int64)
-    height = max(1, PIECE // columns)
+    height = max(1, PIECE // len(rest) // columns)
     for row in range(0, rows, height):
         done = min(row + height, rows)
         starts = np.tile(rest, (done - row, columns, 1))
@@ -169,10 +178,10 @@ class _Run:
         """Leave number of the solution and steps taken (B,) from starts (B, n) in ``found``; yield now and then."""
         index, taken = np.full(len(starts), FAILED), np.zeros(len(starts), dtype=np.int64)
         self.found, work = (index, taken), 0
-        if self.problem.arm.n < self.problem.vector.m and not self.method.tall:
+        if len(self.problem.free) < self.problem.vector.m and not self.method.tall:
             return
         reached, ends = np.zeros(len(starts), dtype=np.bool_), starts.copy()
-        problem, most = self.problem, self.most
+        problem, most, breath = self.problem, self.most, BREATH // self.problem.arm.n
         stages = march(problem, self.method, self.parameters, starts, most, self.tolerance)
         for k, stage in enumerate(stages):
             ended = stage.fate != Fate.GOING
@@ -181,7 +190,7 @@ class _Run:
             reached[stage.rows[good]] = True
             ends[stage.rows[good]] = stage.point.q[good]
             work += len(stage.rows)
-            if work > BREATH:
+            if work >= breath:
                 work = 0
                 yield
         index[reached] = self._numbered(ends[reached])
@@ -237,10 +246,12 @@ def _checked_grid(grid: tuple[int, int]) -> tuple[int, int]:
     return rows, columns
 
 
-def _checked_joints(arm: Arm, joints: tuple[int, int]) -> tuple[int, int]:
+def _checked_joints(arm: Arm, joints: tuple[int, int], held: Sequence[bool]) -> tuple[int, int]:
     if not isinstance(joints, (tuple, list)) or len(joints) != 2 or joints[0] == joints[1]:
         raise wrong("joints", "two different joints, the first is 1", joints)
     first, second = (whole_number(value, "joints", 1) for value in joints)
     if max(first, second) > arm.n:
         raise wrong("joints", f"two joints of 1 to {arm.n}", joints)
+    if held[first - 1] or held[second - 1]:
+        raise wrong("joints", "two joints that are not locked", joints)
     return first - 1, second - 1

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats, finite_floats, wrong
-from armlab.kin.ik.iterate.loop import FLAT, within
+from armlab.kin.ik.iterate.loop import FARTHEST, FLAT, within
 from armlab.kin.ik.iterate.problem import Floats, Point, Problem
 from armlab.kin.ik.iterate.reasons import scaling
 from armlab.kin.ik.iterate.record import TOLERANCE, checked_tolerance, checked_vector
@@ -113,13 +113,19 @@ def transpose_flow(
     held = checked_locks(arm, locked) or [False] * arm.n
     problem = Problem(arm, as_pose(T, "T"), vector, [i for i in range(arm.n) if not held[i]], clamp=False)
     K, steps = _gains(gain, vector), _steps(duration, dt)
+    # A run that is not stable grows beyond all numbers, which its status says.
+    with np.errstate(all="ignore"):
+        return _integrated(problem, start, K, steps, dt, pair)
+
+
+def _integrated(problem: Problem, start: Floats, K: Floats, steps: int, dt: float, pair: tuple[float, float]) -> Flow:
     points, status = [problem.at(start[None])], "going"
     for _ in range(steps):
         status = _status(problem, points[-1], K, pair)
         if status != "going":
             break
         after = _runge_kutta(problem, points[-1].q, K, dt)
-        if not np.isfinite(after).all() or np.max(np.abs(after)) > 1.0 / FLAT:
+        if not np.isfinite(after).all() or np.max(np.abs(after)) > FARTHEST:
             status = "unstable"
             break
         points.append(problem.at(after))
@@ -191,11 +197,7 @@ def _gains(gain: ArrayLike, vector: TaskVector) -> Floats:
     values = as_floats(gain, "gain", f"a positive number or {vector.m} of them")
     if values.shape not in ((), (vector.m,)) or not np.all(np.isfinite(values) & (values > 0.0)):
         raise wrong("gain", f"a positive number or {vector.m} of them", gain)
-    K = np.broadcast_to(values, (vector.m,)).copy()
-    turns = K[len(vector.task.position) : vector.task.m]
-    if vector.euler is None and len(turns) and not np.all(turns == turns[0]):
-        raise InputError(f"gain: expected one gain for all components of the orientation, got {turns.tolist()}")
-    return K
+    return vector.factors(np.broadcast_to(values, (vector.m,)), "gain")
 
 
 def _steps(duration: float, dt: float) -> int:

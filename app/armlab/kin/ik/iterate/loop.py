@@ -1,4 +1,8 @@
-"""The shared loop: one method from many starts at once, each until it ends for a reason of its own."""
+"""The shared loop: one method from many starts at once, each until it ends for a reason of its own.
+
+Every step is taken as the method proposes it, cut off at the joint limits at most, so that a lesson shows the method
+and not the care around it; `armlab.kin.ik.loop` is the loop that takes care.
+"""
 
 from __future__ import annotations
 
@@ -98,8 +102,10 @@ def march(
         go = np.flatnonzero(fate == Fate.GOING)
         if len(go):
             part, held = point.take(go), tuple(one[go] for one in memory)
-            move = _moved(method, problem, part, parameters, held)
-            landed[go], fate[go] = _landed(problem, method, part, move, reached[go])
+            # Steps from nearly singular matrices may overflow; where they do, the iteration has diverged.
+            with np.errstate(all="ignore"):
+                move = method.step(problem, part, parameters, held)
+                landed[go], fate[go] = _landed(problem, method, part, move, reached[go])
             damping[go] = 0.0 if move.damping is None else move.damping
             memory = move.memory
         yield Stage(rows, point, landed, damping, fate)
@@ -114,15 +120,9 @@ _NONE: Memory = ()
 
 
 def _evaluated(problem: Problem, q: Floats) -> tuple[Point, Floats]:
-    with np.errstate(all="ignore"):
-        point = problem.at(q)
+    point = problem.at(q)
+    with np.errstate(over="ignore"):
         return point, np.linalg.norm(point.e, axis=-1)
-
-
-def _moved(method: IterationMethod, problem: Problem, point: Point, parameters: Parameters, memory: Memory) -> Move:
-    # Steps from nearly singular matrices may overflow; where they do, the iteration has diverged.
-    with np.errstate(all="ignore"):
-        return method.step(problem, point, parameters, memory)
 
 
 def within(problem: Problem, point: Point, tolerance: tuple[float, float]) -> NDArray[np.bool_]:
@@ -139,17 +139,16 @@ def _landed(
     problem: Problem, method: IterationMethod, point: Point, move: Move, reached: NDArray[np.bool_]
 ) -> tuple[Floats, NDArray[np.intp]]:
     """Return where the steps lead and how the iterations stand; one that ends does not move."""
-    fate = np.full(len(point.q), int(Fate.GOING))
+    fate, flat = np.full(len(point.q), int(Fate.GOING)), is_flat(point)
     finite = np.asarray(np.all(np.isfinite(move.dq), axis=-1))
     dq = np.where(finite[:, None], move.dq, 0.0)
     landed = problem.land(point.q, dq)
     largest = np.max(np.abs(dq), axis=-1)
     far = np.max(np.abs(problem.travelled(np.zeros_like(landed), landed)), axis=-1) > FARTHEST
     fate[~np.any(landed != point.q, axis=-1)] = Fate.LIMIT
-    flat = is_flat(point) & (largest <= STILL)
-    fate[flat | (largest == 0.0)] = Fate.STUCK
+    fate[(flat & (largest <= STILL)) | (largest == 0.0)] = Fate.STUCK
     if move.refused is not None:
-        fate[move.refused] = np.where(is_flat(point), int(Fate.STUCK), int(Fate.SINGULAR))[move.refused]
+        fate[move.refused] = np.where(flat, int(Fate.STUCK), int(Fate.SINGULAR))[move.refused]
     fate[~finite | far] = Fate.DIVERGED
     if method.objective is not None and move.secondary is not None:
         unmoved = (fate == Fate.LIMIT) | (fate == Fate.STUCK)
@@ -159,5 +158,6 @@ def _landed(
 
 def is_flat(point: Point) -> NDArray[np.bool_]:
     """Return where J^T e is zero though e is not: no small motion comes closer, to first order."""
-    slope, e = np.linalg.norm(point.slope, axis=-1), np.linalg.norm(point.e, axis=-1)
-    return np.asarray(slope <= FLAT * point.sigma_max * e)
+    with np.errstate(over="ignore", invalid="ignore"):
+        slope, e = np.linalg.norm(point.slope, axis=-1), np.linalg.norm(point.e, axis=-1)
+        return np.asarray(slope <= FLAT * point.sigma_max * e)

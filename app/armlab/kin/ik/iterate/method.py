@@ -1,4 +1,8 @@
-"""What an iterative method is: a rule for one step. Loop, limits, stopping and words are shared."""
+"""What an iterative method is: a rule for one step. Loop, limits, stopping and words are shared.
+
+A rule for NumPy arrays, many configurations at once, that may look at singular values, has named parameters and may
+remember. The compiled methods behind a drag are another kind of rule: see `armlab.kin.ik.method`.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +18,7 @@ from numpy.typing import NDArray
 from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import finite_floats
 from armlab.kin.ik.iterate import methods as _folder
-from armlab.kin.ik.iterate.problem import Point, Problem
+from armlab.kin.ik.iterate.problem import SINGULAR, Point, Problem
 from armlab.plugins import discover
 
 Floats = NDArray[np.float64]
@@ -145,11 +149,13 @@ def iteration_method(key: str) -> IterationMethod:
 def damped_step(point: Point, damping: Floats) -> Floats:
     """Return J^T (J J^T + damping I)^-1 e, (B, k), from the singular values.
 
-    The sum of sigma / (sigma^2 + damping) v u^T e; the same as (J^T J + damping I)^-1 J^T e. Directions with sigma = 0
-    get nothing, also without damping. Notes 5.112-5.115; the second identity matrix of 5.113 should be m x m.
+    The sum of sigma / (sigma^2 + damping) v u^T e; the same as (J^T J + damping I)^-1 J^T e. Without damping directions
+    whose sigma is zero but for rounding get nothing. Notes 5.112-5.115; the second identity matrix of 5.113 should be
+    m x m.
     """
     square = point.sigma**2 + damping[:, None]
-    return _spread(point, point.sigma / np.where(square > 0.0, square, math.inf))
+    nothing = (SINGULAR * point.sigma_max[:, None]) ** 2
+    return _spread(point, point.sigma / np.where(square > nothing, square, math.inf))
 
 
 def inverse_step(point: Point, cutoff: float = 0.0) -> Floats:

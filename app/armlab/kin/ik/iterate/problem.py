@@ -3,21 +3,21 @@
 Metres and radians are never added. Where components or free joints of both kinds meet, lengths are divided by the
 arm's length scale (half its reach), so that every component of error, Jacobian and step is a pure number; where only
 one kind occurs, as for the position of an arm that only turns, everything stays in metres and radians as it is, and
-the iterates are those of a calculation by hand.
+the iterates are those of a calculation by hand. Angles count by theta, whose half square has J^T e as its exact slope.
+(`armlab.kin.ik.problem` is the compiled counterpart behind a drag: there lengths are always divided and angles count by
+2 sin(theta/2), so that records of its descents are made with ``scaled`` and ``chord``.)
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.checks import finite_floats
 from armlab.kin.ik.iterate.misfit import (
     analytic_rows,
     approach_error,
@@ -33,6 +33,9 @@ Floats = NDArray[np.float64]
 
 SINGULAR = 1e-12
 """Smallest singular value, relative to the largest, at which a matrix has no inverse worth the name."""
+
+FEW = 24
+"""Configurations up to which scalar formulas, one after the other, are faster than those for arrays."""
 
 
 class Misfit(NamedTuple):
@@ -92,6 +95,11 @@ class Point(NamedTuple):
         return self.sigma[:, -1] if self.sigma.shape[1] else np.zeros(len(self.q))
 
     @property
+    def w(self) -> Floats:
+        """The product of the singular values (B,); 0 without any."""
+        return np.asarray(np.prod(self.sigma, axis=-1)) if self.sigma.shape[1] else np.zeros(len(self.q))
+
+    @property
     def singular(self) -> NDArray[np.bool_]:
         """Where J has lost rank, (B,)."""
         return np.asarray(self.sigma_min <= SINGULAR * self.sigma_max)
@@ -101,6 +109,13 @@ class Point(NamedTuple):
         misfit = Misfit(*(part[rows] for part in self.misfit))
         q, e, J, U, sigma, Vt = (part[rows] for part in self[:6])
         return Point(q, e, J, U, sigma, Vt, misfit, self.represented[rows])
+
+
+def joined(points: Sequence[Point]) -> Point:
+    """Return the configurations of several points in order as one."""
+    misfit = Misfit(*(np.concatenate(parts) for parts in zip(*(one.misfit for one in points), strict=True)))
+    q, e, J, U, sigma, Vt = (np.concatenate(parts) for parts in zip(*(one[:6] for one in points), strict=True))
+    return Point(q, e, J, U, sigma, Vt, misfit, np.concatenate([one.represented for one in points]))
 
 
 class Problem:
@@ -115,18 +130,21 @@ class Problem:
     free : sequence of int
         0-based joints that may move.
     weights : array_like, shape (m,), optional
-        Positive factors of the components of the scaled error; 1 when left out.
+        Positive factors of the components of the scaled error, one for all components of a rotation vector; 1 when left
+        out.
     clamp : bool
         Whether steps end at the joint limits.
     chord : bool
         Whether `cost` measures angles by their chord 2 sin(theta/2) instead of theta.
+    scaled : bool
+        Whether lengths are divided by the length scale in any case.
 
     Attributes
     ----------
     length : float
         Metres that count as 1: 1, or the arm's length scale where metres and radians meet.
     mixed : bool
-        Whether they meet.
+        Whether they meet, or lengths are divided in any case.
     """
 
     def __init__(
@@ -138,16 +156,18 @@ class Problem:
         weights: ArrayLike | None = None,
         clamp: bool = True,
         chord: bool = False,
+        scaled: bool = False,
     ) -> None:
         self.arm, self.vector, self.clamp, self.chord = arm, vector, clamp, chord
         self.free = np.array(free, dtype=np.intp)
-        self.target = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
+        self.to_frame_0 = np.asarray(inverse(arm.base), dtype=np.float64)
+        self.target = self.to_frame_0 @ T
         kinds = vector.kinds(arm)
         joint_kinds = {bool(arm.revolute[i]) for i in free}
-        self.mixed = len(set(kinds)) > 1 or len(joint_kinds) > 1
+        self.mixed = scaled or len(set(kinds)) > 1 or len(joint_kinds) > 1
         self.length = arm.length_scale if self.mixed else 1.0
         self.units = np.where(arm.revolute, 1.0, self.length)[self.free]
-        given = np.ones(vector.m) if weights is None else _weights(weights, vector.m)
+        given = np.ones(vector.m) if weights is None else vector.factors(weights, "weights")
         self.row_units = given / np.where(np.array(kinds) == "m", self.length, 1.0)
         self.angles = np.array(kinds) == "rad"
         self.kinds = kinds
@@ -165,12 +185,22 @@ class Problem:
         return math.hypot(*self.target[self.vector.task.coordinates, 3]) > self.arm.reach * (1.0 + 1e-12)
 
     def at(self, q: Floats) -> Point:
-        """Return the task at configurations (B, n)."""
+        """Return the task at configurations (B, n).
+
+        What is too large for a number is infinite, without a warning: such an iteration has diverged.
+        """
+        with np.errstate(all="ignore"):
+            return self._at(q)
+
+    def _at(self, q: Floats) -> Point:
         tool = self._tool(q)
         misfit, angles = self._misfit(q, tool)
         J, represented = self._jacobian(q, tool, angles)
         J = J[:, :, self.free] * self.row_units[:, None] * self.units
         k = len(self.free)
+        if not np.isfinite(J).all():
+            # An overflow of weights or lengths: such a row has no singular values, and its error says that it diverged.
+            J = np.where(np.isfinite(J).all(axis=(1, 2), keepdims=True), J, 0.0)
         if k:
             U, sigma, Vt = np.linalg.svd(J, full_matrices=False)
         else:
@@ -198,23 +228,22 @@ class Problem:
         return self.half_square(self.error(q))
 
     def manipulability(self, q: Floats) -> Floats:
-        """Return the product of the singular values of J (B,) at configurations (B, n)."""
-        return np.asarray(np.prod(self.at(q).sigma, axis=-1))
+        """Return w (B,) at configurations (B, n)."""
+        return self.at(q).w
 
     def land(self, q: Floats, dq: Floats) -> Floats:
         """Return where steps (B, k) in scaled free joints lead from (B, n): inside the limits when these are kept."""
         after = q.copy()
-        after[:, self.free] += dq * self.units
-        return np.clip(after, self.low, self.high)
+        after[:, self.free] = np.clip(q[:, self.free] + dq * self.units, self.low[self.free], self.high[self.free])
+        return after
 
     def travelled(self, before: Floats, after: Floats) -> Floats:
         """Return the steps (B, k) in scaled free joints between configurations (B, n)."""
         return np.asarray((after - before)[:, self.free] / self.units)
 
     def _tool(self, q: Floats) -> Floats:
-        """Return the tool in frame 0, (B, 4, 4); the scalar formulas are much the faster for one configuration."""
-        pose = self.arm.fk(q[0])[None] if len(q) == 1 and np.isfinite(q).all() else self.arm.fk(q)
-        return np.asarray(inverse(self.arm.base) @ pose, dtype=np.float64)
+        """Return the tool in frame 0, (B, 4, 4)."""
+        return np.asarray(self.to_frame_0 @ _evaluated(self.arm.fk, q), dtype=np.float64)
 
     def _misfit(self, q: Floats, tool: Floats) -> tuple[Misfit, Floats | None]:
         """Return the misfit, and the Euler angles (B, 3) where the error is theirs."""
@@ -241,7 +270,7 @@ class Problem:
     def _jacobian(self, q: Floats, tool: Floats, angles: Floats | None) -> tuple[Floats, NDArray[np.bool_]]:
         """Return the task Jacobian (B, m, n) in natural units, and where its representation is regular."""
         task, B = self.vector.task, len(q)
-        whole = self.arm.jacobian(q[0])[None] if B == 1 and np.isfinite(q).all() else self.arm.jacobian(q)
+        whole = _evaluated(self.arm.jacobian, q)
         turn_back = self.arm.base[:3, :3].T
         linear, omega = turn_back @ whole[:, :3], turn_back @ whole[:, 3:]
         rows, represented = [linear[:, task.coordinates]], np.ones(B, dtype=np.bool_)
@@ -260,8 +289,8 @@ class Problem:
         return np.concatenate(rows, axis=1), represented
 
 
-def _weights(weights: ArrayLike, m: int) -> Floats:
-    values = finite_floats(weights, "weights", (m,), f"{m} positive numbers")
-    if not np.all(values > 0.0):
-        raise InputError(f"weights: expected {m} positive numbers, got {values.tolist()}")
-    return values
+def _evaluated(formula: Callable[[Floats], NDArray[np.floating]], q: Floats) -> NDArray[np.floating]:
+    """Return a formula of the arm at configurations (B, n): one by one where that is the faster."""
+    if 0 < len(q) <= FEW and np.isfinite(q).all():
+        return np.array([formula(row) for row in q])
+    return formula(q)

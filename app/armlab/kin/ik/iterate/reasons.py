@@ -46,11 +46,12 @@ def verdict(
     sigma_max, cost : ndarray, shape (k + 1,)
     """
     k = len(sigma_max) - 1
-    if fate == Fate.CONVERGED:
-        return "converged", _converged(k, jumps)
-    if problem.beyond:
-        return "out of reach", "out of reach: farther than all links in a line"
+    if fate == Fate.CONVERGED or problem.beyond:
+        return plain_verdict(problem, fate == Fate.CONVERGED, last, cost, jumps)
     if fate in (Fate.STUCK, Fate.SINGULAR):
+        held = at_limits(problem, last.q[0]) if problem.clamp and not is_flat(last)[0] else ()
+        if fate == Fate.STUCK and held:
+            return "limit", f"stopped at the limits of {_joints(held)}"
         return _stuck(method, fate, last)
     if fate == Fate.REPRESENTATION:
         text = "the Euler angles are singular here: first and third turn about one line"
@@ -62,6 +63,17 @@ def verdict(
         return "diverged", f"diverged: {warning}"
     if fate == Fate.DIVERGED:
         return "diverged", f"diverged: error or joint values grew without bound in {_steps(k)}{_after(jumps)}"
+    return plain_verdict(problem, False, last, cost, jumps)
+
+
+def plain_verdict(
+    problem: Problem, converged: bool, last: Point, cost: Floats, jumps: tuple[int, ...]
+) -> tuple[Status, str]:
+    """Return status and reason of an iteration that converged or ran out of steps, whatever its method."""
+    if converged:
+        return "converged", _converged(len(cost) - 1, jumps)
+    if problem.beyond:
+        return "out of reach", "out of reach: farther than all links in a line"
     return _unfinished(problem, last, cost, jumps)
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Literal, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,13 +13,14 @@ from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats, whole_number
 from armlab.kin.ik.iterate.loop import Fate, Stage, march
 from armlab.kin.ik.iterate.method import IterationMethod, Parameters, iteration_method
-from armlab.kin.ik.iterate.problem import Floats, Point, Problem
-from armlab.kin.ik.iterate.reasons import jumps_of, scaling, verdict
+from armlab.kin.ik.iterate.problem import Floats, Point, Problem, joined
+from armlab.kin.ik.iterate.reasons import jumps_of, plain_verdict, scaling, verdict
 from armlab.kin.ik.iterate.task_vector import TaskVector, task_vector
 from armlab.kin.ik.iterate.trace import Status, Trace
 from armlab.kin.ik.verdict import checked_locks, joint_values
 from armlab.kin.transforms import as_pose
 
+Damping = Callable[[Floats], Floats]
 Limits = Literal["clamp", "none"]
 
 TOLERANCE = (1e-6, 1e-6)
@@ -60,7 +61,8 @@ def iterate(
     limits : "clamp" or "none"
         Whether each step is cut off at the joint limits.
     weights : array_like, shape (m,), optional
-        Positive factors of the components of the error.
+        Positive factors of the components of the scaled error (metres over the length scale and radians where both
+        occur); one for all components of an orientation.
     locked : sequence of bool, optional
         Joints that keep their value.
     task : TaskVector or str, optional
@@ -93,15 +95,13 @@ def iterate(
     problem = Problem(arm, as_pose(T, "T"), vector, free, weights, clamp, chosen.chord)
     if clamp:
         start[free] = arm.clip(start)[free]
-    unfit = _unfit(chosen, vector, len(free))
-    film = _Film()
-    for stage in march(problem, chosen, values, start[None], 0 if unfit else steps, pair):
-        film.add(stage)
-    return film.trace(problem, chosen, values, unfit)
+    why_not = unfit(chosen, vector, len(free))
+    stages = list(march(problem, chosen, values, start[None], 0 if why_not else steps, pair))
+    return filmed(problem, chosen, values, stages, why_not=why_not)
 
 
-def _unfit(method: IterationMethod, vector: TaskVector, free: int) -> tuple[Status, str] | None:
-    """Return why a method cannot begin; None when it can."""
+def unfit(method: IterationMethod, vector: TaskVector, free: int) -> tuple[Status, str] | None:
+    """Return status and reason why a method cannot begin; None when it can."""
     if not free:
         return "locked", "all joints are locked"
     if free < vector.m and not method.tall:
@@ -110,73 +110,103 @@ def _unfit(method: IterationMethod, vector: TaskVector, free: int) -> tuple[Stat
     return None
 
 
-class _Row(NamedTuple):
-    point: Point
-    landed: Floats
-    damping: float
+def filmed(
+    problem: Problem,
+    method: IterationMethod,
+    parameters: Parameters,
+    stages: Sequence[Stage],
+    row: int = 0,
+    why_not: tuple[Status, str] | None = None,
+) -> Trace:
+    """Return the record of one of the starts of a march.
+
+    Parameters
+    ----------
+    row : int
+        Which start.
+    why_not : tuple, optional
+        Status and reason when the method could not begin.
+    """
+    at = [(stage, int(found[0])) for stage in stages if len(found := np.flatnonzero(stage.rows == row))]
+    points = joined([stage.point.take(np.array([i])) for stage, i in at])
+    fate = Fate(int(at[-1][0].fate[at[-1][1]]))
+    cost, jumps = _cost(problem, points), jumps_of(problem, np.diff(points.q, axis=0))
+    if why_not and fate != Fate.CONVERGED:
+        status, reason = why_not
+    else:
+        last = points.take(np.array([-1]))
+        status, reason = verdict(problem, method, parameters, fate, last, points.sigma_max, cost, jumps)
+    objective = None if method.objective is None else method.objective(problem, points.q)
+    damping = np.array([stage.damping[i] for stage, i in at[:-1]], dtype=float)
+    return _trace(problem, method.key, parameters, points, damping, status, reason, objective)
 
 
-class _Film:
-    """The stages of one iteration."""
+def replayed(
+    problem: Problem, key: str, parameters: Parameters, path: Floats, damping: Damping | None, converged: bool
+) -> Trace:
+    """Return the record of iterates (k + 1, n) that were computed elsewhere.
 
-    def __init__(self) -> None:
-        self.rows: list[_Row] = []
-        self.fate = Fate.MOST
-
-    def add(self, stage: Stage) -> None:
-        """Take one more iterate."""
-        self.rows.append(_Row(stage.point, stage.landed[0], float(stage.damping[0])))
-        self.fate = Fate(int(stage.fate[0]))
-
-    def trace(
-        self,
-        problem: Problem,
-        method: IterationMethod,
-        parameters: Parameters,
-        unfit: tuple[Status, str] | None,
-    ) -> Trace:
-        """Return the record."""
-        points = [row.point for row in self.rows]
-        q = np.concatenate([point.q for point in points])
-        step, sigma_max = np.diff(q, axis=0), np.concatenate([point.sigma_max for point in points])
-        cost = np.concatenate([problem.half_square(point.e) for point in points])
-        jumps = jumps_of(problem, step)
-        if unfit and self.fate != Fate.CONVERGED:
-            status, reason = unfit
-        else:
-            status, reason = verdict(problem, method, parameters, self.fate, points[-1], sigma_max, cost, jumps)
-        return Trace(
-            method=method.key,
-            parameters=dict(parameters),
-            q=_settled(q),
-            components=_settled(np.concatenate([point.misfit.components for point in points])),
-            position_error=_settled(np.concatenate([point.misfit.position for point in points])),
-            rotation_error=_settled(np.concatenate([point.misfit.rotation for point in points])),
-            step=_settled(step),
-            sigma_min=_settled(np.concatenate([point.sigma_min for point in points])),
-            sigma_max=_settled(sigma_max),
-            w=_settled(np.concatenate([_volume(point) for point in points])),
-            damping=_settled(np.array([row.damping for row in self.rows[:-1]])),
-            cost=_settled(cost),
-            objective=None if method.objective is None else _settled(method.objective(problem, q)),
-            status=status,
-            reason=reason,
-            jumps=jumps,
-            names=problem.vector.names,
-            kinds=problem.kinds,
-            length=problem.length,
-            scaling=scaling(problem),
-        )
+    Parameters
+    ----------
+    key, parameters
+        What they were computed with.
+    damping : callable, optional
+        ``damping(e^T e (k,)) -> (k,)``.
+    converged : bool
+        Whether the last is a solution.
+    """
+    points = problem.at(path)
+    cost, jumps = _cost(problem, points), jumps_of(problem, np.diff(path, axis=0))
+    added = np.zeros(len(path) - 1) if damping is None else damping(2.0 * cost[:-1])
+    status, reason = plain_verdict(problem, converged, points.take(np.array([-1])), cost, jumps)
+    return _trace(problem, key, parameters, points, added, status, reason, None)
 
 
-def _volume(point: Point) -> Floats:
-    """Return the product of the singular values (1,); 0 without any."""
-    return np.asarray(np.prod(point.sigma, axis=-1) if point.sigma.shape[1] else np.zeros(len(point.q)))
+def _trace(
+    problem: Problem,
+    key: str,
+    parameters: Parameters,
+    points: Point,
+    damping: Floats,
+    status: Status,
+    reason: str,
+    objective: Floats | None,
+) -> Trace:
+    step = np.diff(points.q, axis=0)
+    return Trace(
+        method=key,
+        parameters=dict(parameters),
+        q=_settled(points.q),
+        components=_settled(points.misfit.components),
+        position_error=_settled(points.misfit.position),
+        rotation_error=_settled(points.misfit.rotation),
+        step=_settled(step),
+        sigma_min=_settled(points.sigma_min),
+        sigma_max=_settled(points.sigma_max),
+        w=_settled(points.w),
+        damping=_settled(damping),
+        cost=_settled(_cost(problem, points)),
+        objective=None if objective is None else _settled(objective),
+        status=status,
+        reason=reason,
+        jumps=jumps_of(problem, step),
+        names=problem.vector.names,
+        kinds=problem.kinds,
+        length=problem.length,
+        scaling=scaling(problem),
+    )
+
+
+def _cost(problem: Problem, points: Point) -> Floats:
+    # Targets at the end of the numbers have an infinite square, and that is what the record says.
+    with np.errstate(all="ignore"):
+        return problem.half_square(points.e)
 
 
 def _settled(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    values.setflags(write=False)
-    return values
+    own = np.array(values)
+    own.setflags(write=False)
+    return own
 
 
 def checked_vector(arm: Arm, task: TaskVector | str | None) -> TaskVector:

@@ -12,11 +12,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats, whole_number, wrong
 from armlab.kin.euler import SEQUENCES
+from armlab.kin.ik.weights import one_for_the_orientation, positive_factors
 from armlab.kin.task import Task, task_named
 
 Kind = Literal["m", "rad"]
@@ -63,6 +65,19 @@ class TaskVector:
         turns: list[Kind] = ["rad" for _ in range(self.task.m - len(place))]
         own: list[Kind] = ["rad" if arm.rows[i - 1].revolute else "m" for i, _ in self.joints]
         return (*place, *turns, *own)
+
+    def factors(self, values: ArrayLike, where: str) -> NDArray[np.float64]:
+        """Return one positive factor for each component, (m,).
+
+        Raises
+        ------
+        InputError
+            Other numbers than these, or different ones for the components of one rotation vector.
+        """
+        found = positive_factors(values, where, self.m)
+        if self.euler is None:
+            one_for_the_orientation(found[len(self.task.position) : self.task.m], where)
+        return found
 
 
 def task_vector(

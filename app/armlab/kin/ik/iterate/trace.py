@@ -32,7 +32,7 @@ class Trace:
     Attributes
     ----------
     method : str
-        Key of the method.
+        Key of the method: an iterative one, or a compiled one in the record of a solve.
     parameters : dict
         Its parameters by key.
     q : ndarray, shape (k + 1, n)
@@ -50,7 +50,7 @@ class Trace:
     damping : ndarray, shape (k,)
         The number added to the diagonal of J J^T at each step; 0 for methods without.
     cost : ndarray, shape (k + 1,)
-        Half the squared scaled error; of cyclic coordinate descent with chords for angles.
+        Half the squared scaled error; with chords for angles of cyclic coordinate descent and of compiled methods.
     objective : ndarray, shape (k + 1,), or None
         Value of a secondary objective.
     status, reason : str

@@ -22,7 +22,7 @@ from armlab.kin.ik.problem import FLOOR
 
 def step(J: Sequence[Sequence[Number]], e: Sequence[Number], gain: Number) -> list[Number]:
     """Return one damped step; the smaller of the two normal equations is solved."""
-    mu = vec.dot(e, e) * gain + FLOOR
+    mu = damping(vec.dot(e, e), gain)
     columns = vec.transpose(J)
     wide = len(J) <= len(columns)
     vectors = J if wide else columns
@@ -35,4 +35,9 @@ def step(J: Sequence[Sequence[Number]], e: Sequence[Number], gain: Number) -> li
     return vec.solve_symmetric(normal, [vec.dot(column, e) for column in columns])
 
 
-METHOD = Method("dls", "damped least squares", 1, step, gain=0.1, damped=True)
+def damping(square: Number, gain: Number) -> Number:
+    """Return mu where e^T e is ``square``."""
+    return square * gain + FLOOR
+
+
+METHOD = Method("dls", "damped least squares", 1, step, gain=0.1, damping=damping)

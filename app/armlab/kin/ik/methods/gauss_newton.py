@@ -21,7 +21,8 @@ CUTOFF = 1e-6
 
 def step(J: Sequence[Sequence[float]], e: Sequence[float], gain: float) -> list[float]:
     """Return gain times the pseudo-inverse step."""
-    dq: list[float] = (gain * (np.linalg.pinv(np.asarray(J), rcond=CUTOFF) @ np.asarray(e))).tolist()
+    with np.errstate(all="ignore"):  # A target at the end of the numbers; the loop takes such a step for none.
+        dq: list[float] = (gain * (np.linalg.pinv(np.asarray(J), rcond=CUTOFF) @ np.asarray(e))).tolist()
     return dq
 
 

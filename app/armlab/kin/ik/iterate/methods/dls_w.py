@@ -19,7 +19,7 @@ from armlab.kin.ik.iterate.problem import Point, Problem
 
 def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory) -> Move:
     """Return the step damped by w."""
-    lacking = np.maximum(0.0, 1.0 - np.prod(point.sigma, axis=-1) / parameters["w_0"])
+    lacking = np.maximum(0.0, 1.0 - point.w / parameters["w_0"])
     damping = parameters["lambda_0"] * lacking**2
     return Move(damped_step(point, damping), damping)
 

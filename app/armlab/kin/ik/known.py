@@ -1,0 +1,91 @@
+"""What the list of all solutions says when a search failed: a solution after all, or the proof that there is none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.ik.closed_form import closed_form_of, known_structure
+from armlab.kin.ik.loop import wrapped
+from armlab.kin.ik.solutions import IkSolutions
+from armlab.kin.ik.solve_all import solve_all
+
+Floats = NDArray[np.float64]
+
+
+class Known(NamedTuple):
+    """What is known.
+
+    Attributes
+    ----------
+    q : ndarray, shape (n,), or None
+        The solution inside the limits that is nearest to given values.
+    proven : bool
+        Whether there is none.
+    sentence : str
+        Where the solution comes from or why there is none, in words; empty where nothing is known.
+    """
+
+    q: Floats | None = None
+    proven: bool = False
+    sentence: str = ""
+
+
+def known_solution(arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | None) -> Known:
+    """Return what the complete solver of an arm knows; nothing for an arm that has none.
+
+    Parameters
+    ----------
+    arm : Arm
+    T : ndarray, shape (4, 4)
+        Checked pose in the world.
+    near : ndarray, shape (n,)
+        Joint values to be near to; those of locked joints are kept.
+    locked : sequence of bool, optional
+    """
+    held = {i + 1: float(near[i]) for i in range(arm.n) if locked is not None and locked[i]}
+    if not _can_tell(arm, len(held)):
+        return Known()
+    found = solve_all(arm, T, held=held)
+    inside = found.q[found.within_limits]
+    if len(inside):
+        q = _nearest(arm, inside, near)
+        q = q if locked is None else np.where(np.array(locked), near, q)
+        return Known(q, sentence="found in the list of all solutions, not by this search")
+    so = " with these joints locked" if held else ""
+    if found.completeness == "none" or (found.completeness == "complete" and not len(found)):
+        return Known(None, True, f"proven: there is no solution{so}")
+    if found.completeness == "complete":
+        return Known(None, True, _outside(found) + so)
+    return Known()
+
+
+def _can_tell(arm: Arm, held: int) -> bool:
+    """Return whether there is a solver that can find all solutions when so many joints are held."""
+    if arm.n - held > arm.task.m or known_structure(arm).free > held:
+        return False
+    general = arm.n == 6 and bool(arm.revolute.all()) and arm.task.key == "pose"
+    return held > 0 or general or closed_form_of(arm) is not None
+
+
+def _nearest(arm: Arm, q: Floats, near: Floats) -> Floats:
+    """Return the row nearest to given values, in radians and length scales, of all its whole turns the nearest."""
+    rows = np.array([wrapped(row.tolist(), near, arm.revolute, arm.limits) for row in q])
+    return np.asarray(rows[int(np.argmin(_sizes(arm, rows - near)))])
+
+
+def _outside(found: IkSolutions) -> str:
+    nearest = int(np.argmin(_sizes(found.arm, found.beyond)))
+    out = found.how_far_out[nearest]
+    if len(found) == 1:
+        return f"proven: the only solution is outside the limits, {out}"
+    return f"proven: all {len(found)} solutions are outside the limits, the nearest has {out}"
+
+
+def _sizes(arm: Arm, moves: Floats) -> Floats:
+    """Return the lengths (k,) of joint moves (k, n) in radians and length scales."""
+    return np.asarray(np.linalg.norm(moves / np.where(arm.revolute, 1.0, arm.length_scale), axis=1))

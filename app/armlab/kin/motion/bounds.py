@@ -1,0 +1,160 @@
+"""How fast a timing law may be on a path, from the limits of the joints (section 6.1.1 of the notes)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.errors import InputError
+from armlab.kin.motion.extremes import extremes
+from armlab.kin.motion.field import positive_bounds
+from armlab.kin.motion.path import Path
+
+Floats = NDArray[np.float64]
+
+BALANCED = math.sqrt(0.5)
+"""Of the largest speed with any room left for an acceleration: then half of each joint's limit goes to the bend of the
+path and half to speeding up."""
+
+
+@dataclass(frozen=True, eq=False)
+class LawBounds:
+    """Bounds of |s'| and |s''| that keep every joint within its limits.
+
+    Attributes
+    ----------
+    M_v, M_a : ndarray, shape (m,)
+        Largest |dq_i/ds| and |d²q_i/ds²| on [0, 1], end points included.
+    M_v_at, M_a_at : ndarray, shape (m,)
+        Where they are.
+    v_max, a_max : ndarray, shape (m,)
+        Limits of the joints.
+    V : float
+        Largest |s'|: the smallest v_max,i / M_v,i, or what the caller chose below it.
+    V_joint : int
+        The joint (1-based) that sets it; 0 when none does.
+    A : float
+        Largest |s''| at that V; not positive when V is too large for the bends of the path.
+    A_joint : int
+        The joint (1-based) that sets it; 0 when none does.
+    V_bend : float
+        The V above which no |s''| is left at all.
+    explanation : str
+        What it means, in words.
+    """
+
+    M_v: Floats
+    M_a: Floats
+    M_v_at: Floats
+    M_a_at: Floats
+    v_max: Floats
+    a_max: Floats
+    V: float
+    V_joint: int
+    A: float
+    A_joint: int
+    V_bend: float
+    explanation: str
+
+    @property
+    def possible(self) -> bool:
+        """Whether a law can use V and A: A is positive."""
+        return self.A > 0.0
+
+    def lowered(self) -> LawBounds:
+        """Return the bounds with V lowered so that some A is left: to sqrt(1/2) of V_bend, if that is less than V."""
+        return _bounds(self, min(self.V, BALANCED * self.V_bend))
+
+
+def law_bounds(path: Path, v_max: Any, a_max: Any = math.inf, speed: float | None = None) -> LawBounds:
+    """Return how fast a timing law may be on a path.
+
+    Parameters
+    ----------
+    path : Path
+        In joint space.
+    v_max, a_max : array_like, shape (m,) or ()
+        Limits of |qdot_i| and |qddot_i|, positive, infinite where there is none.
+    speed : float, optional
+        A V to work with that is smaller than the largest.
+
+    Raises
+    ------
+    InputError
+        A limit that is not positive (the text names the joint), or a speed above the largest.
+
+    Notes
+    -----
+    |qdot_i| = |dq_i/ds| |s'|, so V = min v_i / M_v,i. |qddot_i| <= M_v,i |s''| + M_a,i V², which holds when
+    |s''| <= (a_i - V² M_a,i) / M_v,i. That bound is safe and not sharp: both maxima need not be at the same s.
+
+    References
+    ----------
+    Notes 6.20-6.44. Two corrections: the maxima may be at the ends of [0, 1], where the next derivative is not zero (in
+    the example 6.34 both are); and the bound 6.33 may be zero or negative, which means that V must be lowered first.
+    """
+    v, a = positive_bounds(v_max, "v_max", path.m), positive_bounds(a_max, "a_max", path.m)
+    degree = path.degree
+    first = extremes(lambda s: path.at(s, 1), path.edges, degree and max(degree - 1, 0))
+    second = extremes(lambda s: path.at(s, 2), path.edges, degree and max(degree - 2, 0))
+    if not first.peak.any():
+        raise InputError("path: it does not move, so no law is bounded by it")
+    raw = LawBounds(first.peak, second.peak, first.peak_at, second.peak_at, v, a, 0.0, 0, 0.0, 0, 0.0, "")
+    largest, _ = _smallest(v, first.peak)
+    if speed is None:
+        return _bounds(raw, largest)
+    if not 0.0 < speed <= largest * (1.0 + 1e-12):
+        raise InputError(f"speed: expected more than 0 and at most V = {largest:.6g}, got {speed:g}")
+    return _bounds(raw, float(speed))
+
+
+def _bounds(raw: LawBounds, V: float) -> LawBounds:
+    largest, V_joint = _smallest(raw.v_max, raw.M_v)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        V_bend = float(np.sqrt(np.where(raw.M_a > 0.0, raw.a_max / raw.M_a, np.inf)).min())
+    used = np.where(raw.M_a > 0.0, V * V * np.where(raw.M_a > 0.0, raw.M_a, 1.0), 0.0)
+    A, A_joint = _smallest(np.where(np.isinf(raw.a_max), np.inf, raw.a_max - used), raw.M_v)
+    return LawBounds(
+        raw.M_v,
+        raw.M_a,
+        raw.M_v_at,
+        raw.M_a_at,
+        raw.v_max,
+        raw.a_max,
+        V,
+        0 if largest > V else V_joint,
+        A,
+        A_joint,
+        V_bend,
+        _explained(V, A, A_joint, V_bend),
+    )
+
+
+def _smallest(values: Floats, by: Floats) -> tuple[float, int]:
+    """Return the smallest quotient and the 1-based joint that has it; 0 when all are infinite."""
+    quotients = np.where(by > 0.0, values / np.where(by > 0.0, by, 1.0), np.inf)
+    j = int(np.argmin(quotients))
+    return float(quotients[j]), 0 if np.isposinf(quotients[j]) else j + 1
+
+
+def _explained(V: float, A: float, joint: int, V_bend: float) -> str:
+    if A > 0.0:
+        return f"With |ṡ| ≤ {V:.4g} 1/s and |s̈| ≤ {A:.4g} 1/s² no joint exceeds its limits."
+    if math.isinf(V):
+        return (
+            f"Without a limit of |ṡ| no |s̈| is safe: the bends of the path take the acceleration. Keep |ṡ| below "
+            f"{V_bend:.4g} 1/s first; then some |s̈| is left."
+        )
+    return (
+        f"At |ṡ| = {V:.4g} 1/s joint {joint} needs all of its acceleration, or more, only to follow the bends of the "
+        "path: "
+        f"the bound on |s̈| is {_signed(A)} 1/s². Lower |ṡ| below {V_bend:.4g} 1/s first; then some |s̈| is left."
+    )
+
+
+def _signed(value: float) -> str:
+    return f"{value:.4g}".replace("-", "−")

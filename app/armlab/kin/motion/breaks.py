@@ -1,0 +1,78 @@
+"""Where a derivative jumps, and to what order a function is continuous there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+ORDERS = (0, 1, 2, 3)
+"""Value and derivatives that paths, laws and motions offer."""
+
+SMOOTH = 3.0
+"""The class of a place where none of the derivatives offered jumps: C3 or smoother."""
+
+JUMP = 1e-8
+"""A jump below this part of the largest value of its derivative is rounding."""
+
+NOISE = 1e-10
+"""Rounding of a lower derivative, relative, which appears in a higher one divided by the length of a piece."""
+
+
+def classes(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) -> Floats:
+    """Return the class of continuity at each of k places: 0 for C0, 1, 2, `SMOOTH`; -1 where values jump.
+
+    Parameters
+    ----------
+    before, after : sequences of ndarray, shape (k, m)
+        Limits of the derivatives of orders 0, 1, 2, 3 from the left and from the right.
+    lengths : ndarray, shape (k,)
+        Of the shorter neighbouring piece.
+    """
+    found = np.full(len(lengths), SMOOTH)
+    sizes = [max(_largest(a), _largest(b)) for a, b in zip(before, after, strict=True)]
+    for order in reversed(range(len(before))):
+        jump = np.abs(after[order] - before[order]).max(axis=1, initial=0.0)
+        floor = np.full(len(lengths), JUMP * sizes[order])
+        for lower in range(order):
+            floor = np.maximum(floor, NOISE * sizes[lower] / lengths ** (order - lower))
+        found = np.where(jump > floor, float(order - 1), found)
+    return found
+
+
+def class_text(continuity: float) -> str:
+    """Return a class in words.
+
+    Examples
+    --------
+    >>> class_text(2), class_text(SMOOTH)
+    ('C2', 'C3 or smoother')
+    """
+    if continuity < 0:
+        return "not continuous"
+    return "C3 or smoother" if continuity >= SMOOTH else f"C{continuity:.0f}"
+
+
+def _largest(values: Floats) -> float:
+    return float(np.abs(values).max(initial=0.0))
+
+
+def merged(places: Sequence[Floats], low: float, high: float) -> Floats:
+    """Return places inside (low, high), sorted, those nearer than rounding taken as one."""
+    every = np.sort(np.concatenate([np.zeros(0), *places]))
+    apart = 1e-12 * (high - low)
+    every = every[(every > low + apart) & (every < high - apart)]
+    if len(every) == 0:
+        return every
+    return np.asarray(every[np.concatenate([[True], np.diff(every) > apart])])
+
+
+def stopped(values: Sequence[Floats], before: bool) -> list[Floats]:
+    """Return derivatives (k, m) at the edges of a motion with standstill before the first and after the last edge."""
+    found = [np.array(each) for each in values]
+    for each in found[1:]:
+        each[0 if before else -1] = 0.0
+    return found

@@ -1,0 +1,164 @@
+"""Largest and smallest values of a piecewise smooth function, and the intervals where it exceeds a limit."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.polynomial import chebyshev
+from numpy.typing import NDArray
+
+from armlab.kin.motion.series import Function, Series, roots_inside, series_of
+
+Floats = NDArray[np.float64]
+
+FINER = 4
+"""Grid points for each degree of a polynomial."""
+
+BETWEEN = 1.0 / math.cos(math.pi / (2.0 * FINER))
+"""A polynomial of degree d is at most so many times as large as on d * `FINER` + 1 Chebyshev points (Ehlich and Zeller
+1964): what makes the search certain."""
+
+GAIN = 1e-15
+"""Relative gain below which a better extreme is not looked for."""
+
+SLACK = 1e-9
+"""A limit exceeded by less than this part of it is kept: what is scaled to meet a limit meets it but for rounding."""
+
+
+@dataclass(frozen=True, eq=False)
+class Extremes:
+    """The range of each of m components.
+
+    Attributes
+    ----------
+    lowest, highest : ndarray, shape (m,)
+    lowest_at, highest_at : ndarray, shape (m,)
+        Arguments at which they are taken; the first ones found.
+    """
+
+    lowest: Floats
+    highest: Floats
+    lowest_at: Floats
+    highest_at: Floats
+
+    @property
+    def peak(self) -> Floats:
+        """The largest absolute value of each, shape (m,)."""
+        return np.maximum(np.abs(self.lowest), np.abs(self.highest))
+
+    @property
+    def peak_at(self) -> Floats:
+        """Where it is, shape (m,)."""
+        return np.where(np.abs(self.highest) >= np.abs(self.lowest), self.highest_at, self.lowest_at)
+
+
+def extremes(function: Function, edges: Floats, degree: int | None = None) -> Extremes:
+    """Return the exact range of a function that is smooth between edges; jumps count from both sides.
+
+    Parameters
+    ----------
+    function : callable
+        From (N,) to (N, m).
+    edges : ndarray, shape (P+1,)
+    degree : int, optional
+        Of the polynomials between the edges, if that is what they are; see `armlab.kin.motion.series.series_of`.
+    """
+    return extremes_of_series(series_of(function, edges, degree))
+
+
+def extremes_of_series(series: Series) -> Extremes:
+    """Return the range of series; see `extremes`."""
+    degree = max(series.coefficients.shape[1] - 1, 1)
+    count = FINER * degree + 1
+    values, places = series.on_grid(count), series.grid(count)
+    top, bottom = values.max(axis=1), values.min(axis=1)
+    m = values.shape[2]
+    found = np.empty((4, m))
+    for j in range(m):
+        found[:2, j] = _highest(series, j, 1.0, (values[:, :, j], top[:, j], bottom[:, j]), places)
+        found[2:, j] = _highest(series, j, -1.0, (-values[:, :, j], -bottom[:, j], -top[:, j]), places)
+    return Extremes(-found[2], found[0], found[3], found[1])
+
+
+def _highest(
+    series: Series, j: int, sign: float, grid: tuple[Floats, Floats, Floats], places: Floats
+) -> tuple[float, float]:
+    """Return the largest value of sign times component j, and where it is."""
+    values, top, bottom = grid
+    piece = int(np.argmax(top))
+    point = int(np.argmax(values[piece]))
+    best, best_at = float(top[piece]), float(places[piece, point])
+    bound = 0.5 * (top + bottom) + 0.5 * (top - bottom) * BETWEEN
+    candidates = np.flatnonzero(bound > best + GAIN * (abs(best) + np.abs(bound)))
+    for i in candidates[np.argsort(-bound[candidates], kind="stable")]:
+        if bound[i] <= best:
+            break
+        terms = sign * series.coefficients[i, :, j]
+        turns = roots_inside(np.asarray(chebyshev.chebder(terms), dtype=np.float64))
+        for u, value in zip(turns, np.atleast_1d(chebyshev.chebval(turns, terms)), strict=True):
+            if value > best:
+                best, best_at = float(value), _place(series.edges[i], float(u))
+    return best, best_at
+
+
+def _place(edges: Floats, u: float) -> float:
+    low, high = float(edges[0]), float(edges[1])
+    return float(low + (high - low) * (0.5 + 0.5 * u))
+
+
+def exceeding(series: Series, limits: Floats) -> list[list[tuple[float, float]]]:
+    """Return for each component the intervals where its absolute value is above its limit by more than `SLACK`.
+
+    Parameters
+    ----------
+    series : Series
+        m components.
+    limits : ndarray, shape (m,)
+        Positive or infinite.
+    """
+    return [_above(series, j, float(limit) * (1.0 + SLACK)) for j, limit in enumerate(limits)]
+
+
+def outside(series: Series, low: Floats, high: Floats, slack: float) -> list[list[tuple[float, float]]]:
+    """Return for each component the intervals where it is below ``low`` or above ``high`` by more than ``slack``."""
+    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    shifted = series.coefficients.copy()
+    shifted[:, 0] -= middle
+    moved = Series(series.edges, shifted)
+    return [_above(moved, j, float(reach) + slack) for j, reach in enumerate(half)]
+
+
+def _above(series: Series, j: int, limit: float) -> list[tuple[float, float]]:
+    if math.isinf(limit):
+        return []
+    degree = max(series.coefficients.shape[1] - 1, 1)
+    column = Series(series.edges, series.coefficients[:, :, j : j + 1]).on_grid(FINER * degree + 1)[:, :, 0]
+    top, bottom = column.max(axis=1), column.min(axis=1)
+    spread = 0.5 * (top - bottom) * BETWEEN
+    middle = 0.5 * (top + bottom)
+    intervals: list[tuple[float, float]] = []
+    for i in np.flatnonzero(np.abs(middle) + spread > limit):
+        terms = series.coefficients[i, :, j]
+        cuts = np.concatenate([[-1.0, 1.0], _crossings(terms, limit), _crossings(terms, -limit)])
+        cuts = np.unique(cuts)
+        for low, high in pairwise(cuts.tolist()):
+            if abs(float(chebyshev.chebval(0.5 * (low + high), terms))) > limit:
+                _append(intervals, _place(series.edges[i], low), _place(series.edges[i], high))
+    return intervals
+
+
+def _crossings(terms: Floats, level: float) -> Floats:
+    shifted = terms.copy()
+    shifted[0] -= level
+    return roots_inside(shifted)
+
+
+def _append(intervals: list[tuple[float, float]], low: float, high: float) -> None:
+    """Add an interval, joined to the one before it where they touch."""
+    if intervals and low - intervals[-1][1] <= 1e-9 * max(abs(low), high - low):
+        intervals[-1] = (intervals[-1][0], high)
+    else:
+        intervals.append((low, high))

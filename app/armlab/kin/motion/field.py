@@ -1,0 +1,128 @@
+"""One thing a path or a law can be told besides its waypoints, its distance and its time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from armlab.errors import InputError, UnknownName
+from armlab.kin.checks import as_floats, whole_number, wrong
+
+Kind = Literal["number", "whole", "choice", "flag", "vector", "list", "rows"]
+Options = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Field:
+    """An option, described so that a form can be made of it.
+
+    Attributes
+    ----------
+    key, symbol, title : str
+        For programs, as the notes write it, and in words.
+    kind : str
+        ``"number"``, ``"whole"`` number, ``"choice"``, ``"flag"``; ``"vector"``: one number a coordinate; ``"list"``:
+        one number for each waypoint or segment; ``"rows"``: a table of numbers.
+    default : object
+        None: may be left out, and then something sensible is chosen, which the title says.
+    low, high : float
+        Smallest and largest value of a number.
+    above : bool
+        Whether ``low`` itself is too small.
+    unit : str
+        ``"1"``, ``"s"``, ``"rad"``; with ``q`` for the unit of the coordinates: ``"q"``, ``"q/s"``, ``"q/s²"``.
+    choices : tuple of (str, str)
+        Key and words of each choice.
+    """
+
+    key: str
+    symbol: str
+    title: str
+    kind: Kind
+    default: Any = None
+    low: float = -math.inf
+    high: float = math.inf
+    above: bool = False
+    unit: str = "1"
+    choices: tuple[tuple[str, str], ...] = ()
+
+    def checked(self, value: Any) -> Any:
+        """Return a value as the maker wants it: float, int, bool, str, array, or None where it may be left out.
+
+        Raises
+        ------
+        InputError
+            Of another kind, out of range, or not finite; the text names the option.
+        """
+        if value is None and self.default is None:
+            return None
+        if self.kind == "flag":
+            if not isinstance(value, (bool, np.bool_)):
+                raise wrong(self.key, "True or False", value)
+            return bool(value)
+        if self.kind == "choice":
+            keys = [key for key, _ in self.choices]
+            if value not in keys:
+                raise UnknownName(self.key, value, keys)
+            return value
+        if self.kind == "whole":
+            return whole_number(value, self.key, int(self.low))
+        array = as_floats(value, self.key, "numbers")
+        if not np.isfinite(array).all():
+            raise wrong(self.key, "finite numbers", value)
+        self._check_range(array, value)
+        if self.kind == "number":
+            if array.shape != ():
+                raise wrong(self.key, "one number", value)
+            return float(array)
+        if self.kind == "rows":
+            if array.ndim != 2:
+                raise wrong(self.key, "rows of numbers", value)
+            return array
+        return np.atleast_1d(array)
+
+    def _check_range(self, array: np.ndarray[Any, np.dtype[np.float64]], value: Any) -> None:
+        too_low = array <= self.low if self.above else array < self.low
+        if np.any(too_low) or np.any(array > self.high):
+            least = "" if math.isinf(self.low) else f"{'more than' if self.above else 'at least'} {self.low:g}"
+            most = "" if math.isinf(self.high) else f"at most {self.high:g}"
+            raise wrong(self.key, " and ".join(part for part in (least, most) if part), value)
+
+
+def checked_options(where: str, fields: Iterable[Field], given: Options) -> dict[str, Any]:
+    """Return all options by key, those not given at their defaults.
+
+    Raises
+    ------
+    InputError
+        An unknown option, or one with a wrong value.
+    """
+    known = {field.key: field for field in fields}
+    for key in given:
+        if key not in known:
+            raise UnknownName(f"options of {where}", key, known)
+    return {key: field.checked(given.get(key, field.default)) for key, field in known.items()}
+
+
+def positive(value: object, where: str) -> float:
+    """Return a positive finite number; `InputError` otherwise."""
+    number = as_floats(value, where, "a positive number")  # type: ignore[arg-type]
+    if number.shape != () or not np.isfinite(number) or number <= 0.0:
+        raise wrong(where, "a positive number", value)
+    return float(number)
+
+
+def positive_bounds(values: Any, where: str, m: int) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Return m positive numbers, infinity allowed; one number stands for all. `InputError` names the coordinate."""
+    array = as_floats(values, where, f"{m} positive numbers")
+    if array.shape not in ((), (m,)):
+        raise wrong(where, f"{m} positive numbers", values)
+    array = np.array(np.broadcast_to(array, (m,)))
+    for j, value in enumerate(array):
+        if not value > 0.0:
+            raise InputError(f"{where} of joint {j + 1}: expected a positive number, got {value:g}")
+    return array

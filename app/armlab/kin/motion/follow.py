@@ -1,0 +1,236 @@
+"""Inverse kinematics along a tool path: joint samples on one branch, and where and why it does not go on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.checks import as_floats, finite_floats, whole_number
+from armlab.kin.ik.branches import branch_names
+from armlab.kin.ik.solve import IkResult, solve
+from armlab.kin.motion.branch import SMALLEST, Branch, Node
+from armlab.kin.motion.followed import Followed, Kind, Stop
+from armlab.kin.motion.task_rows import scaled_jacobian
+from armlab.kin.motion.tool_path import ToolPath
+
+Floats = NDArray[np.float64]
+
+SEARCHES = 30
+"""Random starts when asking whether another branch goes on; 99.9 % of reachable poses need fewer."""
+
+AHEAD = 1e-3
+"""How far behind the end of a branch, in s, that is asked."""
+
+HALVINGS = 50
+"""Of the step in which a limit is passed."""
+
+LEFT = 1e-9
+"""Scaled error up to which a sample counts as on the path."""
+
+BESIDE = 0.01
+"""Smallest over largest singular value below which a configuration is called beside a singularity."""
+
+RESTARTS = 50
+"""Places at which the path is tried again after a stop, when carrying on."""
+
+
+def follow(
+    arm: Arm,
+    tool_path: ToolPath,
+    q0: ArrayLike | None = None,
+    s: Any = 1000,
+    *,
+    seed: int = 0,
+    carry_on: bool = False,
+) -> Followed:
+    """Solve the inverse kinematics along a path, staying on the branch of the start.
+
+    Parameters
+    ----------
+    arm : Arm
+        Only what its task controls is followed.
+    tool_path : ToolPath
+    q0 : array_like, shape (n,), optional
+        The branch: the solution at s = 0 nearest to it is the start. Found by a search when left out.
+    s : int or array_like, shape (N,)
+        Number of even samples, or increasing places from 0 to 1.
+    seed : int
+        Of the searches; the same call gives the same answer.
+    carry_on : bool
+        After a stop go on with another branch where there is one: for a picture of what is feasible. The parts are then
+        not one motion.
+
+    Raises
+    ------
+    InputError
+        Wrong joint values or samples. A path that cannot be followed is a result.
+
+    Notes
+    -----
+    A predictor along J# times the twist and Newton's method as corrector, with steps halved until the correction is
+    small against the step: on a branch a shorter step makes it so, across branches none does. The samples between are
+    polished all together from cubic Hermite guesses.
+
+    References
+    ----------
+    Notes, the planning steps before section 6.1; Allgower and Georg, *Introduction to Numerical Continuation Methods*,
+    2003, chapter 2.
+    """
+    places = _places(s)
+    start = None if q0 is None else finite_floats(q0, "q0", (arm.n,), f"{arm.n} finite numbers")
+    seed = whole_number(seed, "seed", 0)
+    run = _Run(arm, tool_path, places, seed)
+    run.go(start, carry_on)
+    return run.result()
+
+
+def _places(s: Any) -> Floats:
+    if isinstance(s, (int, np.integer)) and not isinstance(s, bool):
+        return np.linspace(0.0, 1.0, whole_number(s, "s", 2))
+    places = as_floats(s, "s", "increasing numbers from 0 to 1")
+    if (
+        places.ndim != 1
+        or len(places) < 2
+        or not (places[0] == 0.0 and places[-1] == 1.0 and (np.diff(places) > 0).all())
+    ):
+        raise InputError("s: expected increasing numbers, the first 0 and the last 1")
+    return places
+
+
+class _Run:
+    """The work of `follow`."""
+
+    def __init__(self, arm: Arm, tool_path: ToolPath, s: Floats, seed: int) -> None:
+        self.arm, self.tool_path, self.s, self.seed = arm, tool_path, s, seed
+        self.branch = Branch(arm, tool_path)
+        self.q, self.slope = (np.full((len(s), arm.n), np.nan) for _ in range(2))
+        self.stops: list[Stop] = []
+        self.parts: list[tuple[int, int]] = []
+
+    def go(self, start: Floats | None, carry_on: bool) -> None:
+        """Follow the path, once or until its end."""
+        found = self._solve(0.0, start)
+        if not found.success:
+            self.stops.append(self._unreachable(0.0, found))
+        at, q = 0.0, found.q if found.success else None
+        while True:
+            if q is not None:
+                nodes, stop = self._limited(self.branch.from_here(q, at))
+                self._fill(nodes)
+                if stop is None and nodes[-1].s < 1.0:
+                    stop = self._ended(nodes[-1])
+                if stop is None:
+                    return
+                self.stops.append(stop)
+            if not carry_on:
+                return
+            at, q = self._restart(self.stops[-1])
+            if q is None:
+                return
+
+    def _solve(self, s: float, near: Floats | None, searches: int = SEARCHES, complete: bool = True) -> IkResult:
+        return solve(self.arm, self.tool_path.pose(s), near, seed=self.seed, searches=searches, complete=complete)
+
+    def _fill(self, nodes: list[Node]) -> None:
+        """Solve all samples between the first and the last node."""
+        first = int(np.searchsorted(self.s, nodes[0].s - SMALLEST))
+        last = int(np.searchsorted(self.s, nodes[-1].s + 1e-12, side="right"))
+        if last <= first:
+            return
+        q, slope, error = self.branch.between(nodes, self.s[first:last])
+        for k in np.flatnonzero(~(error <= LEFT)):
+            again = self.branch.corrected(q[k], float(self.s[first + k]))
+            q[k] = np.nan if again is None else again
+        self.q[first:last], self.slope[first:last] = q, np.where(np.isnan(q), np.nan, slope)
+        self.parts.append((first, last))
+
+    def _limited(self, nodes: list[Node]) -> tuple[list[Node], Stop | None]:
+        """Cut the nodes where a joint passes its limit, and say so."""
+        if self.arm.within_limits(nodes[-1].q):
+            return nodes, None
+        before, after = nodes[-2], nodes[-1]
+        low, high = before, after
+        for _ in range(HALVINGS):
+            s = 0.5 * (low.s + high.s)
+            share = (s - low.s) / (high.s - low.s)
+            q = self.branch.corrected(low.q + share * (high.q - low.q), s)
+            if q is None or s in (low.s, high.s):
+                break
+            low, high = (Node(s, q, low.slope), high) if self.arm.within_limits(q) else (low, Node(s, q, low.slope))
+        over = np.maximum(self.arm.limits[:, 0] - high.q, high.q - self.arm.limits[:, 1])
+        joint = int(np.argmax(over)) + 1
+        kept = nodes[:-1] if low is before else [*nodes[:-1], Node(low.s, low.q, self.branch.slope(low.q, low.s))]
+        J = scaled_jacobian(self.arm, low.q[None], np.asarray(self.arm.fk(low.q), dtype=np.float64)[None])
+        fast = ", beside a singularity, where joints turn fast" if _conditioning(J)[0] < BESIDE else ""
+        at = f"Joint {joint} is at its limit at s = {low.s:.4f}{fast}"
+        other = self._other(low)
+        return kept, self._stop("limit", low, joint, other, at)
+
+    def _ended(self, node: Node) -> Stop:
+        """Return why a branch ends at a node."""
+        ahead = min(node.s + AHEAD, 1.0)
+        near = self._solve(ahead, node.q, 1, False)
+        found = near if near.success else self._solve(ahead, node.q)
+        if not found.success:
+            return self._unreachable(node.s, found, node)
+        kind: Kind = "singularity" if near.success else "branch"
+        at = f"The arm becomes singular at s = {node.s:.4f}, and this branch ends there"
+        return self._stop(kind, node, 0, found.q, at)
+
+    def _other(self, node: Node) -> Floats | None:
+        """Return a configuration inside the limits just behind a limit."""
+        found = self._solve(min(node.s + AHEAD, 1.0), None)
+        return found.q if found.success else None
+
+    def _stop(self, kind: Kind, node: Node, joint: int, other: Floats | None, at: str) -> Stop:
+        point = self.arm.position(node.q)
+        if other is None:
+            rest = "no other branch was found that goes on."
+        else:
+            names = branch_names(self.arm, np.stack([node.q, other]))
+            words = "" if names[0].startswith("solution") else f" ({names[1]})"
+            turn = "a turn on the spot or a change of branch" if kind == "singularity" else "a change of branch"
+            rest = f"going on needs {turn}{words}."
+        return Stop(kind, node.s, np.asarray(point, dtype=np.float64), node.q, joint, other, f"{at}; {rest}")
+
+    def _unreachable(self, s: float, found: IkResult, node: Node | None = None) -> Stop:
+        """Return a stop where nothing reaches the path."""
+        joints = found.verdict.limits
+        q = found.q if node is None else node.q
+        why = f" ({found.reason})" if found.verdict.status in ("limit", "beyond") else ""
+        sentence = f"Behind s = {s:.4f} the path is out of reach{why}: no configuration inside the limits was found."
+        if node is None:
+            sentence = f"The path cannot be begun at s = {s:.4f}: it is out of reach{why}."
+        point = np.asarray(self.tool_path.pose(s)[:3, 3], dtype=np.float64)
+        return Stop("reach", s, point, q, joints[0] + 1 if joints and node is None else 0, None, sentence)
+
+    def _restart(self, stop: Stop) -> tuple[float, Floats | None]:
+        """Return the next place behind a stop where the arm can be on the path, and how."""
+        behind = stop.s + AHEAD
+        candidates = [behind, *np.linspace(0.0, 1.0, RESTARTS + 1)]
+        for s in candidates:
+            if behind <= s < 1.0:
+                found = self._solve(float(s), stop.q, SEARCHES if s == behind else 3, complete=False)
+                if found.success:
+                    return float(s), found.q
+        return 1.0, None
+
+    def result(self) -> Followed:
+        """Return what was found."""
+        reached = np.isfinite(self.q).all(axis=1)
+        ratio = np.full(len(self.s), np.nan)
+        if reached.any():
+            q = self.q[reached]
+            J = scaled_jacobian(self.arm, q, np.asarray(self.arm.fk(q), dtype=np.float64))
+            ratio[reached] = _conditioning(J)
+        return Followed(self.arm, self.s, self.q, self.slope, reached, tuple(self.stops), tuple(self.parts), ratio)
+
+
+def _conditioning(J: Floats) -> Floats:
+    """Return the smallest over the largest singular value, (N,) from (N, m, n)."""
+    sigma = np.linalg.svd(J, compute_uv=False)
+    return np.asarray(sigma[:, -1] / np.where(sigma[:, 0] > 0.0, sigma[:, 0], 1.0))

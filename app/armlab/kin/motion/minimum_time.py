@@ -1,0 +1,152 @@
+"""The intervals of a spline that make it fastest under bounds on velocity and acceleration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+from armlab.kin.motion.field import positive_bounds
+from armlab.kin.motion.knots import checked_knots
+from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.path import Path
+from armlab.kin.motion.path_types import path_type
+from armlab.kin.motion.scaling import as_fast_as_allowed
+from armlab.kin.motion.trajectory import Trajectory
+
+Floats = NDArray[np.float64]
+
+MOST_KNOTS = 40
+"""Waypoints for which the intervals are optimised: each one costs a spline a step."""
+
+STEPS = 80
+"""Of sequential quadratic programming at most."""
+
+SHORTEST = 1e-3
+"""Of the mean interval: none becomes shorter."""
+
+INSIDE = np.array([0.25, 0.5, 0.75])
+"""Where in an interval the velocity is looked at besides its ends, while optimising; the result is scaled by the exact
+peaks."""
+
+
+@dataclass(frozen=True, eq=False)
+class MinimumTime:
+    """A spline with optimised intervals, and the same knots with intervals by distance for comparison.
+
+    Attributes
+    ----------
+    trajectory : Trajectory
+        At constant s', so that its path's time is time; one limit is met, none is exceeded.
+    intervals : ndarray, shape (N-1,)
+        h_k, seconds.
+    by_distance : float
+        Seconds of the spline with intervals in proportion to distance, as fast as allowed.
+    """
+
+    trajectory: Trajectory
+    intervals: Floats
+    by_distance: float
+
+    @property
+    def duration(self) -> float:
+        """The sum of the intervals, seconds."""
+        return self.trajectory.duration
+
+
+def minimum_time_spline(knots: ArrayLike, v_max: Any, a_max: Any, **ends: Any) -> MinimumTime:
+    """Return the spline through waypoints whose intervals take the least time.
+
+    Parameters
+    ----------
+    knots : array_like, shape (N, m)
+        2 to `MOST_KNOTS`.
+    v_max, a_max : array_like, shape (m,) or ()
+        Finite and positive.
+    **ends
+        Options of the spline that are zero or choices (``ends="natural"``): rest to rest when left out.
+
+    Raises
+    ------
+    InputError
+        Wrong waypoints (the text names one) or limits; an end velocity that is not zero, which scaling would change.
+
+    Notes
+    -----
+    A local optimum by sequential quadratic programming, from the best of three simple choices of intervals, and scaled
+    exactly. The same call gives the same answer.
+
+    References
+    ----------
+    Notes, properties of splines in section 6.2.2: "the time intervals h_k can be chosen to minimize T under some
+    bounds".
+    """
+    points = checked_knots(knots, "a spline of least time", 2, MOST_KNOTS, True)
+    m = points.shape[1]
+    v, a = positive_bounds(v_max, "v_max", m), positive_bounds(a_max, "a_max", m)
+    if not (np.isfinite(v).all() and np.isfinite(a).all()):
+        raise InputError("v_max, a_max: expected finite limits")
+    for key in ("v_start", "v_end", "a_start", "a_end"):
+        if ends.get(key) is not None and np.any(np.asarray(ends[key], dtype=float)):
+            raise InputError(f"{key}: expected zero, as the time is not known beforehand")
+    way = np.abs(np.diff(points, axis=0))
+    starts = [np.linalg.norm(way, axis=1), np.maximum((way / v).max(axis=1), np.sqrt(way / a).max(axis=1))]
+    starts.append(np.ones(len(way)))
+    at_once = [_fastest(points, h, v, a, ends) for h in starts]
+    best = min(at_once, key=lambda trajectory: trajectory.duration)
+    if len(way) > 1:
+        better = _fastest(points, _optimised(points, _intervals(best), v, a, ends), v, a, ends)
+        best = min(best, better, key=lambda trajectory: trajectory.duration)
+    return MinimumTime(best, _intervals(best), at_once[0].duration)
+
+
+def _intervals(trajectory: Trajectory) -> Floats:
+    """Return h_k between waypoints (virtual knots left out), in the time of the trajectory."""
+    path: Any = trajectory.path
+    inner = np.delete(path.curve.knots, [k - 1 for k in path.virtual])
+    return np.diff(inner) * trajectory.duration
+
+
+def _spline(points: Floats, h: Floats, ends: dict[str, Any]) -> Path:
+    return path_type("spline").path(points, times=np.concatenate([[0.0], np.cumsum(h)]), **ends)
+
+
+def _fastest(points: Floats, h: Floats, v: Floats, a: Floats, ends: dict[str, Any]) -> Trajectory:
+    path = _spline(points, h, ends)
+    at_first = Trajectory(path, law_type("constant").law(float(np.sum(h))))
+    found, _ = as_fast_as_allowed(at_first, v, a)
+    if not isinstance(found, Trajectory):
+        raise TypeError("scaling a trajectory gives a trajectory")
+    return found
+
+
+def _optimised(points: Floats, h: Floats, v: Floats, a: Floats, ends: dict[str, Any]) -> Floats:
+    # Only here: a fifth of a second at the start of the lab.
+    from scipy.optimize import minimize  # type: ignore[import-untyped]
+
+    unit = float(np.mean(h))
+
+    def room(shares: Floats) -> Floats:
+        """Return what is left of each limit, relative: velocities in each interval, accelerations at knots."""
+        curve: Any = _spline(points, shares * unit, ends)
+        cubics = curve.in_time
+        lengths = np.diff(cubics.knots)
+        at = np.concatenate([cubics.knots, (cubics.knots[:-1, None] + lengths[:, None] * INSIDE).ravel()])
+        (speed,) = cubics.at(at, (1,))
+        (bend,) = cubics.at(cubics.knots, (2,))
+        left = [1.0 - speed / v, 1.0 + speed / v, 1.0 - bend / a, 1.0 + bend / a]
+        return np.concatenate([each.ravel() for each in left])
+
+    found = minimize(
+        lambda shares: float(shares.sum()),
+        h / unit,
+        jac=lambda shares: np.ones_like(shares),
+        bounds=[(SHORTEST, None)] * len(h),
+        constraints=[{"type": "ineq", "fun": room}],
+        method="SLSQP",
+        options={"maxiter": STEPS, "ftol": 1e-8},
+    )
+    return np.asarray(np.maximum(found.x, SHORTEST) * unit)

@@ -1,0 +1,102 @@
+"""The kinds of geometric paths, found by folder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError, UnknownName
+from armlab.kin import paths as _folder
+from armlab.kin.checks import as_floats, wrong
+from armlab.kin.motion.field import Field, checked_options
+from armlab.kin.motion.knots import checked_knots
+from armlab.kin.motion.path import Path
+from armlab.plugins import discover
+
+Floats = NDArray[np.float64]
+Space = Literal["joint", "cartesian"]
+
+
+@dataclass(frozen=True)
+class PathType:
+    """One kind of path, the constant ``PATH`` of a module in `armlab.kin.paths`.
+
+    Attributes
+    ----------
+    key, title : str
+        Short name for programs, name of the field for people.
+    order : int
+        Place in lists.
+    make : callable
+        ``make(knots (N, m), options) -> Path``; both are checked before.
+    least, most : int
+        Number of waypoints.
+    spaces : tuple of str
+        ``"joint"``, ``"cartesian"``: where it makes sense.
+    fields : tuple of Field
+        Options.
+    dimensions : tuple of int
+        Allowed numbers of coordinates; empty for any.
+    apart : bool
+        Whether neighbouring waypoints must differ.
+    """
+
+    key: str
+    title: str
+    order: int
+    make: Callable[[Floats, dict[str, Any]], Path]
+    least: int = 2
+    most: int | None = None
+    spaces: tuple[Space, ...] = ("joint", "cartesian")
+    fields: tuple[Field, ...] = ()
+    dimensions: tuple[int, ...] = ()
+    apart: bool = True
+
+    def path(self, knots: ArrayLike, **options: Any) -> Path:
+        """Return the path through waypoints.
+
+        Parameters
+        ----------
+        knots : array_like, shape (N, m)
+            Waypoints; (N,) for one coordinate.
+        **options
+            By the keys of ``fields``.
+
+        Raises
+        ------
+        InputError
+            Not numbers, too few or too many, two the same (the text names the waypoint, from 1), or a wrong option.
+        """
+        points = checked_knots(knots, self.title, self.least, self.most, self.apart)
+        if self.dimensions and points.shape[1] not in self.dimensions:
+            allowed = " or ".join(map(str, self.dimensions))
+            raise InputError(f"waypoints: {self.title} needs {allowed} coordinates, got {points.shape[1]}")
+        return self.make(points, checked_options(self.key, self.fields, options))
+
+
+@cache
+def path_types() -> dict[str, PathType]:
+    """Return all kinds of paths by key, in the order of lists."""
+    return discover(_folder, "PATH", PathType)
+
+
+def path_type(key: str) -> PathType:
+    """Return a kind of path by key; `UnknownName` when there is none."""
+    if not isinstance(key, str) or key not in path_types():
+        raise UnknownName("path", key, path_types())
+    return path_types()[key]
+
+
+def coordinates(value: Any, where: str, m: int) -> Floats:
+    """Return a vector option as m numbers, zeros where it was left out; `InputError` for another length."""
+    if value is None:
+        return np.zeros(m)
+    vector = as_floats(value, where, f"{m} numbers")
+    if vector.shape != (m,):
+        raise wrong(where, f"{m} numbers, one for each coordinate", value)
+    return vector

@@ -1,0 +1,172 @@
+"""Motions one after the other, side by side, and slowed down."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+from armlab.kin.motion.breaks import ORDERS, merged
+from armlab.kin.motion.field import positive
+from armlab.kin.motion.law import Law
+from armlab.kin.motion.trajectory import Motion, in_time
+
+Floats = NDArray[np.float64]
+
+GAP = 1e-9
+"""Rad or m by which one motion may begin elsewhere than the one before ends."""
+
+
+class Sequential(Motion):
+    """Motions one after the other, such as the sides of a square with a stop at each corner.
+
+    Parameters
+    ----------
+    motions : sequence of Motion
+        Each begins where the one before ends.
+
+    Raises
+    ------
+    InputError
+        None, different numbers of coordinates, or a gap; the text counts the motions from 1.
+    """
+
+    def __init__(self, motions: Sequence[Motion]) -> None:
+        if not motions:
+            raise InputError("motions: expected at least one")
+        self.motions, self.m = tuple(motions), motions[0].m
+        for k, motion in enumerate(motions[1:]):
+            if motion.m != self.m:
+                raise InputError(f"motion {k + 2}: expected {self.m} coordinates as in motion 1, got {motion.m}")
+            gap = float(np.abs(motion.at(0.0) - motions[k].at(motions[k].duration)).max())
+            if gap > GAP:
+                raise InputError(f"motion {k + 2}: begins {gap:.3g} from where motion {k + 1} ends")
+        self.starts = np.concatenate([[0.0], np.cumsum([motion.duration for motion in motions])])
+        self.duration = float(self.starts[-1])
+        degrees = [motion.degree for motion in motions]
+        self.degree = None if None in degrees else max(degree for degree in degrees if degree is not None)
+        self.remarks = tuple(dict.fromkeys(remark for motion in motions for remark in motion.remarks))
+
+    @cached_property
+    def pieces(self) -> Floats:  # type: ignore[override]
+        """Interior times of all motions, and where one ends."""
+        inner = [start + motion.pieces for start, motion in zip(self.starts, self.motions, strict=False)]
+        return merged([*inner, self.starts[1:-1]], 0.0, self.duration)
+
+    def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
+        """Return derivatives of the motion that is on at each time; see `Motion.derivatives`."""
+        times = np.asarray(t, dtype=float)
+        flat = times.reshape(-1)
+        index = np.searchsorted(self.starts[1:-1], flat, side="right")
+        found = [np.empty((flat.size, self.m)) for _ in orders]
+        for k in np.unique(index):
+            at = index == k
+            for out, values in zip(found, self.motions[k].derivatives(flat[at] - self.starts[k], orders), strict=True):
+                out[at] = values
+        return [values.reshape(*times.shape, self.m) for values in found]
+
+    def limits_at(self, t: Floats, before: bool) -> list[Floats]:
+        """Return derivatives from one side; see `Motion.limits_at`."""
+        # Rounding must not decide in which of two motions their common end is.
+        nudge = -GAP if before else GAP
+        index = np.searchsorted(self.starts[1:-1], t + nudge * self.duration, side="right")
+        found = [np.empty((len(t), self.m)) for _ in ORDERS]
+        for k in np.unique(index):
+            at, motion = index == k, self.motions[k]
+            local = t[at] - self.starts[k]
+            edges = motion.edges
+            nearest = edges[np.abs(local[:, None] - edges).argmin(axis=1)]
+            local = np.where(np.abs(nearest - local) < GAP * self.duration, nearest, local)
+            for out, values in zip(found, motion.limits_at(local, before), strict=True):
+                out[at] = values
+        return found
+
+
+class Separate(Motion):
+    """Each coordinate with its own law from one value to another; those that are there first wait.
+
+    Parameters
+    ----------
+    start, end : ndarray, shape (m,)
+    laws : sequence of m laws from 0 to 1, or None for a coordinate that does not move
+    """
+
+    def __init__(self, start: Floats, end: Floats, laws: Sequence[Law | None]) -> None:
+        self.start, self.change, self.laws = start, end - start, tuple(laws)
+        self.m = len(start)
+        moving = [law for law in laws if law is not None]
+        if not moving:
+            raise InputError("end: the same as the start, nothing moves")
+        self.duration = max(law.duration for law in moving)
+        degrees = [law.degree for law in moving]
+        self.degree = None if None in degrees else max(degree for degree in degrees if degree is not None)
+
+    @cached_property
+    def pieces(self) -> Floats:  # type: ignore[override]
+        """Interior times of all laws, and where one ends."""
+        return merged([law.edges for law in self.laws if law is not None], 0.0, self.duration)
+
+    def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
+        """Return derivatives of all coordinates; see `Motion.derivatives`."""
+        times = np.asarray(t, dtype=float)
+        return self._assembled(
+            times, orders, [None if law is None else law.derivatives(times, orders) for law in self.laws]
+        )
+
+    def limits_at(self, t: Floats, before: bool) -> list[Floats]:
+        """Return derivatives from one side; see `Motion.limits_at`."""
+        return self._assembled(t, ORDERS, [None if law is None else self._sided(law, t, before) for law in self.laws])
+
+    def _sided(self, law: Law, t: Floats, before: bool) -> list[Floats]:
+        values = law.derivatives(t, before=before)
+        # A law that ends earlier: at its end it still moves from the left, and stands still from the right.
+        slack = GAP * self.duration
+        over = (t > law.duration + slack) if before else (t > law.duration - slack)
+        over &= law.duration < self.duration - slack
+        return [np.where(over & (order > 0), 0.0, value) for order, value in enumerate(values)]
+
+    def _assembled(self, times: Floats, orders: Sequence[int], columns: Sequence[list[Floats] | None]) -> list[Floats]:
+        found = [np.zeros((*times.shape, self.m)) for _ in orders]
+        for j, column in enumerate(columns):
+            for k, order in enumerate(orders):
+                moved = self.change[j] * column[k] if column is not None else 0.0
+                found[k][..., j] = moved + self.start[j] if order == 0 else moved
+        return found
+
+
+class Slowed(Motion):
+    """The same motion k times as slow: r = k t.
+
+    References
+    ----------
+    Notes 6.156-6.160. The last prints the velocity for the acceleration: the acceleration is divided by k^2.
+    """
+
+    def __init__(self, motion: Motion, k: float) -> None:
+        self.motion, self.k = motion, positive(k, "k")
+        self.m, self.duration, self.degree = motion.m, motion.duration * self.k, motion.degree
+        self.remarks = motion.remarks
+
+    @property
+    def pieces(self) -> Floats:  # type: ignore[override]
+        """Those of the motion, k times as late."""
+        return self.motion.pieces * self.k
+
+    def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
+        """Return derivatives, those of order i divided by k^i; see `Motion.derivatives`."""
+        found = self.motion.derivatives(np.asarray(t, dtype=float) / self.k, orders)
+        return [values / self.k**order for order, values in zip(orders, found, strict=True)]
+
+    def limits_at(self, t: Floats, before: bool) -> list[Floats]:
+        """Return derivatives from one side; see `Motion.limits_at`."""
+        found = self.motion.limits_at(t / self.k, before)
+        return [values / self.k**order for order, values in enumerate(found)]
+
+
+def chained(q: Sequence[Floats], s: Sequence[Floats]) -> list[Floats]:
+    """Return derivatives of orders 0 to 3 of q(s(x)) from those of q (..., m) and of s (...)."""
+    every = dict(enumerate(q))
+    return [in_time(every, s, order, q[0].shape) for order in ORDERS]

@@ -1,0 +1,158 @@
+"""Newton's method for one equation, as the page shows it: iterates, and why it ended, in a sentence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from armlab.content.expressions import parse
+from armlab.errors import InputError
+from armlab.kin.ik.iterate import EXAMPLES, Example1D, newton_1d
+from armlab.kin.ik.iterate.newton_1d import Newton1D as Iterate1D
+
+MOST = 20
+"""Steps."""
+
+SMALL = 1e-13
+"""|f| that counts as 0, relative to the larger of 1 and |f(x0)|."""
+
+LARGE = 1e6
+"""Growth of |x| beyond which the iterates run away."""
+
+LONGEST_ROUND = 4
+ROUND = 1e-7
+"""Steps of the longest round that is looked for, and how near to itself it must come, relative to |x|."""
+
+DIFFERENCE = 6e-6
+"""Step of the central difference, the cube root of the rounding, times the larger of 1 and |x|."""
+
+Function = Callable[[float], float]
+
+
+@dataclass(frozen=True)
+class Solved:
+    """An iteration.
+
+    Attributes
+    ----------
+    iterates : tuple
+        Each with its tangent.
+    status : str
+        ``"converged"``, ``"level"``, ``"round"``, ``"away"``, ``"undefined"`` or ``"most"``.
+    says : str
+    f : callable
+    differenced : bool
+        Whether the slope is a central difference.
+    """
+
+    iterates: tuple[Iterate1D, ...]
+    status: str
+    says: str
+    f: Function
+    differenced: bool
+
+    @property
+    def last(self) -> int:
+        """Number of the last iterate."""
+        return len(self.iterates) - 1
+
+
+def example_named(key: str) -> Example1D:
+    """Return an example by key; `InputError` when there is none."""
+    for example in EXAMPLES:
+        if example.key == key:
+            return example
+    raise InputError(f"equation: unknown name {key!r}. Available: {', '.join(each.key for each in EXAMPLES)}")
+
+
+def typed_function(text: str) -> Function:
+    """Return the function of x a person has typed; `InputError` when it cannot be read."""
+    expression = parse(text, ("x",))
+
+    def f(x: float) -> float:
+        try:
+            return expression.value({"x": x})
+        except InputError:
+            # Where a formula has no value, as a root of a negative number, the iteration ends.
+            return math.nan
+
+    return f
+
+
+def slope_of(f: Function) -> Function:
+    """Return the derivative by central difference."""
+
+    def df(x: float) -> float:
+        h = DIFFERENCE * max(1.0, abs(x))
+        return (f(x + h) - f(x - h)) / (2.0 * h)
+
+    return df
+
+
+@lru_cache(maxsize=64)
+def solved(key: str, text: str, x0: float) -> Solved:
+    """Return the iteration for an example, or for a typed function when there is one.
+
+    Raises
+    ------
+    InputError
+        The function cannot be read, or has no finite value and slope at x0.
+    """
+    if text:
+        f = typed_function(text)
+        df, differenced = slope_of(f), True
+    else:
+        example = example_named(key)
+        f, df, differenced = example.f, example.df, False
+    first = f(x0)
+    tolerance = SMALL * max(1.0, abs(first)) if math.isfinite(first) else SMALL
+    try:
+        found = tuple(newton_1d(f, df, x0, tolerance=tolerance, most=MOST))
+    except InputError:
+        raise InputError(f"x₀ = {x0:g}: f has no finite value or slope there") from None
+    status, says = _why(found, tolerance)
+    return Solved(found, status, says, f, differenced)
+
+
+def _why(found: Sequence[Iterate1D], tolerance: float) -> tuple[str, str]:
+    last, k = found[-1], len(found) - 1
+    steps = "1 step" if k == 1 else f"{k} steps"
+    if abs(last.f) <= tolerance:
+        return "converged", f"converged to x = {signed(last.x, 10)} in {steps}" if k else "x₀ is a root already"
+    if abs(last.x) > LARGE * max(1.0, abs(found[0].x)):
+        return "away", f"diverged: the steps lead farther and farther away, x{_index(k)} = {signed(last.x, 3)}"
+    if last.tangent.slope == 0.0:
+        return "level", f"f′(x{_index(k)}) = 0: the tangent is level and never meets the axis, so there is no next x"
+    if k < MOST:
+        there = signed(last.tangent.root, 4)
+        return "undefined", f"the tangent at x{_index(k)} meets the axis at {there}, where f has no value"
+    return _unfinished([each.x for each in found], [abs(each.f) for each in found], last.f)
+
+
+def _unfinished(x: Sequence[float], f: Sequence[float], last: float) -> tuple[str, str]:
+    """Return why the most steps were not enough."""
+    for period in range(1, LONGEST_ROUND + 1):
+        if abs(x[-1] - x[-1 - period]) <= ROUND * max(1.0, abs(x[-1])):
+            if period == 1:
+                break
+            places = ", ".join(signed(round(value, 6), 6) for value in x[-period:])
+            return "round", f"it goes round and round: {places}, and again; f is 0 at none of them"
+    if f[-1] < 0.6 * f[-2] < 0.36 * f[-3]:
+        return "most", f"not there after {MOST} steps, but still coming closer: f = {signed(last, 2)}"
+    return "most", f"not at a root after {MOST} steps, and coming no closer: f = {signed(last, 3)}"
+
+
+def signed(value: float, digits: int) -> str:
+    """Return a number with so many digits that count, a true minus sign, and a power of ten where it needs one."""
+    mantissa, _, exponent = f"{value + 0.0:.{digits}g}".partition("e")
+    power = f"·10{str(int(exponent)).translate(_RAISED)}" if exponent else ""
+    return mantissa.replace("-", "−") + power
+
+
+def _index(k: int) -> str:
+    return str(k).translate(_LOWERED)
+
+
+_LOWERED, _RAISED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"), str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")

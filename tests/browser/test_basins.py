@@ -1,0 +1,85 @@
+"""A map of basins in the page: it draws in pieces, is cancelled, and a click begins the film there."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.kin.ik import iterate
+from armlab.session.parts.iterations import first_target
+
+pytestmark = pytest.mark.browser
+TWO_R = catalogue()["planar_2r"]
+
+PICTURE = """() => {
+  const image = document.querySelector('.ba-map img');
+  const canvas = document.createElement('canvas');
+  canvas.width = image.naturalWidth; canvas.height = image.naturalHeight;
+  const context = canvas.getContext('2d');
+  context.drawImage(image, 0, 0);
+  return [...context.getImageData(0, 0, canvas.width, canvas.height).data];
+}"""
+
+
+def opened(visit, **options):
+    lab = visit("robot/planar_2r", **options)
+    lab.open_tab("Iterate")
+    lab.rest()
+    lab.press("basins")
+    return lab
+
+
+def drawn_rows(lab):
+    """Return how many rows of the picture are there, from below."""
+    pixels = np.array(lab.page.evaluate(PICTURE), dtype=int)
+    side = math.isqrt(len(pixels) // 4)
+    return side, int(np.sum(pixels.reshape(side, side, 4)[:, 0, 3] > 0))
+
+
+def test_a_map_draws_in_pieces_and_is_cancelled(visit):
+    lab = opened(visit)
+    lab.press("points-256")
+    lab.page.locator("button[data-cell=draw]").click()
+    # The first piece is a part of the picture, and there are more to come.
+    lab.page.wait_for_selector(".ba-map img", timeout=60_000)
+    side, rows = drawn_rows(lab)
+    assert side == 256
+    assert 0 < rows < 256
+    lab.page.wait_for_function("() => document.body.innerText.match(/Drawing: [1-9]/)", timeout=60_000)
+    lab.page.locator("button[data-cell=cancel]").click()
+    lab.page.wait_for_selector("button[data-cell=draw]", timeout=20_000)
+    assert "Cancelled at" in lab.page.inner_text("body")
+    lab.rest()
+    _, rows = drawn_rows(lab)
+    assert 0 < rows < 256
+    lab.rest(1.0)
+    assert drawn_rows(lab)[1] == rows
+
+
+def test_a_click_starts_the_film_at_that_configuration(visit):
+    lab = opened(visit, size=(1100, 900))
+    lab.press("points-64")
+    lab.page.locator("select[data-cell=method]").select_option("dls_error")
+    lab.rest()
+    lab.page.locator("button[data-cell=draw]").click()
+    lab.page.wait_for_selector("a[download]", timeout=60_000)
+    assert "Elbow up" in lab.page.inner_text(".ba-legend")
+    with lab.page.expect_download() as saved:
+        lab.page.locator("a[download]").click()
+    assert saved.value.suggested_filename == "basins_planar_2r_dls_error.png"
+    box = lab.page.locator(".ba-map").bounding_box()
+    lab.page.locator(".ba-map").click(position={"x": 0.65 * box["width"], "y": 0.3 * box["height"]})
+    lab.until(lambda: lab.page.locator(".al-time").count() == 1)
+    lab.rest()
+    # The middle of the pixel that was clicked; up is up.
+    side = 2 * math.pi / 64
+    start = np.array([-math.pi + side * (int(0.65 * 64) + 0.5), -math.pi + side * (int(0.7 * 64) + 0.5)])
+    shown = [float(lab.page.locator(f'input[data-cell="start {i}"]').input_value().replace("−", "-")) for i in (0, 1)]
+    np.testing.assert_allclose(shown, np.degrees(start), atol=0.06)
+    trace = iterate(TWO_R.arm, first_target(TWO_R), start, "dls_error", limits="none")
+    assert trace.success
+    lab.until(lambda: f"Converged in {trace.iterations} steps" in lab.page.inner_text("body"))
+    lab.open_tab("Joints")
+    lab.rest()
+    np.testing.assert_allclose(lab.slider_values(2), np.degrees(start), atol=0.11)
