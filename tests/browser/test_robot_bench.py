@@ -43,7 +43,7 @@ def tool(lab):
     )
 
 
-def test_an_edited_cell_moves_the_arm_and_a_wrong_one_comes_back(visit):
+def test_an_edited_cell_moves_the_arm_and_a_wrong_one_is_marked(visit):
     lab = at_the_table(visit())
     np.testing.assert_allclose(lab.target(), PUMA.arm.position(PUMA.home), atol=1e-6)
     lab.type_into("dh-2-a", "600")
@@ -54,7 +54,10 @@ def test_an_edited_cell_moves_the_arm_and_a_wrong_one_comes_back(visit):
     assert lab.address().split("?")[0].endswith("/")
     lab.type_into("dh-2-a", "a lot")
     assert "row 2, a: expected a number in mm" in lab.page.locator(".mantine-Notification-root").last.inner_text()
-    assert value(lab, "dh-2-a") == "600"
+    wrong = lab.page.locator('input[data-cell="dh-2-a"]')
+    assert wrong.get_attribute("aria-invalid") == "true"
+    assert "got 'a lot'" in lab.page.locator("[role=alert]", has_text="row 2, a").last.inner_text()
+    np.testing.assert_allclose(lab.target(), longer.position(PUMA.home), atol=1e-6)
     lab.press("undo")
     assert value(lab, "dh-2-a") == "431.8"
     lab.until(lambda: "/robot/puma560" in lab.address())

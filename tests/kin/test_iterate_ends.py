@@ -128,6 +128,12 @@ def test_too_few_steps_and_going_to_and_fro_are_told_apart():
     assert hole.reason.startswith(("not reached in 200 steps: the iterates go to and fro", "jumped"))
 
 
+def test_a_first_step_beyond_all_bounds_is_told_without_counting_to_zero():
+    trace = ik.iterate(TWO_R, TWO_R.fk([0.3, 1.0]), [0.1, 1e-10], "newton", limits="none")
+    assert (trace.status, len(trace.q)) == ("diverged", 1)
+    assert trace.reason == "diverged: almost singular, already the first step would go beyond all bounds"
+
+
 def test_arms_without_lengths_and_with_a_missing_direction_say_that_they_are_stuck():
     dot = Arm.from_dh([("R", 0, 0, 0, 0)] * 2, task="xy")
     slide = Arm.from_dh([("P", 0, 0, 0, 0)], task="xy", limits=[[-1, 1]])

@@ -29,7 +29,7 @@ from armlab.session.parts.basins import (
 )
 from armlab.session.parts.iterations import Iterations, vector_of
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
-from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import Timeline
 from armlab.session.session import Session, Undo
@@ -77,7 +77,7 @@ def test_the_map_comes_in_pieces_and_is_done_once():
     assert len(done) > 2
     assert state[Basins].finished is state[Basins].map
     assert JOB.wanted(state, NOBODY) is None
-    assert (state[Basins].map.found.index != FAILED).mean() > 0.8
+    assert (state[Basins].map.found.index != FAILED).mean() > 0.7
 
 
 def test_a_cancelled_map_keeps_what_it_has_and_late_pieces_are_let_go():
@@ -341,3 +341,32 @@ def test_starts_as_the_arm_stands():
     state = apply(opened("puma560", MoveJoint(3, 0.7)), MapRest())
     np.testing.assert_array_equal(state[Basins].rest, state[Joints].q)
     assert apply(state, MapRest()) is state
+
+
+def test_the_gradient_reaches_both_arms_with_what_a_map_begins_with():
+    """With an unsuitable step size, target or number of steps the map would be white."""
+    state = opened("planar_2r", MapMethod("gradient"), MapLike(points=64))
+    assert state[Basins].run.values == {"alpha": 0.3}
+    index = mapped_of(state)
+    assert (index == FAILED).mean() < 0.05
+    assert set(np.unique(index)) >= {0, 1}
+
+
+def test_another_arm_has_another_step_size_and_an_edited_one_keeps_it():
+    state = opened("planar_2r", MapMethod("gradient", "alpha", 0.25))
+    assert apply(state, SetCell(0, "a", 0.9))[Basins].run.values == {"alpha": 0.25}
+    assert apply(state, ChooseRobot("elbow_3r"))[Basins].run.values["alpha"] != 0.25
+
+
+def mapped_of(state):
+    """Return the numbers of the solutions of a whole map."""
+    question = apply(state, DrawBasins())[Basins].drawing
+    return [found for found in run(question) if found is not None][-1].found.index
+
+
+def test_an_arm_that_had_one_joint_and_gets_a_second_has_two_axes():
+    one = opened("planar_2r", RemoveJoint(1))
+    assert one[Basins].joints == (0, 0)
+    two = apply(one, AddJoint(0))
+    assert sorted(two[Basins].joints) == [0, 1]
+    Basins.from_json(two[Basins].to_json(), two[RobotPart].robot)

@@ -1,5 +1,6 @@
 """The film of iterations: its examples, and what becomes of it when it is saved, and with other arms."""
 
+import dataclasses
 import json
 import math
 
@@ -8,7 +9,8 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.kin.ik.iterate import iterate, task_vector
+from armlab.kin.ik.iterate import TaskVector, iterate, task_vector
+from armlab.kin.ik.iterate.problem import Problem
 from armlab.session.clips.iterations import configuration, place_of, standing
 from armlab.session.edits import AddJoint, SetCell, SetLimits
 from armlab.session.iteration_commands import (
@@ -23,8 +25,9 @@ from armlab.session.iteration_commands import (
     StepsAtMost,
 )
 from armlab.session.iteration_examples import EXAMPLES, ChooseExample
-from armlab.session.iteration_runs import FLOW, methods, run_of
+from armlab.session.iteration_runs import FLOW, methods, run_of, step_size
 from armlab.session.jobs.iterations import with_films
+from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.iterations import Iterations, StartIterations, arms_found, questions
 from armlab.session.parts.joints import Joints, LockJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
@@ -164,7 +167,8 @@ def test_a_damaged_file_is_refused(damage):
 def test_another_arm_keeps_the_runs_and_an_edited_one_also_start_and_target():
     state = done(opened(), AddRun("ccd"), SetStart((0.3, 0.4)), StepsAtMost(9))
     other = with_films(apply(state, ChooseRobot("puma560")))
-    assert other[Iterations].runs == state[Iterations].runs
+    assert [run.method for run in other[Iterations].runs] == ["newton", "gradient", "ccd"]
+    assert other[Iterations].runs[1].values["alpha"] != state[Iterations].runs[1].values["alpha"]
     assert len(other[Iterations].start) == 6
     assert len(other[Iterations].films) == 3
     edited = with_films(apply(state, SetCell(0, "a", 0.7)))
@@ -232,3 +236,43 @@ def test_random_commands_leave_a_usable_state(rng):
         State.from_json(json.loads(json.dumps(state.to_json())), state[RobotPart].robot)
     assert run_of("newton").kind.title
     assert state[Target] is not None
+
+
+# -- what it begins with ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("key", list(catalogue().found))
+def test_newton_reaches_the_first_target_and_the_gradient_does_not_diverge(key):
+    state = with_films(opened(key))
+    part, arm = state[Iterations], state[Joints].arm
+    first, gradient = (part.films[run.colour] for run in part.runs)
+    assert first.success, first.reason
+    assert gradient.status != "diverged", gradient.reason
+    assert gradient.position_error[-1] < 0.5 * gradient.position_error[0]
+    # Not beside a singular place, which would be an ill-conditioned lecture.
+    assert first.sigma_min[-1] > 0.05 * (arm.length_scale if first.sigma_unit == "m" else 1.0)
+
+
+def test_the_step_size_of_a_gradient_is_below_its_bound_wherever_the_arm_stands():
+    rng = np.random.default_rng(4)
+    for key in ("planar_2r", "planar_3r", "elbow_3r", "puma560"):
+        arm = catalogue()[key].arm
+        vector = TaskVector(arm.task)
+        problem = Problem(arm, np.asarray(arm.fk(np.zeros(arm.n))), vector, range(arm.n), clamp=False)
+        sigma = problem.at(rng.uniform(-math.pi, math.pi, (500, arm.n))).sigma_max.max()
+        assert 0.5 < step_size(arm, vector) * sigma**2 < 2.0
+    # By hand: stretched, J of the 2R with links of 1 m has the one row (2, 1) m, so sigma_max^2 = 5 m^2.
+    arm = catalogue()["planar_2r"].arm
+    assert step_size(arm, TaskVector(arm.task)) == 0.3
+    half = dataclasses.replace(arm, rows=tuple(dataclasses.replace(row, a=0.5) for row in arm.rows))
+    assert step_size(half, TaskVector(half.task)) == 1.2
+
+
+def test_a_lesson_with_a_target_begins_there_where_its_arm_stands():
+    state = with_films(apply(opened("puma560"), OpenLesson("newton_arm")))
+    part = state[Iterations]
+    np.testing.assert_allclose(part.target[:3, 3], [1.2, 1.1, 0.0])
+    np.testing.assert_allclose(part.start, np.radians([0.0, 90.0]))
+    np.testing.assert_allclose(part.films[0].position_error[:3], [0.2236, 0.0211, 0.00025], atol=5e-5)
+    other = apply(state, ChooseExample("orders"))
+    np.testing.assert_allclose(other[Iterations].target[:3, 3], EXAMPLES["orders"].position)

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import math
 import re
 
 import pytest
@@ -37,6 +38,12 @@ def test_small_numbers_are_written_so_that_something_is_seen():
     assert small(0.0147, False, UNITS) == "14.7"
     assert small(4.2e-9, False, UNITS) == "4.2·10⁻⁶"
     assert small(0.0, True, UNITS) == "0"
+    assert [small(math.radians(value), True, UNITS) for value in (0.9996, 0.452, -0.0451, 0.0051)] == [
+        "1.00",
+        "0.45",
+        "−0.045",
+        "5.1·10⁻³",
+    ]
     assert small(float("nan"), True, UNITS) == "–"
     assert scientific(-2.5e-12) == "−2.5·10⁻¹²"
 
@@ -136,7 +143,7 @@ def test_an_outcome_says_how_far_it_is():
     state = with_films(apply(State.initial(catalogue()["planar_2r"]), ChooseExample("stretched")))
     said = outcome(state[Iterations].film, UNITS)
     assert "Jᵀe = 0" in said
-    assert "Error at the end: 1000.0 mm." in said
+    assert "Error at the end: 1000.0\N{NO-BREAK SPACE}mm." in said
     assert said.startswith('<p class="no">✕ ')
 
 
@@ -155,6 +162,15 @@ def test_the_picture_of_every_example_shows_its_iterates():
             assert "nan" not in drawn
             assert "inf" not in drawn
             assert drawn.count("<circle") >= 1
+
+
+def test_a_start_at_a_root_shows_the_curve_and_not_a_flat_line():
+    from armlab.session.clips.newton_1d import Place
+    from armlab.session.iteration_1d import solved
+
+    for text, x0 in (("abs(x)", 0.0), ("sin(x)", math.pi)):
+        view = View(solved("", text, x0), Place(0, 1.0, 0.5))
+        assert view.y[1] - view.y[0] > 0.5
 
 
 def test_ticks_are_round_and_inside():

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import TaskVector, task_vector
-from armlab.session.iteration_runs import Run, free_colour, run_of
+from armlab.session.iteration_runs import Run, fitting, free_colour
 from armlab.session.parts.iterations import (
     Iterations,
     checked_limits,
@@ -18,6 +18,7 @@ from armlab.session.parts.iterations import (
     checked_start,
     checked_target,
     on_film,
+    vector_of,
 )
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
@@ -104,7 +105,7 @@ class AddRun(Command):
         part = state[Iterations]
         colour = free_colour(part.runs)
         if self.like is None:
-            run = run_of(self.method, colour=colour)
+            run = fitting(self.method, state[Joints].arm, vector_of(state), colour)
         else:
             run = replace(part.runs[checked_run(part, self.like)], colour=colour)
         return changed(state, runs=(*part.runs, run), selected=len(part.runs))
@@ -142,7 +143,8 @@ class ChooseMethod(Command):
         i = checked_run(part, self.run)
         if part.runs[i].method == self.method:
             return state
-        return _with_run(state, i, run_of(self.method, colour=part.runs[i].colour))
+        run = fitting(self.method, state[Joints].arm, vector_of(state), part.runs[i].colour)
+        return _with_run(state, i, run)
 
 
 @dataclass(frozen=True)

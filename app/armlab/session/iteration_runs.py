@@ -5,17 +5,30 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import Self
 
+import numpy as np
+
 from armlab.errors import InputError, UnknownName
-from armlab.kin.ik.iterate import Parameter, iteration_methods
+from armlab.kin.arm import Arm
+from armlab.kin.ik.iterate import Parameter, TaskVector, iteration_methods
+from armlab.kin.ik.iterate.problem import Problem
 from armlab.session.state import Json
 
 MOST_RUNS = 4
 
 FLOW = "flow"
 """Key of the continuous Jacobian transpose among the methods."""
+
+STEP_SIZE = "1/sigma²"
+"""Unit of the parameters that are step sizes of a gradient."""
+
+SAFE = 0.75
+"""Part of the bound on a step size: a larger one may diverge, a smaller one is slow."""
+
+CONFIGURATIONS = 48
+"""In which the largest singular value of an arm is looked for: a millisecond."""
 
 MOST_INSTANTS = 400
 """Steps of the integration of a flow: more would take seconds and be seen by nobody."""
@@ -124,6 +137,34 @@ def run_of(method: str, parameters: Mapping[str, float] | None = None, colour: i
     if type(colour) is not int or not 0 <= colour < MOST_RUNS:
         raise InputError(f"colour: expected 0 to {MOST_RUNS - 1}, got {colour!r}")
     return Run(method, _checked(chosen, values), colour)
+
+
+def fitting(method: str, arm: Arm, vector: TaskVector, colour: int = 0) -> Run:
+    """Return a run with its parameters at their defaults, a step size at one that suits the arm."""
+    return refitted(run_of(method, colour=colour), arm, vector)
+
+
+def refitted(run: Run, arm: Arm, vector: TaskVector | None = None) -> Run:
+    """Return the run with a step size that suits the arm and its task, or this task vector."""
+    for each in run.kind.parameters:
+        if each.unit == STEP_SIZE:
+            value = step_size(arm, vector or TaskVector(arm.task))
+            run = run.with_parameter(each.key, min(max(value, each.low), each.high))
+    return run
+
+
+@lru_cache(maxsize=64)
+def step_size(arm: Arm, vector: TaskVector) -> float:
+    """Return the part `SAFE` of the bound 2 / sigma_max^2 of the gradient, for the largest sigma_max of the arm.
+
+    m⁻² or a pure number, with two digits: 0.3 m⁻² for a planar 2R with links of 1 m. The largest singular value is
+    that of seeded configurations and of all joints at zero, where most tables are stretched.
+    """
+    rng, low, high = np.random.default_rng(0), *arm.limits.T
+    q = np.vstack([np.zeros(arm.n), rng.uniform(low, high, (CONFIGURATIONS, arm.n))])
+    problem = Problem(arm, np.asarray(arm.fk(q[0]), dtype=np.float64), vector, range(arm.n), clamp=False)
+    largest = float(problem.at(q).sigma_max.max())
+    return float(f"{SAFE * 2.0 / largest**2:.2g}") if largest > 0.0 else 1.0
 
 
 def free_colour(runs: tuple[Run, ...]) -> int:

@@ -81,10 +81,11 @@ class Plot:
         self._table: tuple[NDArray[np.float64], ...] = ()
         self._gui = gui
         names = "".join(f"<span>{dot(css(curve.colour))}{escaped(curve.name)}</span>" for curve in self._curves)
-        head = gui.fields(lambda _cell, _text: gui.save(f"{file}.csv", self.csv()))
+        self._head = gui.fields(lambda _cell, _text: gui.save(f"{file}.csv", self.csv()))
         legend = f'<div class="legend">{names}</div>' if len(self._curves) > 1 else ""
-        save = button(head.channel_id, "csv", "CSV", "copy", "Save the curves as a table")
-        head.show(f'<h3>{title}<span class="copies">{save}</span></h3>{legend}')
+        save = button(self._head.channel_id, "csv", "CSV", "copy", "Save the curves as a table")
+        self._after_title = f'<span class="copies">{save}</span></h3>{legend}'
+        self.name(title)
         empty = np.array([0.0, 1.0])
         self._handle: Any = gui.uplot(
             tuple([empty] * (1 + len(self._curves) + limits)),
@@ -97,6 +98,10 @@ class Plot:
             height,
         )
         self._cursor = gui.html()
+
+    def name(self, title: str) -> None:
+        """Give the plot a heading: the markup of the quantity and its unit."""
+        self._head.show(f"<h3>{title}{self._after_title}")
 
     def name_x(self, x: str) -> None:
         """Give the abscissa another name and unit."""

@@ -40,6 +40,12 @@ def test_before_and_after_it_stands_still(law_case):
         assert law.at([-5.0, 7.0], order).tolist() == [0.0, 0.0]
 
 
+def test_a_time_that_is_not_a_number_is_refused(law_case):
+    kind, options, *_ = law_case
+    with pytest.raises(InputError, match="t: expected numbers"):
+        kind.law(1.0, **options).at([0.5, float("nan")])
+
+
 def test_its_derivatives_are_those_of_central_differences(law_case, rng):
     kind, options, *_ = law_case
     law = kind.law(2.0, **options)

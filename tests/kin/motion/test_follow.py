@@ -19,6 +19,8 @@ from armlab.kin.rotations import rotation_from_axis_angle
 UP, FIFTH = np.array([0, 0, 1e-6]), np.eye(6)[4]
 """A way so short that the tool turns on the spot, and joint 5 alone."""
 
+CARTESIAN = catalogue()["cartesian_3p"].arm
+
 
 def line(p, q, R=None):
     return ToolPath(path_type("line").path([p, q]), held(np.eye(3) if R is None else R))
@@ -131,6 +133,18 @@ def test_where_a_joint_meets_its_limit_is_said():
     assert "a change of branch (elbow down)" in stop.sentence
 
 
+def test_a_limit_that_only_needs_a_whole_turn_back_says_so():
+    """Round the base with a first joint that goes a little farther than half a turn either way."""
+    arm = planar(3.5)
+    circle = path_type("circle").path([[1.2, 0, 0], [0, 1.2, 0], [-1.2, 0, 0]], full=True)
+    found = follow(arm, ToolPath(circle, held(np.eye(3))), [0.0, 1.5])
+    (stop,) = found.stops
+    assert (stop.kind, stop.joint) == ("limit", 1)
+    assert stop.q[0] == pytest.approx(3.5, abs=1e-6)
+    assert "going on needs a whole turn back of joint 1." in stop.sentence
+    assert found.s[found.reached][-1] < (3.5 - found.q[0, 0]) / (2 * np.pi) <= stop.s + 1e-6
+
+
 def test_a_path_that_begins_out_of_reach_is_a_result():
     found = follow(planar(), line([3, 0, 0], [1, 0, 0]), [0, 1])
     assert found.stops[0].kind == "reach"
@@ -234,11 +248,16 @@ def test_a_line_in_joint_space_is_no_line_in_space_but_of_a_cartesian_arm():
         assert (aside < 1e-9) == straight
 
 
-@pytest.mark.parametrize(("key", "same"), [("cartesian_3p", True), ("elbow_3r", False)])
-def test_travel_times_of_the_line_in_joint_space_and_in_space(key, same):
+@pytest.mark.parametrize(
+    ("arm", "q_a", "q_b", "same"),
+    [
+        (CARTESIAN, *(CARTESIAN.limits @ [1 - part, part] for part in (0.3, 0.6)), True),
+        (planar(), np.array([0.0, 1.0]), np.array([1.2, 0.5]), False),
+    ],
+    ids=["3P", "2R"],
+)
+def test_travel_times_of_the_line_in_joint_space_and_in_space(arm, q_a, q_b, same):
     """The same law, each as fast as the joints allow: equal for a 3P, shorter in joint space for an articulated arm."""
-    arm = catalogue()[key].arm
-    q_a, q_b = (arm.limits[:, 0] + part * np.ptp(arm.limits, axis=1) for part in (0.3, 0.6))
     in_space = follow(arm, between(arm, q_a, q_b), q_a, 201)
     assert in_space.whole, in_space.reason
     paths = path_type("line").path([in_space.q[0], in_space.q[-1]]), in_space.joint_path()

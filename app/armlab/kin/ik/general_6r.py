@@ -41,7 +41,7 @@ class GeneralSolutions:
     position_error, rotation_error : ndarray, shape (k,)
         Of the arm's own forward kinematics, in m and rad.
     reason : str
-        The same in words.
+        In words how that is known.
     passes : int
         How many eliminations it took.
     """
@@ -227,25 +227,23 @@ def _beyond(loop: Loop) -> GeneralSolutions:
         families=(),
         position_error=none,
         rotation_error=none,
-        reason="no solution: the wrist would be farther from joint 1 than all links in a line, "
-        f"{loop.reach * loop.scale:.3f} m",
+        reason=f"the wrist would be farther from joint 1 than all links in a line, {loop.reach * loop.scale:.3f} m",
         passes=0,
     )
 
 
 def _reason(completeness: Completeness, isolated: int, parts: Split, passes: int) -> str:
-    count = "no" if isolated == 0 else str(isolated)
-    solutions = f"{count} solution{'' if isolated == 1 else 's'}"
     if completeness == "infinite":
         curves = len(parts.curves)
         families = f"{curves} curves" if curves > 1 else "a curve" if curves else f"{parts.freedom}-parameter families"
         also = f", and {isolated} isolated solution{'' if isolated == 1 else 's'}" if isolated else ""
-        moving = f"{families} of singular configurations whose joints move while the tool stands still"
-        return f"infinitely many: {moving}{also}"
+        return f"{families} of singular configurations whose joints move while the tool stands still{also}"
     if completeness == "at least":
         sizes = f"{min(one.size for one in PASSES):.0e} to {max(one.size for one in PASSES):.0e}"
         ranks = max(one.rank for one in PASSES) + 1
-        return f"at least {solutions}: {passes} eliminations, moved by {sizes} in {ranks} formulations, did not agree"
+        return f"{passes} eliminations, moved by {sizes} in {ranks} formulations, did not agree"
+    if isolated == 0:
+        return f"none of the 16 roots is real, in {passes} eliminations alike"
     folds = int(parts.singular[parts.isolated].sum())
     merge = f"; {folds} of them singular, where branches merge" if folds else ""
-    return f"{solutions}, found alike by {passes} eliminations{merge}"
+    return f"found alike by {passes} eliminations{merge}"

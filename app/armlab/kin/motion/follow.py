@@ -34,6 +34,12 @@ LEFT = 1e-9
 BESIDE = 0.01
 """Smallest over largest singular value below which a configuration is called beside a singularity."""
 
+ALIKE = 0.1
+"""Rad or length scales within which two configurations are alike but for whole turns."""
+
+MOST_STOPS = 50
+"""Parts looked for at most, when carrying on."""
+
 RESTARTS = 50
 """Places at which the path is tried again after a stop, when carrying on."""
 
@@ -126,7 +132,7 @@ class _Run:
                 if stop is None:
                     return
                 self.stops.append(stop)
-            if not carry_on:
+            if not carry_on or len(self.stops) >= MOST_STOPS:
                 return
             at, q = self._restart(self.stops[-1])
             if q is None:
@@ -183,8 +189,17 @@ class _Run:
 
     def _other(self, node: Node) -> Floats | None:
         """Return a configuration inside the limits just behind a limit."""
-        found = self._solve(min(node.s + AHEAD, 1.0), None)
+        found = self._solve(min(node.s + AHEAD, 1.0), node.q)
         return found.q if found.success else None
+
+    def _turned_back(self, node: Node, other: Floats) -> str:
+        """Return which joints are whole turns apart in two configurations that are otherwise alike, or ""."""
+        turn = 2.0 * np.pi
+        change = other - node.q
+        turns = np.where(self.arm.revolute, np.round(change / turn), 0.0)
+        if not turns.any() or np.abs((change - turn * turns) / self.branch.scales).max() > ALIKE:
+            return ""
+        return " and ".join(str(i + 1) for i in np.flatnonzero(turns))
 
     def _stop(self, kind: Kind, node: Node, joint: int, other: Floats | None, at: str) -> Stop:
         point = self.arm.position(node.q)
@@ -194,7 +209,9 @@ class _Run:
             names = branch_names(self.arm, np.stack([node.q, other]))
             words = "" if names[0].startswith("solution") else f" ({names[1]})"
             turn = "a turn on the spot or a change of branch" if kind == "singularity" else "a change of branch"
-            rest = f"going on needs {turn}{words}."
+            back = self._turned_back(node, other)
+            need = f"a whole turn back of joint {back}" if back else f"{turn}{words}"
+            rest = f"going on needs {need}."
         return Stop(kind, node.s, np.asarray(point, dtype=np.float64), node.q, joint, other, f"{at}; {rest}")
 
     def _unreachable(self, s: float, found: IkResult, node: Node | None = None) -> Stop:

@@ -64,16 +64,21 @@ class Law(ABC):
             0 to 3.
         before : bool
             Where a derivative jumps, the value before the jump.
+
+        Raises
+        ------
+        InputError
+            A time that is not a number, or another order.
         """
         if not set(orders) <= set(ORDERS):
             raise wrong("order", "0, 1, 2 or 3", orders)
         times = np.asarray(t, dtype=float)
+        if np.isnan(times).any():
+            raise wrong("t", "numbers", t)
         inside = np.clip(times, 0.0, self.duration)
         found = self._values(inside, orders, before)
         still = inside != times
         if still.any():
-            # What is not a number is unequal as well; it stays what it is.
-            still = still & ~np.isnan(times)
             found = [np.where(still & (order > 0), 0.0, values) for order, values in zip(orders, found, strict=True)]
         return found
 
@@ -113,18 +118,22 @@ class Law(ABC):
         """The class of the whole motion with standstill before and after it: 0 where the speed jumps at an end."""
         return float(self._classes.min())
 
-    @cached_property
-    def _extremes(self) -> tuple[Extremes, ...]:
-        def of_order(order: int) -> Extremes:
-            degree = None if self.degree is None else max(self.degree - order, 0)
-            return extremes(lambda t: self._values(t, (order,), False)[0][:, None], self.edges, degree)
+    def _extremes(self, order: int) -> Extremes:
+        degree = None if self.degree is None else max(self.degree - order, 0)
+        return extremes(lambda t: self._values(t, (order,), False)[0][:, None], self.edges, degree)
 
-        return tuple(of_order(order) for order in ORDERS)
+    @cached_property
+    def _range(self) -> Extremes:
+        return self._extremes(0)
+
+    @cached_property
+    def _speeds(self) -> Extremes:
+        return self._extremes(1)
 
     @property
     def span(self) -> tuple[float, float]:
         """The smallest and largest s."""
-        return float(self._extremes[0].lowest[0]), float(self._extremes[0].highest[0])
+        return float(self._range.lowest[0]), float(self._range.highest[0])
 
     @property
     def distance(self) -> float:
@@ -134,22 +143,22 @@ class Law(ABC):
     @property
     def peak_speed(self) -> float:
         """The largest |s'|, exact."""
-        return float(self._extremes[1].peak[0])
+        return float(self._speeds.peak[0])
 
-    @property
+    @cached_property
     def peak_acceleration(self) -> float:
         """The largest |s''|, exact."""
-        return float(self._extremes[2].peak[0])
+        return float(self._extremes(2).peak[0])
 
-    @property
+    @cached_property
     def peak_jerk(self) -> float:
         """The largest |s'''| between jumps of the acceleration; at those it is infinite."""
-        return float(self._extremes[3].peak[0])
+        return float(self._extremes(3).peak[0])
 
     @property
     def monotone(self) -> bool:
         """Whether s never goes back."""
-        return float(self._extremes[1].lowest[0]) >= -BACKWARDS * self.peak_speed
+        return float(self._speeds.lowest[0]) >= -BACKWARDS * self.peak_speed
 
 
 class PolynomialLaw(Law):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -62,7 +63,8 @@ class Piecewise:
             return self._runs(x, orders)
         index = np.searchsorted(self.knots[1:-1], x, side="left" if before else "right")
         u = (x - self.knots[index])[:, None]
-        return [_horner(self._of_order(order)[index], u) for order in orders]
+        gathered = self.coefficients[index]
+        return [_horner(gathered, u, order) for order in orders]
 
     @staticmethod
     def _whole(u: Floats, coefficients: Floats) -> Floats:
@@ -114,12 +116,13 @@ def _powers(u: Floats, order: int, degree: int) -> Floats:
     return rows
 
 
-def _horner(coefficients: Floats, u: Floats) -> Floats:
-    """Return sums over (N, count, m) coefficients at (N, 1) arguments."""
-    value: Floats = coefficients[:, -1].copy()
-    for k in range(coefficients.shape[1] - 2, -1, -1):
+def _horner(coefficients: Floats, u: Floats, order: int) -> Floats:
+    """Return a derivative of sums over (N, count, m) coefficients at (N, 1) arguments."""
+    last = coefficients.shape[1] - 1
+    value: Floats = coefficients[:, last] * float(math.perm(last, order))
+    for k in range(last - 1, order - 1, -1):
         value *= u
-        value += coefficients[:, k]
+        value += coefficients[:, k] if order == 0 else coefficients[:, k] * float(math.perm(k, order))
     return value
 
 

@@ -20,7 +20,7 @@ from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.task import Task
 from armlab.session.basin_maps import Map, Question
 from armlab.session.iteration_commands import ChooseTask
-from armlab.session.iteration_runs import Run, run_of
+from armlab.session.iteration_runs import Run, fitting, refitted, run_of
 from armlab.session.parts.iterations import (
     MOST_STEPS,
     Iterations,
@@ -36,7 +36,7 @@ from armlab.session.state import Command, Json, Part, PartType, State
 POINTS = (64, 128, 256)
 """Starts along either side of a map, to choose from."""
 
-STEPS = (50, 100, MOST_STEPS)
+STEPS = (50, 100, 200, MOST_STEPS)
 """Largest numbers of steps to choose from; a film has as many at most."""
 
 
@@ -68,7 +68,7 @@ class Basins(Part):
     joints: tuple[int, int]
     rest: tuple[float, ...]
     points: int = POINTS[1]
-    most: int = STEPS[1]
+    most: int = STEPS[2]
     limits: Limits = "none"
     drawing: Question | None = None
     map: Map | None = None
@@ -79,8 +79,9 @@ class Basins(Part):
         return cls(run_of("newton"), _first_joints(robot.arm), tuple(map(float, robot.home)))
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep the method and how finely it is mapped."""
-        return replace(self.initial(robot), run=self.run, points=self.points, most=self.most, limits=self.limits)
+        """Keep the method, with a step size that suits the arm, and how finely it is mapped."""
+        run = refitted(self.run, robot.arm)
+        return replace(self.initial(robot), run=run, points=self.points, most=self.most, limits=self.limits)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep also joints and start values of joints that are still there; a map was of the arm as it was."""
@@ -89,8 +90,9 @@ class Basins(Part):
             if was is not None and was < len(self.rest):
                 rest[i] = self.rest[was]
         across, up = (origin.index(joint) if joint in origin else -1 for joint in self.joints)
-        joints = (across, up) if min(across, up) >= 0 else fresh.joints
-        return replace(fresh, rest=tuple(rest.tolist()), joints=joints)
+        # An arm of one joint has but one for both axes.
+        joints = (across, up) if min(across, up) >= 0 and across != up else fresh.joints
+        return replace(fresh, run=self.run, rest=tuple(rest.tolist()), joints=joints)
 
     def to_json(self) -> Json:
         """Write what will be drawn."""
@@ -218,7 +220,10 @@ class MapMethod(Command):
     def apply(self, state: State) -> State:
         """Return the state with the choice made."""
         part = state[Basins]
-        run = part.run if part.run.method == self.method else _checked_run(self.method, {})
+        run = part.run
+        if run.method != self.method:
+            _checked_run(self.method, {})
+            run = fitting(self.method, state[Joints].arm, vector_of(state))
         run = run.with_parameter(self.key, self.value) if self.key else run
         return state if run == part.run else state.replace(replace(part, run=run))
 

@@ -18,7 +18,7 @@ from armlab.kin.ik.iterate.record import Limits
 from armlab.kin.transforms import as_pose
 from armlab.session.iteration_arms import Arms, Asked
 from armlab.session.iteration_films import Film, Question
-from armlab.session.iteration_runs import MOST_RUNS, Run, run_of
+from armlab.session.iteration_runs import MOST_RUNS, Run, fitting, refitted, run_of
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import FARTHEST, Target
@@ -28,14 +28,14 @@ from armlab.session.state import Command, Json, Part, PartType, State
 
 CLIP_KEY = "iterations"
 
-MOST_STEPS = 200
-"""Of a run; the notes' examples need a tenth of it."""
+MOST_STEPS = 500
+"""Of a run; the notes' examples need a tenth of it, the gradient beside a stretched arm all of it."""
 
 STEPS = 60
 """Of a run until somebody asks for more."""
 
-ASIDE = 0.6
-"""Radians, or parts of a stroke, of each joint from the home pose to where the first target lies."""
+ASIDE = 0.4
+"""Radians, or parts of half a stroke, of each joint from the home pose to where the first target lies."""
 
 Floats = NDArray[np.float64]
 
@@ -86,12 +86,17 @@ class Iterations(Part):
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the first step of a lecture: from home to a target not far away, by Newton and by the gradient."""
-        runs = (run_of("gauss_newton" if robot.arm.n < robot.arm.task.m else "newton"), run_of("gradient", colour=1))
+        arm = robot.arm
+        runs = (
+            run_of("gauss_newton" if arm.n < arm.task.m else "newton"),
+            fitting("gradient", arm, TaskVector(arm.task), colour=1),
+        )
         return cls(tuple(map(float, robot.home)), first_target(robot), runs=runs)
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep the runs and how they are made."""
-        return replace(self.initial(robot), runs=self.runs, selected=self.selected, limits=self.limits, most=self.most)
+        """Keep the runs and how they are made, but for step sizes: what suits one arm is wild with another."""
+        runs = tuple(refitted(run, robot.arm) for run in self.runs)
+        return replace(self.initial(robot), runs=runs, selected=self.selected, limits=self.limits, most=self.most)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep target and start; the choice of a task vector falls with the joints it was made for."""
@@ -105,11 +110,17 @@ class Iterations(Part):
         return replace(self, start=tuple(q.tolist()), task=task, example="", before=None, films={}, arms=None)
 
     def after(self, before: State, now: State) -> Self:
-        """Follow the target of the lab, and forget where the arm stood when the film is taken off."""
+        """Follow the target of the lab, and forget where the arm stood when the film is taken off.
+
+        Another arm may come with a target of its own, as in a lesson: then start where it stands.
+        """
         part, pose = self, now[Target].pose
-        moved = pose is not None and pose is not before[Target].pose and self is before[Iterations]
+        moved = pose is not None and pose is not before[Target].pose
         if moved and pose is not None and not np.array_equal(pose, self.target):
-            part = replace(part, target=pose, example="")
+            if self is before[Iterations]:
+                part = replace(part, target=pose, example="")
+            elif np.array_equal(self.target, first_target(now[RobotPart].robot)):
+                part = replace(part, target=pose, start=tuple(now[Joints].q.tolist()))
         if part.before is not None and now[Timeline].clip != CLIP_KEY:
             part = replace(part, before=None)
         return part
@@ -164,11 +175,18 @@ PART = PartType(Iterations, order=97)
 
 
 def first_target(robot: Robot) -> Floats:
-    """Return the pose of the tool not far from home: each joint a little towards the middle of its range."""
+    """Return the pose of the tool not far from home.
+
+    The first joint a little towards the middle of its range, the others away from it, where there is room: in the
+    middle arms are stretched, a singular place to begin with.
+    """
     arm, home = robot.arm, np.asarray(robot.home, dtype=float)
     low, high = arm.limits.T
-    way = np.where(arm.revolute, ASIDE, 0.5 * ASIDE * (high - low))
-    pose = np.array(arm.fk(arm.clip(home + np.where(home <= 0.5 * (low + high), way, -way))), dtype=np.float64)
+    inward = np.where(home <= 0.5 * (low + high), 1.0, -1.0)
+    way = inward * np.where(arm.revolute, ASIDE, 0.5 * ASIDE * (high - low))
+    aside = home - way
+    inside = (aside >= low) & (aside <= high) & (np.arange(arm.n) > 0)
+    pose = np.array(arm.fk(arm.clip(np.where(inside, aside, home + way))), dtype=np.float64)
     pose.setflags(write=False)
     return pose
 

@@ -64,7 +64,8 @@ class RobotPart(Part):
         if not isinstance(data, dict):
             return cls(robot, robot.key)
         origin = data["origin"]
-        return cls(robot, origin if origin in catalogue().robots else "", _moved(data.get("moved"), data.get("task_kept", True)))
+        moved = _moved(data.get("moved"), data.get("task_kept", True))
+        return cls(robot, origin if origin in catalogue().robots else "", moved)
 
 
 PART = PartType(RobotPart, order=0)

@@ -15,10 +15,10 @@ from armlab.session.parts.iterations import Iterations
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css
-from armlab.ui.format import capitalised, dot, escaped, number
+from armlab.ui.format import capitalised, dot, escaped, number, trimmed
 from armlab.ui.panels._basins_picture import FULL, as_address, enlarged, pixels, png, scale_of, solution_colour
 from armlab.ui.panels._dh_files import file_name
-from armlab.ui.panels._iteration_words import vector_text
+from armlab.ui.panels._iteration_words import lowered_index, vector_text
 from armlab.ui.units import Units
 from armlab.ui.widgets import Fields
 
@@ -122,8 +122,10 @@ def _about(found: Map, units: Units) -> str:
         for i, (row, value) in enumerate(zip(asked.arm.rows, asked.rest, strict=True))
         if i not in asked.joints
     ]
-    parameters = ", ".join(f"{each.symbol} = {asked.run.values[each.key]:g}" for each in asked.run.kind.parameters)
-    said = [capitalised(asked.run.kind.title) + (f" ({escaped(parameters)})" if parameters else "")]
+    parameters = ", ".join(
+        f"{lowered_index(each.symbol)} = {trimmed(asked.run.values[each.key], 6)}" for each in asked.run.kind.parameters
+    )
+    said = [escaped(capitalised(asked.run.kind.title)) + (f" ({parameters})" if parameters else "")]
     said.append(f"target {target_text(asked.arm, target, units)}, task {vector_text(asked.task)}")
     if others:
         said.append(f"starts with {', '.join(others)}")

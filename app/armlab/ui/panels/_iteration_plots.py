@@ -18,6 +18,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.format import mathml
 from armlab.ui.layers._iteration_colours import RUN_COLOURS
+from armlab.ui.panels._iteration_words import sigma_unit
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -71,8 +72,15 @@ class RunPlot(Plot):
         self._there: tuple[int, ...] = ()
         curves = [Curve(f"run {i + 1}", colour) for i, colour in enumerate(RUN_COLOURS)]
         # The list of runs above is the legend; the plot's own would name runs that are not there.
-        heading = f'<span class="it-plot">{title}</span>'
-        super().__init__(cast(Gui, self._noted), heading, "", curves, file, height=HEIGHT)
+        self._title = title
+        super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT)
+
+    def _heading(self, unit: str) -> str:
+        return f'<span class="it-plot">{self._title}{f", {unit}" if unit else ""}</span>'
+
+    def name_unit(self, unit: str) -> None:
+        """Give the quantity a unit; none for a pure number."""
+        self.name(self._heading(unit))
 
     def visible(self, on: bool) -> None:
         """Show or hide all of it."""
@@ -154,7 +162,9 @@ class Plots:
             "V": flow,
             "V_dot": flow,
         }
-        grid = _grid(alike, flow)
+        grid, metres = _grid(alike, flow), sigma_unit(state) == "m"
+        for key, unit in UNITS.items():
+            self._plots[key].name_unit(unit if metres else "")
         for key, plot in self._plots.items():
             plot.visible(wanted[key])
             if wanted[key]:
@@ -196,6 +206,10 @@ def _on(grid: Array, film: Film, values: Values) -> Array | None:
 LYAPUNOV, ITS_RATE, SIGMA = r"V=\frac12e^TKe", r"\dot V=-|J^TKe|^2", r"\sigma_{min}"
 
 
+UNITS = {"sigma": "m", "damping": "m²"}
+"""Of plots where the task vector is a position in metres; elsewhere it is made of pure numbers."""
+
+
 def _plots(gui: Gui, state: State) -> dict[str, RunPlot]:
     arm, units = state[Joints].arm, units_of(state)
     plots = {
@@ -205,8 +219,8 @@ def _plots(gui: Gui, state: State) -> dict[str, RunPlot]:
         plots["rotation"] = RunPlot(
             gui, "log₁₀ of the orientation error in rad", "orientation_error", lambda f: _log(f.rotation_error)
         )
-    plots["V"] = RunPlot(gui, f"Lyapunov function {mathml(LYAPUNOV)}", "V", lambda f: f.V, True)
-    plots["V_dot"] = RunPlot(gui, f"Its derivative {mathml(ITS_RATE)}", "V_dot", lambda f: f.V_dot)
+    plots["V"] = RunPlot(gui, f"Lyapunov function {mathml(LYAPUNOV)}, 1/s", "V", lambda f: f.V, True)
+    plots["V_dot"] = RunPlot(gui, f"Its derivative {mathml(ITS_RATE)}, 1/s²", "V_dot", lambda f: f.V_dot)
     for turns in (True, False):
         if bool(np.any(arm.revolute == turns)):
             plots["turn" if turns else "slide"] = _steps_plot(gui, turns, units)

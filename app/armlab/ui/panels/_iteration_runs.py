@@ -20,7 +20,7 @@ from armlab.ui.colours import css
 from armlab.ui.format import capitalised, dot, escaped, trimmed
 from armlab.ui.layers._iteration_colours import RUN_COLOURS
 from armlab.ui.markup import button, options, select
-from armlab.ui.panels._iteration_words import lowered_index, outcome, parameter_unit
+from armlab.ui.panels._iteration_words import lowered_index, outcome, parameter_unit, sigma_unit
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Fields
 
@@ -41,24 +41,22 @@ def _run(fields: Fields, state: State, i: int, run: Run) -> str:
     stale = film is None or film.question != state.derived(questions)[i]
     film_of_this = i == part.selected
     mark = f"{dot(css(RUN_COLOURS[run.colour]))}{i + 1}"
-    head = (
-        button(channel, f"select-{i}", mark, "chip", "Play this run, and show its numbers", pressed=film_of_this)
-        + select(channel, f"method-{i}", f"Method of run {i + 1}", _methods(run.method))
-        + button(
-            channel, f"copy-{i}", "copy", "chip", "Copy this run", f"Copy run {i + 1}", off=len(part.runs) == MOST_RUNS
-        )
-        + button(channel, f"remove-{i}", "✕", "chip", "Remove this run", f"Remove run {i + 1}", off=len(part.runs) == 1)
+    full, last = len(part.runs) == MOST_RUNS, len(part.runs) == 1
+    head = button(
+        channel, f"select-{i}", mark, "chip", "Play this run, and show its numbers", pressed=film_of_this
+    ) + select(channel, f"method-{i}", f"Method of run {i + 1}", _methods(run.method))
+    tools = button(channel, f"copy-{i}", "copy", "chip", "Copy this run", f"Copy run {i + 1}", off=full) + button(
+        channel, f"remove-{i}", "✕", "chip", "Remove this run", f"Remove run {i + 1}", off=last
     )
-    sigma_unit = film.sigma_unit if film is not None else ""
+    metres, freedom = sigma_unit(state), vector_of(state).m
     cells = "".join(
-        _parameter(
-            fields, i, parameter, run.values[parameter.key], parameter_unit(parameter, sigma_unit, vector_of(state).m)
-        )
+        _parameter(fields, i, parameter, run.values[parameter.key], parameter_unit(parameter, metres, freedom))
         for parameter in run.kind.parameters
     )
     numbers = f'<div class="it-numbers">{cells}</div>' if cells else ""
     said = '<p class="dim">…</p>' if stale or film is None else outcome(film, units)
-    return f'<div class="it-run"><div class="it-head">{head}</div>{numbers}{said}</div>'
+    top = f'<div class="it-head">{head}</div><span class="it-tools">{tools}</span>'
+    return f'<div class="it-run">{top}{numbers}{said}</div>'
 
 
 @cache

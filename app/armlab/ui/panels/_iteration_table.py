@@ -9,7 +9,7 @@ from armlab.session.parts.iterations import Iterations
 from armlab.session.state import State
 from armlab.ui.format import capitalised, number
 from armlab.ui.markup import button
-from armlab.ui.panels._iteration_words import HUGE, scientific, small
+from armlab.ui.panels._iteration_words import HUGE, NO_BREAK, scientific, small
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields
 
@@ -96,9 +96,16 @@ def _row(fields: Fields, film: Film, k: int, present: bool, units: Units) -> str
     line = f"<tr{mark}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
     if arm.n <= IN_LINE:
         return line
-    unit = "" if arm.revolute.any() and not arm.revolute.all() else f" {units.unit(bool(arm.revolute[0]))}"
-    joints = f"q = ({', '.join(values)}){unit}"
-    return f'{line}<tr{mark}><td></td><td class="it-q" colspan="{len(cells) - 1}">{joints}</td></tr>'
+    joints = ", ".join(values)
+    if arm.revolute.all() or not arm.revolute.any():
+        joints = f"({joints}){NO_BREAK}{units.unit(bool(arm.revolute[0]))}"
+    else:
+        turned = zip(values, arm.revolute, strict=True)
+        joints = ", ".join(
+            f"{value}{'' if turns and units.in_degrees else NO_BREAK}{units.unit(bool(turns))}"
+            for value, turns in turned
+        )
+    return f'{line}<tr{mark}><td class="it-q" colspan="{len(cells)}">q = {joints}</td></tr>'
 
 
 def _value(value: float, revolute: bool, units: Units) -> str:

@@ -58,7 +58,9 @@ class View:
         finite = self.curve[np.isfinite(self.curve)]
         # The heights of the iterates in sight, and the axis; a pole beside them must not flatten the rest.
         heights = [0.0, *(each.f for each in solved.iterates if self.x[0] <= each.x <= self.x[1])]
-        reach = max(max(heights) - min(heights), 1e-12)
+        reach, span = max(heights) - min(heights), float(np.ptp(finite)) if len(finite) else 0.0
+        # A start at a root has no height: then all of the curve is shown.
+        reach = reach if reach > NARROW * span else span
         low = max(float(finite.min()), min(heights) - reach) if len(finite) else -1.0
         high = min(float(finite.max()), max(heights) + reach) if len(finite) else 1.0
         low, high = min(low, 0.0), max(high, 0.0)

@@ -8,14 +8,23 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.iterate import Parameter, TaskVector, task_vector
 from armlab.kin.task import Task
 from armlab.session.iteration_films import Film
+from armlab.session.parts.iterations import vector_of
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
 from armlab.ui.format import MINUS, capitalised, escaped, number, subscript
 from armlab.ui.units import Units
 from armlab.ui.verdicts import SIGNS
 
 _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
+NO_BREAK = "\N{NO-BREAK SPACE}"
+"""Between a number and its unit, which belong on one line."""
+
 HUGE = 1e5
 """Numbers from here on are written with a power of ten."""
+
+LEAST = 0.01
+"""Numbers below this are written with a power of ten, and those above with two digits at least."""
 
 GOING = ("most", "going", "limit", "jumped")
 """Statuses of runs that have not failed for good: more steps, or others, might do."""
@@ -44,15 +53,17 @@ def small(value: float, revolute: bool, units: Units) -> str:
     scaled, decimals = value / units.factor(revolute), units.decimals(revolute)
     if not math.isfinite(scaled):
         return "–"
-    if scaled != 0.0 and not 10.0 ** (1 - decimals) <= abs(scaled) < HUGE:
-        return scientific(scaled)
-    return number(scaled, decimals) if scaled else "0"
+    if scaled == 0.0:
+        return "0"
+    if LEAST <= abs(scaled) < 10.0 ** (1 - decimals):
+        return number(scaled, 1 - math.floor(math.log10(abs(scaled))))
+    return number(scaled, decimals) if LEAST <= abs(scaled) < HUGE else scientific(scaled)
 
 
 def with_unit(value: float, revolute: bool, units: Units) -> str:
     """Return a small angle or length with its unit."""
     unit = units.unit(revolute)
-    return f"{small(value, revolute, units)}{'' if unit == '°' else ' '}{unit}"
+    return f"{small(value, revolute, units)}{'' if unit == '°' else NO_BREAK}{unit}"
 
 
 def errors(film: Film, i: int, units: Units) -> str:
@@ -66,7 +77,7 @@ def errors(film: Film, i: int, units: Units) -> str:
     for k, (joint, _) in enumerate(vector.joints):
         revolute = bool(film.question.arm.revolute[joint - 1])
         error = float(film.components[i, vector.task.m + k])
-        said.append(f"{subscript('q', joint)} {with_unit(abs(error), revolute, units)}")
+        said.append(f"{subscript('q', joint)}{NO_BREAK}{with_unit(abs(error), revolute, units)}")
     return ", ".join(said)
 
 
@@ -84,10 +95,19 @@ def outcome(film: Film, units: Units) -> str:
     return f'<p class="{kind}">{SIGNS[kind]} {said}</p>'
 
 
+def sigma_unit(state: State) -> str:
+    """Return the unit of singular values: ``"m"`` for the position of an arm that turns only, else a pure number."""
+    joints = state[Joints]
+    turns = all(row.revolute for row, held in zip(joints.arm.rows, joints.locked, strict=True) if not held)
+    return "m" if turns and set(vector_of(state).kinds(joints.arm)) == {"m"} else ""
+
+
 def parameter_unit(parameter: Parameter, sigma_unit: str, freedom: int) -> str:
     """Return the unit of a parameter; that of singular values is metres or none."""
-    if parameter.unit in ("1", "1/s", "s"):
-        return {"1": "", "1/s": "1/s", "s": "s"}[parameter.unit]
+    if parameter.unit in ("1", "s"):
+        return {"1": "", "s": "s"}[parameter.unit]
+    if parameter.unit == "1/s":  # of a gain, which multiplies Jᵀe
+        return "m⁻²s⁻¹" if sigma_unit == "m" else "1/s"
     if sigma_unit != "m":
         return ""
     powers = {2: "²", 3: "³"}

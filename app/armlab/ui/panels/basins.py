@@ -32,7 +32,15 @@ from armlab.ui.format import capitalised, escaped, trimmed
 from armlab.ui.markup import button, chip, chips, options, row, select
 from armlab.ui.panels._basins_map import here, legend, map_markup, places, save_link, standing, target_text
 from armlab.ui.panels._iteration_runs import plain_number
-from armlab.ui.panels._iteration_words import choices, chosen, made, parameter_unit, vector_text
+from armlab.ui.panels._iteration_words import (
+    choices,
+    chosen,
+    lowered_index,
+    made,
+    parameter_unit,
+    sigma_unit,
+    vector_text,
+)
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields, Gui
@@ -186,15 +194,15 @@ def choices_markup(fields: Fields, state: State, units: Units) -> str:
 
 
 def _parameters(fields: Fields, state: State) -> str:
-    run, joints, vector = state[Basins].run, state[Joints], vector_of(state)
-    turns = all(row.revolute for row, held in zip(joints.arm.rows, joints.locked, strict=True) if not held)
-    sigma_unit = "m" if turns and set(vector.kinds(joints.arm)) == {"m"} else ""
+    run, vector = state[Basins].run, vector_of(state)
     cells = []
     for each in run.kind.parameters:
-        unit = parameter_unit(each, sigma_unit, vector.m)
+        unit = parameter_unit(each, sigma_unit(state), vector.m)
         hint = f"{capitalised(each.title)}: {each.low:g} to {each.high:g}{f' {unit}' if unit else ''}"
         cell = fields.field(f"parameter-{each.key}", trimmed(run.values[each.key], 6), each.title)
-        cells.append(f'<label title="{escaped(hint)}"><span>{escaped(each.symbol)}</span>{cell}<i>{unit}</i></label>')
+        cells.append(
+            f'<label title="{escaped(hint)}"><span>{lowered_index(each.symbol)}</span>{cell}<i>{unit}</i></label>'
+        )
     return row("", f'<div class="it-numbers">{"".join(cells)}</div>') if cells else ""
 
 

@@ -62,7 +62,7 @@ def verdict(
     if warning:
         return "diverged", f"diverged: {warning}"
     if fate == Fate.DIVERGED:
-        return "diverged", f"diverged: error or joint values grew without bound in {_steps(k)}{_after(jumps)}"
+        return "diverged", f"diverged: {_grown(last, k)}{_after(jumps)}"
     return plain_verdict(problem, False, last, cost, jumps)
 
 
@@ -79,6 +79,13 @@ def plain_verdict(
 
 def _converged(k: int, jumps: tuple[int, ...]) -> str:
     return f"converged in {_steps(k)}{_after(jumps)}" if k else "at the target already: no step needed"
+
+
+def _grown(last: Point, k: int) -> str:
+    if k:
+        return f"error or joint values grew beyond all bounds in {_steps(k)}"
+    nearly = bool(last.sigma_min[0] <= NEARLY * last.sigma_max[0])
+    return f"{'almost singular, ' if nearly else ''}already the first step would go beyond all bounds"
 
 
 def _stuck(method: IterationMethod, fate: Fate, last: Point) -> tuple[Status, str]:
