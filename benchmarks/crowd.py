@@ -12,7 +12,7 @@ from support.fake_browser import FakeBrowser
 
 TITLE = "A class dragging with a bench open: handle event to new pose"
 STUDENTS, ROUNDS = 30, 2
-BENCHES = ("joints", "table", "film", "pose", "ellipsoid")
+BENCHES = ("joints", "table", "film", "pose", "ellipsoid", "solutions")
 
 
 def measure() -> Iterator[str]:

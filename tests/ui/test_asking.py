@@ -13,10 +13,23 @@ from support.lab import running_lab
 from support.own_lessons import ARM, QUESTIONS, in_lesson, lesson, load, piece, to_step, write
 from support.student import run
 
+VALUES = """
+## Guess
+
+```question
+kind = "number"
+text = "How far is the tool?"
+answer = 1
+tolerance = 0.5
+hide = ["values"]
+```
+"""
+
 
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
-    folder = write(tmp_path_factory.mktemp("lessons"), questions=lesson(QUESTIONS))
+    front = ARM + 'overlays = ["projections", "frames"]\n'
+    folder = write(tmp_path_factory.mktemp("lessons"), questions=lesson(QUESTIONS), values=lesson(VALUES, front))
     with running_lab(lessons=folder) as address:
         yield address
 
@@ -287,27 +300,11 @@ def test_a_prediction_hides_arm_and_values_until_the_first_answer(url):
     run(main())
 
 
-VALUES = """
-## Guess
-
-```question
-kind = "number"
-text = "How far is the tool?"
-answer = 1
-tolerance = 0.5
-hide = ["values"]
-```
-"""
-
-
-def test_while_values_are_hidden_the_arm_stays_and_no_overlay_tells_them(tmp_path):
-    front = ARM + 'overlays = ["projections", "frames"]\n'
-    folder = write(tmp_path, values=lesson(VALUES, front))
-
+def test_while_values_are_hidden_the_arm_stays_and_no_overlay_tells_them(url):
     async def main():
-        cookie = cookie_of(address)
-        load(address, cookie, "lesson/values")
-        browser = FakeBrowser(address, cookie, "/lesson/values")
+        cookie = cookie_of(url)
+        load(url, cookie, "lesson/values")
+        browser = FakeBrowser(url, cookie, "/lesson/values")
         seen = Seen(browser)
         await browser.connect()
         await browser.until(lambda: "lesson-foot" in browser.html())
@@ -321,8 +318,7 @@ def test_while_values_are_hidden_the_arm_stays_and_no_overlay_tells_them(tmp_pat
         await browser.until(lambda: bool(told()))
         await browser.close()
 
-    with running_lab(lessons=folder) as address:
-        run(main())
+    run(main())
 
 
 def test_a_teacher_s_file_does_not_tell_what_is_to_be_predicted(url):

@@ -22,15 +22,20 @@ def clock():
     return Clock()
 
 
+def idle():
+    """The use of a process that does nothing else."""
+    return 0.0
+
+
 def test_the_usual_interval_holds_while_there_is_time(clock):
-    pace = Pace(clock)
+    pace = Pace(clock, idle)
     pace.timed(lambda: setattr(clock, "now", clock.now + 0.9 * SHARE * MEMORY))
     assert pace.interval(0.0) == 0.0
     assert pace.interval(0.125) == 0.125
 
 
 def test_more_work_means_longer_intervals_up_to_a_limit_and_rest_forgets(clock):
-    pace = Pace(clock)
+    pace = Pace(clock, idle)
     intervals = []
     for _ in range(8):
         pace.timed(lambda: setattr(clock, "now", clock.now + 0.3))
@@ -41,8 +46,19 @@ def test_more_work_means_longer_intervals_up_to_a_limit_and_rest_forgets(clock):
     assert pace.interval(0.125) == 0.125
 
 
+def test_a_busy_process_leaves_less_for_what_may_lag(clock):
+    busy = [0.0]
+    pace = Pace(clock, lambda: busy[0])
+    pace.timed(lambda: setattr(clock, "now", clock.now + 0.9 * SHARE * MEMORY))
+    intervals = []
+    for busy[0] in (0.5, 0.8, 0.95, 2.0):
+        intervals.append(pace.interval(0.0))
+    assert intervals[0] == 0.0
+    assert 0.0 < intervals[1] < intervals[2] == intervals[3] <= SLOWEST
+
+
 def test_time_is_counted_also_when_a_call_fails(clock):
-    pace = Pace(clock)
+    pace = Pace(clock, idle)
 
     def fail():
         clock.now += 0.8

@@ -10,13 +10,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from armlab.session.job import Deliver, Job, Wanted, jobs
+from armlab.session.load import Load, of_others
 from armlab.session.session import Refuse, Session
 from armlab.session.state import Command
 
 log = logging.getLogger(__name__)
 
-REST = 0.25
-"""Part of the time of a piece for which the thread rests after it: hands that drag come first."""
+FULL = 0.75
+LEAST, MOST = 0.03, 0.8
+"""Long work takes what the rest of the lab leaves of this part of a core, but never less or more than these: hands that
+drag come first, and nobody waits for ever."""
 
 Post = Callable[[Session, Command], None]
 
@@ -103,12 +106,15 @@ class Runner(threading.Thread):
 
     def run(self) -> None:
         """Work until `stop`."""
+        others = Load(of_others)
         while (task := self._next()) is not None:
             began = self._clock()
             self._work(task)
             took = self._clock() - began
-            if not self._stopping and took > 0.0:
-                time.sleep(REST * took)
+            share = min(max(FULL - others(), LEAST), MOST)
+            with self._changed:
+                if not self._stopping:
+                    self._changed.wait_for(lambda: self._stopping, took * (1.0 / share - 1.0))
 
     def _next(self) -> Task | None:
         """Wait for the task whose turn it is; None at the end."""

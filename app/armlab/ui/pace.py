@@ -12,8 +12,14 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+from armlab.session.load import Load
+
 SHARE = 0.05
 """Part of the loop's time in which panels, overlays and films of all students may be made; sending costs as much."""
+
+LEAST_SHARE = 0.01
+BUSY, FULL = 0.6, 0.95
+"""When the process uses more than 60 % of a core the share becomes smaller, at 95 % it is the least."""
 
 MEMORY = 1.0
 """Seconds over which the time is summed."""
@@ -29,10 +35,12 @@ class Pace:
     ----------
     clock : callable
         Seconds of a steady clock.
+    busy : callable
+        How much of a core the whole process uses, 1 for all of it.
     """
 
-    def __init__(self, clock: Callable[[], float] = time.perf_counter) -> None:
-        self._clock = clock
+    def __init__(self, clock: Callable[[], float] = time.perf_counter, busy: Callable[[], float] | None = None) -> None:
+        self._clock, self._busy = clock, busy or Load()
         self._spent, self._at = 0.0, clock()
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
@@ -47,10 +55,14 @@ class Pace:
 
     def interval(self, usual: float) -> float:
         """Return how many seconds to leave between two pictures: the usual while there is time, more when not."""
-        load = self._load(self._clock())
-        if load <= SHARE:
+        load, share = self._load(self._clock()), self._share()
+        if load <= share:
             return usual
-        return min(SLOWEST, max(usual, 0.05) * (load / SHARE) ** 2)
+        return min(SLOWEST, max(usual, 0.05) * (load / share) ** 2)
+
+    def _share(self) -> float:
+        full = min(max((self._busy() - BUSY) / (FULL - BUSY), 0.0), 1.0)
+        return SHARE - full * (SHARE - LEAST_SHARE)
 
     def _load(self, now: float) -> float:
         """Return the part of the last second or so that was spent."""
