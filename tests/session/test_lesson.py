@@ -69,7 +69,7 @@ own = pytest.fixture(library_fixture, name="own")
 
 def test_opening_puts_the_lesson_and_its_arm_on_the_table(first):
     assert first[LessonPart].open == "first_arm"
-    assert first[LessonPart].step is FIRST.steps[0]
+    assert first[LessonPart].step is lessons()["first_arm"].steps[0]
     assert first[RobotPart].robot is PLANAR
     np.testing.assert_array_equal(first[Joints].q, FIRST.start)
     assert first[Display].switches["frames"]
