@@ -134,3 +134,11 @@ def test_functions_in_place_of_others():
     assert swapped.value(VALUES) == pytest.approx(2 * math.cos(0.7) * math.sin(-1.1), rel=1e-14)
     assert parse("cos(60)").with_functions(IN_DEGREES).value({}) == pytest.approx(0.5, rel=1e-14)
     assert set(IN_DEGREES) <= set(FUNCTIONS)
+
+
+def test_exponential_and_logarithm():
+    assert parse("ln(exp(2 x))", ("x",)).value({"x": 1.25}) == pytest.approx(2.5)
+    assert parse("exp(x) - 3x", ("x",)).value({"x": 0.0}) == 1.0
+    for text, says in (("ln(0)", "not a real number"), ("ln(-1)", "not a real number"), ("exp(1000)", "too large")):
+        with pytest.raises(InputError, match=says):
+            parse(text, ()).value({})

@@ -30,23 +30,8 @@ from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
-from armlab.session.state import State, apply
-
-
-def opened(key="planar_2r"):
-    return State.initial(catalogue()[key])
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return with_films(state)
-
-
-def started(key="planar_2r", q=None):
-    state = opened(key)
-    return done(state, StartIterations(tuple(state[Joints].q.tolist()) if q is None else q))
-
+from armlab.session.state import apply
+from support.iterating import done, opened, started
 
 # -- the part --------------------------------------------------------------------------------------------------------
 
@@ -298,3 +283,18 @@ def test_a_film_of_another_arm_never_moves_this_one():
     late = apply(other, Deliver(JOB, wanted.inputs, found))
     assert late[Joints].q.shape == (6,)
     assert apply(late, Seek(0.5))[Joints].q.shape == (6,)
+
+
+def test_the_work_on_the_other_runs_goes_on_when_one_film_has_been_delivered():
+    state = apply(apply(opened(), AddRun("gradient")), AddRun("dls_constant"))
+    panels = frozenset({"iterations"})
+    wanted = JOB.wanted(state, panels)
+    assert len(wanted.inputs.runs) >= 3
+    films = (found for found in JOB.run(wanted.inputs) if found is not None and len(found.films) == 1)
+    first = next(films)
+    after = apply(state, Deliver(JOB, wanted.inputs, first))
+    again = JOB.wanted(after, panels)
+    assert len(again.inputs.runs) < len(wanted.inputs.runs)
+    assert again.key == wanted.key
+    assert JOB.wanted(apply(after, StepsAtMost(7)), panels).key != wanted.key
+    assert JOB.wanted(with_films(after), panels) is None

@@ -36,22 +36,7 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
 from armlab.session.session import Session, Undo
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
-
-
-def opened(key="planar_2r"):
-    return State.initial(catalogue()[key])
-
-
-def done(state, *commands):
-    for command in commands:
-        state = apply(state, command)
-    return with_films(state)
-
-
-def started(key="planar_2r", q=None):
-    state = opened(key)
-    return done(state, StartIterations(tuple(state[Joints].q.tolist()) if q is None else q))
-
+from support.iterating import done, opened, started
 
 # -- examples --------------------------------------------------------------------------------------------------------
 

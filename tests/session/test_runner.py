@@ -105,7 +105,7 @@ def test_other_inputs_begin_anew_and_closing_cancels(running, desk):
     desk.until(lambda: len(desk.found) > 2)
     session.apply(MoveJoint(0, 0.123), 0.0)
     runner.follow(session, OPEN)
-    desk.until(lambda: desk.found[-1][0] == 0.123)
+    desk.until(lambda: desk.found[-1] == (0.123, 0.123))
     runner.follow(session, frozenset())
     time.sleep(0.05)
     count = len(desk.found)
@@ -159,6 +159,37 @@ def test_work_that_fails_is_said_and_the_rest_lives_on(running, desk):
     runner.follow(session, OPEN)
     desk.until(lambda: desk.found)
     assert desk.found == [(0.25, 0.25)]
+
+
+def test_work_that_cannot_even_begin_is_said_and_the_thread_lives_on(running, desk):
+    def run(value):
+        if value == 0.5:
+            raise RuntimeError("made up")
+        return iter([value])
+
+    runner, session = running(run), student()
+    session.apply(MoveJoint(0, 0.5), 0.0)
+    runner.follow(session, OPEN)
+    desk.until(lambda: desk.told)
+    session.apply(MoveJoint(0, 0.25), 0.0)
+    runner.follow(session, OPEN)
+    desk.until(lambda: desk.found == [(0.25, 0.25)])
+
+
+def test_a_job_that_cannot_tell_what_it_wants_harms_nobody(running, desk, caplog):
+    def wanted(state, panels):
+        value = round(float(state[Joints].q[0]), 3)
+        if value == 0.5:
+            raise RuntimeError("made up")
+        return Wanted(value, value)
+
+    runner, session = running(lambda value: iter([value]), wanted), student()
+    session.apply(MoveJoint(0, 0.5), 0.0)
+    runner.follow(session, OPEN)
+    assert "cannot tell what it wants" in caplog.text
+    session.apply(MoveJoint(0, 0.25), 0.0)
+    runner.follow(session, OPEN)
+    desk.until(lambda: desk.found == [(0.25, 0.25)])
 
 
 def test_what_is_delivered_is_no_step_of_undo(running, desk):

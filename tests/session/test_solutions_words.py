@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.parts.solutions import (
-    GoToSolution,
-    Solutions,
-)
-from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose, verdict
+from armlab.session.parts.solutions import GoToSolution, Solutions
+from armlab.session.parts.target import DragTarget, EndDrag, Target, _placed, target_pose, verdict
 from armlab.session.solutions_derivation import derivation, failing, ways_of
+from armlab.session.solutions_words import NEAR, STILL_NEAR, near_singularity
 from armlab.session.state import apply
 from support.searched import moved, opened, rows, searched
 
@@ -23,9 +21,7 @@ def test_a_drag_over_a_border_says_which_branch_it_has_left():
     q = state[Joints].q
     wanted = state[Joints].arm.fk([q[0] + math.radians(30.0), math.radians(-20.0)])
     state = apply(state, DragTarget(target_pose(state), 1), at=0.0)
-    # Along the outer circle the elbow stretches and bends to the other side.
-    from armlab.session.parts.target import _placed  # the drag's own last step
-
+    # Along the outer circle the elbow stretches and bends to the other side; `_placed` is the drag's own last step.
     there = _placed(state, np.array(wanted), np.array([q[0] + math.radians(30.0), math.radians(-20.0)]), False)
     there = there.dated(1.0)
     there = there.replace(there[Target].after(state, there))
@@ -39,6 +35,32 @@ def drag_through(state, goals, start=0.0, step=0.05):
         state = apply(state, DragTarget(arm.fk(q), 1), at=start + k * step)
         states.append(state)
     return states
+
+
+def test_a_singularity_stays_near_until_the_arm_is_well_away_from_it():
+    state = opened("puma560")
+    home = state[Joints].q
+    arm = state[Joints].arm
+
+    def at(degrees):
+        return np.r_[home[:4], math.radians(degrees), home[5]]
+
+    angles = np.linspace(-20.0, -0.5, 400)
+    near = [bool(near_singularity(arm, at(angle), NEAR)) for angle in angles]
+    still = [bool(near_singularity(arm, at(angle), STILL_NEAR)) for angle in angles]
+    between = float(angles[[is_still and not is_near for is_still, is_near in zip(still, near, strict=True)]].mean())
+
+    def said(states):
+        return any("wrist singularity" in text for text in states[-1].derived(verdict).notes)
+
+    coming = drag_through(state, [at(angle) for angle in np.linspace(math.degrees(home[4]), between, 40)])
+    assert not said(coming)
+    there = drag_through(coming[-1], [at(angle) for angle in np.linspace(between, -1.0, 20)], start=3.0)
+    assert said(there)
+    back = drag_through(there[-1], [at(angle) for angle in np.linspace(-1.0, between, 20)], start=5.0)
+    # Held there for longer than a message that is no longer true would linger.
+    held = drag_through(back[-1], [at(between + 0.01 * (k % 2)) for k in range(80)], start=6.0)
+    assert said(held)
 
 
 def test_nearing_a_singularity_is_said_by_name_and_not_for_ever():

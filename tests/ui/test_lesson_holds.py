@@ -291,3 +291,21 @@ def test_the_way_on_is_a_skip_until_the_step_is_done():
     assert "Skip" in page._foot(FIRST, part_at(0), "c")
     assert "Next" in page._foot(FIRST, part_at(0, (0,)), "c")
     assert "Not done yet: step 1, 3" in page._foot(FIRST, part_at(2, (1, 2)), "c")
+
+
+def test_a_lesson_that_cannot_be_shown_says_so_and_the_benches_live_on(url, monkeypatch):
+    def broken(*arguments):
+        raise RuntimeError("made up")
+
+    async def main():
+        browser = await in_lesson(url, "held")
+        monkeypatch.setattr(page, "step_text", broken)
+        await browser.set_value(browser.slider(1), 25.0)
+        await browser.until(lambda: "✕ The lesson has failed" in browser.html())
+        assert browser.slider(1)["value"] == 25.0
+        monkeypatch.undo()
+        await browser.set_value(browser.slider(1), 20.0)
+        await browser.until(lambda: "The lesson has failed" not in browser.html())
+        await browser.close()
+
+    run(main())

@@ -25,6 +25,8 @@ LARGEST_POWER = 1000.0
 
 FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
     "sqrt": (math.sqrt, 1, 1),
+    "exp": (math.exp, 1, 1),
+    "ln": (math.log, 1, 1),
     "sin": (math.sin, 1, 1),
     "cos": (math.cos, 1, 1),
     "tan": (math.tan, 1, 1),
@@ -130,7 +132,7 @@ class Expression:
         except ValueError as error:
             if isinstance(error, InputError):
                 raise
-            raise InputError(f"{self._cut}: not a real number, such as the root of a negative one") from None
+            raise InputError(f"{self._cut}: not a real number, such as the root of a negative one or ln 0") from None
         if not math.isfinite(found):
             raise InputError(f"{self._cut}: the result is not finite")
         return found

@@ -102,7 +102,7 @@ def remainders(before: Arm, after: Arm) -> Remainders:
     if before.convention == after.convention:
         return Remainders(nothing, nothing)
     if after.convention == "modified":
-        return Remainders(nothing, _last(before), task_kept(before, after))
+        return Remainders(nothing, _last(before))
     taken = _last(after)
     return Remainders(_links(before)[0], Link(0.0 - taken.a, 0.0 - taken.alpha), task_kept(before, after))
 

@@ -81,7 +81,12 @@ class Runner(threading.Thread):
         """Look at what the state of a session wants now; returns at once, from any thread."""
         state = session.state
         for job in jobs().values():
-            wanted = job.wanted(state, panels)
+            try:
+                wanted = job.wanted(state, panels)
+            except Exception:
+                # One job that fails must stop neither the others nor the showing of the state.
+                log.exception("job %s cannot tell what it wants", job.key)
+                wanted = None
             with self._changed:
                 task = self._tasks.get((session.token, job.key))
                 if task is None:
@@ -135,12 +140,12 @@ class Runner(threading.Thread):
             wanted, outdated = task.wanted, task.is_outdated
         now = self._clock()
         task.due = now + task.job.interval
-        if outdated:
-            task.begun = wanted
-            task.pieces = None if wanted is None else task.job.run(wanted.inputs)
-        if task.pieces is None or task.begun is None:
-            return
         try:
+            if outdated:
+                task.begun, task.pieces = wanted, None
+                task.pieces = None if wanted is None else task.job.run(wanted.inputs)
+            if task.pieces is None or task.begun is None:
+                return
             found = next(task.pieces)
         except StopIteration:
             task.pieces = None

@@ -14,7 +14,7 @@ from armlab.kin.ik.self_motion import distance_to
 from armlab.kin.ik.solutions import IkSolutions
 from armlab.session.solutions_motion import Motion
 from armlab.session.solutions_question import Question
-from armlab.session.solutions_way import HERE, gap
+from armlab.session.solutions_way import HERE, ON_CURVE, gap
 
 Vector = NDArray[np.float64]
 
@@ -26,9 +26,6 @@ NEAR = 0.3
 
 MOST_NAMES = 200
 """Names that are remembered while a target is dragged."""
-
-ON_CURVE = 0.2
-"""Distance from a curve of solutions, radians and length scales, within which a representative belongs to it."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,11 +13,9 @@ from armlab.kin.ik.self_motion import distance_to, trace_self_motion
 from armlab.kin.ik.verdict import task_error_of
 from armlab.kin.ik.verified import polished
 from armlab.session.solutions_question import Question
+from armlab.session.solutions_way import ON_CURVE
 
 Vector = NDArray[np.float64]
-
-NEAR = 0.2
-"""Radians and length scales: a configuration that is nearer than this to a curve is on it; its points are 0.1 apart."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +41,7 @@ class Motion:
 
     def is_on(self, arm: Arm, q: NDArray[np.float64]) -> bool:
         """Return whether a configuration is on the curve."""
-        return distance_to(arm, q, [self.q]) < NEAR
+        return distance_to(arm, q, [self.q]) < ON_CURVE
 
     def part(self, arm: Arm, q: NDArray[np.float64]) -> float:
         """Return how far along the curve a configuration on it is, 0 to 1."""

@@ -17,7 +17,7 @@ from armlab.kin.ik.verdict import task_error_of
 from armlab.kin.ik.verified import polished
 from armlab.kin.transforms import inverse
 from armlab.session.solutions_question import Question
-from armlab.session.solutions_way import gap
+from armlab.session.solutions_way import ON_CURVE, gap
 
 Vector = NDArray[np.float64]
 
@@ -28,9 +28,6 @@ PIECE = 64
 SAME = 1e-3
 """Radians, or length scales: where descents stop is a solution of the list when it is nearer than this. A descent to a
 solution in which two are about to meet stops so far from it."""
-
-ON_CURVE = 0.2
-"""The same for a curve of solutions, whose points are 0.1 apart."""
 
 MOST = 64
 """Other solutions that are kept; where there are more, there are infinitely many."""

@@ -20,6 +20,10 @@ Vector = NDArray[np.float64]
 HERE = 1e-3
 """Radians, or length scales: an arm that is nearer than this to a solution in all joints is at it."""
 
+ON_CURVE = 0.2
+"""Radians and length scales: what is nearer than this to a curve of solutions is on it; its points are at most
+`armlab.kin.ik.self_motion.STEP`, 0.15, apart."""
+
 OTHER_STARTS = 12
 """Random starts of the search for another branch of an arm whose solutions take long to find, or cannot be counted."""
 

@@ -53,7 +53,8 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
     if PANEL not in panels and state[Timeline].clip != CLIP_KEY:
         return None
     missing = state.derived(todo)
-    return Wanted(missing, missing) if missing else None
+    # What has been delivered is missing no longer, and the work on the rest goes on: the key is that of the whole.
+    return Wanted((state.derived(questions), state.derived(arms_asked)), missing) if missing else None
 
 
 def run(missing: Todo) -> Iterator[Found | None]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -15,6 +13,7 @@ from armlab.ui import adapter
 from armlab.ui.colours import GREEN, VERMILLION
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.solids import lathe
+from armlab.ui.layers._ghosts_sticks import corners_of, turns_to
 from armlab.ui.layers._nodes import add_solid, move, seen
 
 THICK, BALL = 0.017, 0.026
@@ -23,11 +22,6 @@ THICK, BALL = 0.017, 0.026
 OPACITY = 0.32
 LEAST = 1e-6
 """Length of a stick, in sizes of the arm, below which it is not drawn."""
-
-OPPOSITE = 1e-12
-"""How near to minus z, in its cosine, a stick is turned about x instead."""
-
-Points = list[NDArray[np.float64]]
 
 
 class Ghost:
@@ -79,48 +73,30 @@ class Ghost:
         """Put the sticks where the configuration of the arm puts them."""
         if not self._balls:
             return
-        points: Points = []
-        tool: NDArray[np.float64] | None = None
+        corners = np.empty((0, 3))
         if self._arm is not None:
-            values = self._signs * q[: self._arm.n]
-            frames = np.asarray(self._arm.frames(values), dtype=np.float64)
-            points = _corners(frames)
-            tool = (frames[-1] @ self._arm.tool)[:3, 3] if self._whole else None
-        ends = [*points, tool] if tool is not None else points
+            corners = corners_of(self._arm, (self._signs * q[: self._arm.n])[None])[0]
+            corners = corners if self._whole else corners[:-1]
+        ways = np.diff(corners, axis=0)
+        lengths = np.linalg.norm(ways, axis=1)
+        turns = turns_to(ways / np.maximum(lengths, 1e-12)[:, None])
         for k, stick in enumerate(self._sticks):
-            self._lay(k, stick, ends[k : k + 2])
+            drawn = k < len(lengths) and bool(lengths[k] > LEAST * self._canvas.size)
+            seen(stick, drawn)
+            if drawn:
+                self._lay(k, corners[k], turns[k], float(lengths[k]))
         for k, ball in enumerate(self._balls):
-            seen(ball, 2 * k < len(points))
-            if 2 * k < len(points):
-                move(ball, points[2 * k])
+            # Of the corners every second one is an origin.
+            there = 2 * k < len(corners)
+            seen(ball, there)
+            if there:
+                move(ball, corners[2 * k])
 
-    def _lay(self, k: int, stick: Any, ends: Points) -> None:
-        length = float(np.linalg.norm(ends[1] - ends[0])) if len(ends) == 2 else 0.0
-        drawn = length > LEAST * self._canvas.size
-        seen(stick, drawn)
-        if not drawn:
-            return
-        adapter.set_wxyz(stick, _turn_to((ends[1] - ends[0]) / length))
-        move(stick, ends[0])
+    def _lay(self, k: int, start: NDArray[np.float64], turn: NDArray[np.float64], length: float) -> None:
+        w, x, y, z = turn.tolist()
+        adapter.set_wxyz(self._sticks[k], (w, x, y, z))
+        move(self._sticks[k], start)
         if abs(length - self._lengths[k]) > LEAST * self._canvas.size:
             self._lengths[k] = length
             width = THICK * self._canvas.size
-            stick.scale = (width, width, length)
-
-
-def _corners(frames: NDArray[np.float64]) -> Points:
-    """Return the way of the table along d and a: origin, corner, origin, ..."""
-    points: Points = [frames[0, :3, 3]]
-    for before, after in pairwise(frames):
-        z, place = before[:3, 2], before[:3, 3]
-        points += [place + ((after[:3, 3] - place) @ z) * z, after[:3, 3]]
-    return points
-
-
-def _turn_to(direction: NDArray[np.float64]) -> tuple[float, float, float, float]:
-    """Return the shortest turn, as wxyz, that takes z to a unit vector."""
-    x, y, z = direction.tolist()
-    if z < -1.0 + OPPOSITE:
-        return 0.0, 1.0, 0.0, 0.0
-    w = math.sqrt(0.5 * (1.0 + z))
-    return w, -0.5 * y / w, 0.5 * x / w, 0.0
+            self._sticks[k].scale = (width, width, length)

@@ -63,6 +63,7 @@ class LessonDock:
             except Exception:
                 # A lesson that cannot be shown must not stop the benches.
                 log.exception("lesson %s cannot be shown", state[LessonPart].open)
+                self._page.fail()
 
     def _make(self) -> None:
         self._shown = None

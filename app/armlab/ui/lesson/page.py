@@ -75,6 +75,12 @@ class LessonPage:
         self._foot.show(_foot(lesson, part, self._foot.channel_id))
         self._more.show(_more(lesson, part, self._more.channel_id))
 
+    def fail(self) -> None:
+        """Say that the lesson cannot be shown; what was there before may not hold."""
+        self._text.show('<div class="verdict no"><b>✕ The lesson has failed</b>The rest works on.</div>')
+        for fields in (self._task, self._question):
+            fields.show("")
+
     def _show_question(self, part: LessonPart, lesson: Lesson) -> None:
         question = lesson.steps[part.index].question
         if question is None:

@@ -22,6 +22,7 @@ from armlab.ui.panels._iteration_runs import plain_number, run_command, runs_mar
 from armlab.ui.panels._iteration_table import Table
 from armlab.ui.panels._iteration_words import choices, chosen, made, vector_text
 from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tried import tried
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Fields, Gui
 
@@ -33,13 +34,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     present = state
 
     def typed(fields: Fields, cell: str, text: str) -> None:
-        """Try what was typed or pressed; where it is refused, say why beside what was typed, and change nothing."""
-        try:
-            for command in _commands(present, cell, text):
-                command.apply(present)
-                post(command)
-        except InputError as refusal:
-            fields.refuse(cell, text, str(refusal))
+        if not tried(fields, cell, text, lambda: _commands(present, cell, text), present, post):
             show(present)
 
     problem = gui.fields(lambda cell, text: typed(problem, cell, text))

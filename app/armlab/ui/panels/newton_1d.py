@@ -15,6 +15,7 @@ from armlab.ui.markup import button, options, select
 from armlab.ui.panels._iteration_tangents import picture
 from armlab.ui.panels._iteration_words import scientific
 from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tried import tried
 from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Fields, Gui
 
@@ -34,12 +35,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     present = state
 
     def typed(fields: Fields, cell: str, text: str) -> None:
-        try:
-            for command in _commands(present, cell, text):
-                command.apply(present)
-                post(command)
-        except InputError as refusal:
-            fields.refuse(cell, text, str(refusal))
+        if not tried(fields, cell, text, lambda: _commands(present, cell, text), present, post):
             show(present)
 
     problem = gui.fields(lambda cell, text: typed(problem, cell, text))

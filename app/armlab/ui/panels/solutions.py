@@ -50,7 +50,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     arm, units = state[Joints].arm, units_of(state)
     head = gui.html()
     listing = _Listing(gui, arm, units, post)
-    motion = _MotionSlider(gui, units, post)
+    motion = _MotionSlider(gui, post)
     proof = _Proof(gui, units, post)
     examples = gui.fields(lambda cell, _: post(TakePreset(cell)))
     chips = "".join(chip(examples.channel_id, name, name, hint) for name, (_, _, hint) in PRESETS.items())
@@ -168,13 +168,12 @@ class _Listing:
 class _MotionSlider:
     """The slider along the motion that leaves the tool where it is."""
 
-    def __init__(self, gui: Gui, units: Units, post: Post) -> None:
+    def __init__(self, gui: Gui, post: Post) -> None:
         self._words: Html = gui.html()
         self._slider: Control = gui.slider(
             "along %", 0.0, 100.0, 100.0 / STEPS, 0.0, lambda value: post(MoveAlong(value / 100.0)), None
         )
         self._slider.handle.visible = False
-        self._units = units
 
     def show(self, state: State) -> None:
         """Show how far along the arm is, where it can move so."""
