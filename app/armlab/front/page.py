@@ -83,7 +83,7 @@ def make_page(title: str = "Armlab") -> Page:
         )
     packed, styles, _, loader = match.groups()
     unpacked = zstandard.ZstdDecompressor().decompress(decode_base88(packed))
-    script, style = _asset("armlab.js"), _asset("armlab.css")
+    script, style = _asset("armlab.js"), _styles()
     html = re.sub(r"<title>.*?</title>", f"<title>{title}</title>", source, count=1)
     html = html.replace("<head>", f"<head><script>{script}</script><style>{style}</style>", 1)
     program = unpacked[int(styles) :]
@@ -108,6 +108,13 @@ def _asset(name: str) -> str:
     if "</script" in text or "</style" in text:
         raise PageError(f"{name} would end its own element")
     return text
+
+
+def _styles() -> str:
+    """Return the style of the whole lab, and after it those of single topics, one file each."""
+    names = sorted(file.name for file in (resources.files("armlab.front") / "static").iterdir())
+    topics = (name for name in names if name.endswith(".css") and name != "armlab.css")
+    return "\n".join(map(_asset, ("armlab.css", *topics)))
 
 
 def _hash(code: bytes) -> str:

@@ -1,0 +1,94 @@
+"""A kind of path or of law that was chosen, with its options, as parts of the state hold it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol, Self
+
+import numpy as np
+
+from armlab.errors import InputError, UnknownName
+from armlab.kin.motion.field import Field
+from armlab.session.state import Json
+
+Value = Any
+"""A number, a truth value, a text, or numbers in tuples, in rows."""
+
+
+class Kind(Protocol):
+    """What has options: `armlab.kin.motion.PathType`, `armlab.kin.motion.LawType`."""
+
+    @property
+    def fields(self) -> tuple[Field, ...]:
+        """The options there are."""
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A kind by its key, and those options that are not left as they come.
+
+    Attributes
+    ----------
+    key : str
+    given : tuple of (str, value)
+        In the order of the keys; lists and tables are tuples.
+    """
+
+    key: str
+    given: tuple[tuple[str, Value], ...] = ()
+
+    @classmethod
+    def of(cls, kinds: Mapping[str, Kind], key: str, **options: Value) -> Self:
+        """Return a choice with options.
+
+        Raises
+        ------
+        InputError
+            No such kind or option, or a wrong value.
+        """
+        if key not in kinds:
+            raise UnknownName("kind", key, kinds)
+        chosen = cls(key)
+        for name, value in options.items():
+            chosen = chosen.with_option(kinds[key], name, value)
+        return chosen
+
+    @property
+    def options(self) -> dict[str, Value]:
+        """The options by key, as the makers of paths and laws take them."""
+        return dict(self.given)
+
+    def with_option(self, kind: Kind, name: str, value: Value) -> Self:
+        """Return the choice with one option set; None leaves it as it comes.
+
+        Raises
+        ------
+        InputError
+            No such option, or a wrong value.
+        """
+        known = {field.key: field for field in kind.fields}
+        if name not in known:
+            raise UnknownName(f"option of {self.key}", name, known)
+        others = {key: given for key, given in self.given if key != name}
+        if value is not None:
+            others[name] = _frozen(known[name].checked(value))
+        return type(self)(self.key, tuple(sorted(others.items())))
+
+    def to_json(self) -> Json:
+        """Write kind and options."""
+        return {"key": self.key, **({"options": self.options} if self.given else {})}
+
+    @classmethod
+    def from_json(cls, data: Json, kinds: Mapping[str, Kind]) -> Self:
+        """Read them back; `InputError` when they are not usable."""
+        if not isinstance(data, dict) or not isinstance(data.get("key"), str):
+            raise InputError(f"kind: expected a key and options, got {str(data)[:60]}")
+        return cls.of(kinds, data["key"], **data.get("options", {}))
+
+
+def _frozen(value: Value) -> Value:
+    """Return lists and arrays as tuples: a state is never changed in place."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    return tuple(_frozen(each) for each in value) if isinstance(value, list) else value

@@ -1,0 +1,159 @@
+"""A form for the options of a path or a law, made from their descriptions: a new kind brings its form along."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from armlab.content.arithmetic import evaluate
+from armlab.errors import InputError
+from armlab.kin.motion.field import Field
+from armlab.ui.format import capitalised, escaped, trimmed
+from armlab.ui.markup import chip, options, select
+from armlab.ui.widgets import Fields
+
+DECIMALS = 4
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What stands on screen for the unit ``q`` of a coordinate.
+
+    Attributes
+    ----------
+    unit : str
+        Such as ``"°"``; empty for a pure number.
+    factor : float
+        The size of the unit on screen in radians or metres.
+    """
+
+    unit: str = ""
+    factor: float = 1.0
+
+
+PLAIN = (Scale(),)
+
+
+def unit_text(field: Field, scale: Scale) -> str:
+    """Return the unit of an option as it stands on screen; empty for a pure number.
+
+    >>> unit_text(Field("v", "v", "speed", "number", unit="q/s"), Scale("mm", 1e-3))
+    'mm/s'
+    """
+    unit = field.unit
+    if unit.startswith("q"):
+        return (scale.unit or "1") + unit[1:] if unit != "q" else scale.unit
+    return {"1": "", "rad": "°"}.get(unit, unit)
+
+
+def _factor(field: Field, scale: Scale) -> float:
+    if field.unit.startswith("q"):
+        return scale.factor
+    return float(np.pi / 180.0) if field.unit == "rad" else 1.0
+
+
+def option_markup(
+    fields: Fields, prefix: str, kinds: Sequence[Field], given: Mapping[str, Any], scales: Sequence[Scale] = PLAIN
+) -> str:
+    """Return fields and choices for options; their cells are ``prefix`` followed by the key of the option.
+
+    Parameters
+    ----------
+    fields : Fields
+    prefix : str
+    kinds : sequence of Field
+    given : mapping
+        The values that were chosen, by key; others are as they come.
+    scales : sequence of Scale
+        One for each coordinate; the first holds for numbers and lists.
+    """
+    return "".join(_option(fields, prefix + kind.key, kind, given, scales) for kind in kinds)
+
+
+def _option(fields: Fields, cell: str, kind: Field, given: Mapping[str, Any], scales: Sequence[Scale]) -> str:
+    value, channel = given.get(kind.key, kind.default), fields.channel_id
+    title = capitalised(kind.title)
+    if kind.kind == "choice":
+        chooser = select(channel, cell, title, options(dict(kind.choices), str(value)))
+        return f'<label class="option wide"><span>{escaped(title)}</span>{chooser}</label>'
+    if kind.kind == "flag":
+        pressed = chip(channel, cell, "✓ yes" if value else "no", title, pressed=bool(value))
+        return f'<div class="option wide"><span>{escaped(title)}</span>{pressed}</div>'
+    typed = fields.field(cell, _text(kind, value, scales), title)
+    wide = " wide" if kind.kind in ("vector", "list", "rows") else ""
+    unit = unit_text(kind, scales[0]) if kind.kind != "vector" else _vector_unit(kind, scales)
+    symbol = f"<span>{escaped(kind.symbol or title)}</span>"
+    return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{escaped(unit)}</i></label>'
+
+
+def _vector_unit(kind: Field, scales: Sequence[Scale]) -> str:
+    units = list(dict.fromkeys(unit_text(kind, scale) for scale in scales))
+    return ", ".join(units)
+
+
+def _text(kind: Field, value: Any, scales: Sequence[Scale]) -> str:
+    if value is None:
+        return ""
+    if kind.kind == "rows":
+        return "; ".join(" ".join(trimmed(float(each), DECIMALS) for each in row) for row in value)
+    numbers = np.atleast_1d(np.asarray(value, dtype=float))
+    return "  ".join(
+        trimmed(float(number) / _factor(kind, _scale_of(kind, scales, j)), DECIMALS) for j, number in enumerate(numbers)
+    )
+
+
+def _scale_of(kind: Field, scales: Sequence[Scale], j: int) -> Scale:
+    return scales[min(j, len(scales) - 1)] if kind.kind == "vector" else scales[0]
+
+
+def option_value(kind: Field, text: str, now: Any = None, scales: Sequence[Scale] = PLAIN) -> Any:
+    """Return what a person typed or pressed for an option, radians and metres; None where the field was emptied.
+
+    Parameters
+    ----------
+    kind : Field
+    text : str
+    now : value
+        The present value: pressing a truth value turns it round.
+    scales : sequence of Scale
+
+    Raises
+    ------
+    InputError
+        Not numbers; the text names the option.
+    """
+    if kind.kind == "flag":
+        return not (kind.default if now is None else now)
+    if kind.kind == "choice":
+        return text
+    if not text.strip():
+        return None
+    if kind.kind == "rows":
+        return [
+            [_number(kind, cell) for cell in _cells(row)] for row in text.replace("\n", ";").split(";") if row.strip()
+        ]
+    numbers = [_number(kind, cell) * _factor(kind, _scale_of(kind, scales, j)) for j, cell in enumerate(_cells(text))]
+    if kind.kind in ("vector", "list"):
+        return numbers
+    if len(numbers) != 1:
+        raise InputError(f"{kind.title}: expected one number, got {text.strip()[:40]!r}")
+    if kind.kind == "whole":
+        if numbers[0] != round(numbers[0]):
+            raise InputError(f"{kind.title}: expected a whole number, got {text.strip()[:40]!r}")
+        return round(numbers[0])
+    return numbers[0]
+
+
+def _cells(text: str) -> list[str]:
+    """Return what stands between blanks, with or without commas."""
+    return text.replace(", ", " ").replace("−", "-").split()
+
+
+def _number(kind: Field, text: str) -> float:
+    try:
+        return evaluate(text.replace(",", "."))
+    except InputError:
+        raise InputError(f"{kind.title}: expected numbers separated by blanks, got {text[:40]!r}") from None
