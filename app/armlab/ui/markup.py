@@ -89,6 +89,15 @@ def field(channel: str, cell: str, value: str, label: str, off: bool = False, **
     )
 
 
+def area(channel: str, cell: str, value: str, label: str, lines: int, **more: str) -> str:
+    """Return a field of several lines; its text is sent when the field is left."""
+    named = _attributes(aria_label=label, **more)
+    return (
+        f'<textarea class="field" rows="{lines}" spellcheck="false"{named} data-chan="{channel}"'
+        f' data-cell="{escaped(cell)}">{escaped(value)}</textarea>'
+    )
+
+
 def row(label: str, inside: str, wide: bool = False, cells: bool = False, hint: str = "") -> str:
     """Return a line of controls after a label, which is markup, too.
 

@@ -17,6 +17,9 @@ from armlab.ui.widgets import Fields
 
 DECIMALS = 4
 
+MOST_LINES = 8
+"""Of a table that are seen at once."""
+
 
 @dataclass(frozen=True)
 class Scale:
@@ -82,11 +85,22 @@ def _option(fields: Fields, cell: str, kind: Field, given: Mapping[str, Any], sc
     if kind.kind == "flag":
         pressed = chip(channel, cell, "✓ yes" if value else "no", title, pressed=bool(value))
         return f'<div class="option wide"><span>{escaped(title)}</span>{pressed}</div>'
+    if kind.kind == "rows":
+        return _rows(fields, cell, kind, _text(kind, value, scales), scales)
     typed = fields.field(cell, _text(kind, value, scales), title)
-    wide = " wide" if kind.kind in ("vector", "list", "rows") else ""
+    wide = " wide" if kind.kind in ("vector", "list") else ""
     unit = unit_text(kind, scales[0]) if kind.kind != "vector" else _vector_unit(kind, scales)
     symbol = f"<span>{escaped(kind.symbol or title)}</span>"
     return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{escaped(unit)}</i></label>'
+
+
+def _rows(fields: Fields, cell: str, kind: Field, text: str, scales: Sequence[Scale]) -> str:
+    """Return a field of several lines, one for each row of a table, under its title."""
+    unit = unit_text(kind, scales[0])
+    head = f"{escaped(f'{kind.symbol}: {kind.title}' if kind.symbol else capitalised(kind.title))} <i>{escaped(unit)}</i>"
+    lines = min(max(text.count("\n") + 1, 2), MOST_LINES)
+    typed = fields.area(cell, text, capitalised(kind.title), lines)
+    return f'<label class="option wide rows"><span>{head}</span>{typed}</label>'
 
 
 def _vector_unit(kind: Field, scales: Sequence[Scale]) -> str:
@@ -98,7 +112,7 @@ def _text(kind: Field, value: Any, scales: Sequence[Scale]) -> str:
     if value is None:
         return ""
     if kind.kind == "rows":
-        return "; ".join(" ".join(trimmed(float(each), DECIMALS) for each in row) for row in value)
+        return "\n".join("  ".join(trimmed(float(each), DECIMALS) for each in row) for row in value)
     numbers = np.atleast_1d(np.asarray(value, dtype=float))
     return "  ".join(
         trimmed(float(number) / _factor(kind, _scale_of(kind, scales, j)), DECIMALS) for j, number in enumerate(numbers)

@@ -38,10 +38,24 @@ class Curve:
     name : str
         With its unit, such as ``"w, m²"``.
     colour : (int, int, int)
+    width : float
+        Of the line, pixels.
+    dots : bool
+        Whether it is single points, drawn as dots without a line.
     """
 
     name: str
     colour: Rgb
+    width: float = 1.6
+    dots: bool = False
+
+    @property
+    def series(self) -> dict[str, Any]:
+        """How the page draws it."""
+        drawn: dict[str, Any] = {"label": self.name, "stroke": css(self.colour)}
+        if self.dots:
+            return {**drawn, "width": 0, "points": {"show": True, "size": 6, "fill": css(self.colour)}}
+        return {**drawn, "width": self.width}
 
 
 class Plot:
@@ -91,7 +105,7 @@ class Plot:
             tuple([empty] * (1 + len(self._curves) + limits)),
             (
                 {"label": x},
-                *({"label": c.name, "stroke": css(c.colour), "width": 1.6} for c in self._curves),
+                *(curve.series for curve in self._curves),
                 *({"label": "limit", "stroke": css(VERDICT["no"]), "width": 1, "dash": [5, 4]} for _ in range(limits)),
             ),
             x,

@@ -131,11 +131,20 @@ class Fields:
 
     def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "") -> str:
         """Return the markup of one input field; Enter goes on to the field ``below``."""
-        wrong = {}
-        if self._mistake is not None and self._mistake[0] == cell:
-            value, wrong = self._mistake[1], {"aria_invalid": "true", "title": self._mistake[2]}
+        value, wrong = self._refused(cell, value)
         more = {"inputmode": "decimal", "data_below": below, **wrong}
         return markup.field(self.channel_id, cell, value, label, disabled, **more)
+
+    def area(self, cell: str, value: str, label: str, lines: int) -> str:
+        """Return the markup of an input field of several lines, for a table a person types."""
+        value, wrong = self._refused(cell, value)
+        return markup.area(self.channel_id, cell, value, label, lines, **wrong)
+
+    def _refused(self, cell: str, value: str) -> tuple[str, dict[str, str]]:
+        """Return what stands in a field, and the marks of what was refused there."""
+        if self._mistake is None or self._mistake[0] != cell:
+            return value, {}
+        return self._mistake[1], {"aria_invalid": "true", "title": self._mistake[2]}
 
     def show(self, content: str) -> None:
         """Show this markup, which holds the fields."""

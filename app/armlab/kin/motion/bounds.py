@@ -117,7 +117,8 @@ def _bounds(raw: LawBounds, V: float) -> LawBounds:
     with np.errstate(divide="ignore", invalid="ignore"):
         V_bend = float(np.sqrt(np.where(raw.M_a > 0.0, raw.a_max / raw.M_a, np.inf)).min())
     used = np.where(raw.M_a > 0.0, V * V * np.where(raw.M_a > 0.0, raw.M_a, 1.0), 0.0)
-    A, A_joint = _smallest(np.where(np.isinf(raw.a_max), np.inf, raw.a_max - used), raw.M_v)
+    bounded = np.isfinite(raw.a_max)
+    A, A_joint = _smallest(np.where(bounded, np.where(bounded, raw.a_max, 0.0) - used, np.inf), raw.M_v)
     return LawBounds(
         raw.M_v,
         raw.M_a,

@@ -1,0 +1,244 @@
+"""Timing laws as the bench of laws asks for them: made from what was typed, with what exceeds the limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from armlab.errors import InputError
+from armlab.kin.motion.extremes import exceeding
+from armlab.kin.motion.field import Field
+from armlab.kin.motion.law import Law
+from armlab.kin.motion.law_types import SMOOTH_ENOUGH, law_type
+from armlab.kin.motion.series import series_of
+from armlab.kin.timing.table import acceleration_law
+from armlab.session.chosen import Chosen
+
+SMALLEST, LARGEST = 1e-4, 1e6
+"""Of times, distances and limits, each in its unit: beyond them nothing could be drawn."""
+
+MOST_ROWS = 60
+"""Of a typed table: more could not be read."""
+
+QUANTITIES: tuple[Field, ...] = (
+    Field("duration", "T", "duration", "number", 2.0, low=0.0, above=True, unit="s"),
+    Field("distance", "L", "distance s goes", "number", 1.0, low=0.0, above=True),
+    Field("speed", "V", "limit of speed; empty for none", "number", low=0.0, above=True, unit="1/s"),
+    Field("acceleration", "A", "limit of acceleration; empty for none", "number", low=0.0, above=True, unit="1/s²"),
+    Field("jerk", "J", "limit of jerk; empty for none", "number", low=0.0, above=True, unit="1/s³"),
+)
+"""What is typed for all laws at once."""
+
+LIMITS = ("speed", "acceleration", "jerk")
+"""The limits, in the order of the derivatives 1, 2, 3 they are of."""
+
+AS_TYPED: Mapping[str, Callable[..., Law]] = MappingProxyType({"table": acceleration_law})
+"""Laws that say all by themselves, time and distance too: what makes them from their options."""
+
+END_SPEEDS = ("v_start", "v_end")
+"""Options of laws that do not begin or end at rest on purpose."""
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How long the laws take, how far they go, and their limits.
+
+    Attributes
+    ----------
+    fastest : bool
+        Whether they are as fast as the limits allow, and not as long as the duration.
+    duration, distance : float
+        T in seconds, and L, a pure number.
+    speed, acceleration, jerk : float or None
+        V, A, J; None where there is no limit.
+    """
+
+    fastest: bool = False
+    duration: float = 2.0
+    distance: float = 1.0
+    speed: float | None = 1.0
+    acceleration: float | None = 2.0
+    jerk: float | None = 10.0
+
+    def limit(self, order: int) -> float:
+        """Return the limit of the derivative of order 1, 2 or 3; infinite where there is none."""
+        value = getattr(self, LIMITS[order - 1])
+        return math.inf if value is None else float(value)
+
+    def with_quantity(self, name: str, value: Any) -> Timing:
+        """Return it with one quantity set; `InputError` names a quantity that is not positive or cannot be drawn."""
+        field = next((each for each in QUANTITIES if each.key == name), None)
+        if field is None:
+            raise InputError(f"unknown quantity {name!r}. Available: {', '.join(each.key for each in QUANTITIES)}")
+        if value is None and field.default is not None:
+            raise InputError(f"{field.key} {field.symbol}: expected a positive number, got nothing")
+        return replace(self, **{name: drawable(field, field.checked(value))})  # type: ignore[arg-type]
+
+
+def drawable(field: Field, value: float | None) -> float | None:
+    """Return a checked number; `InputError` when it is too small or too large to be drawn."""
+    if value is not None and not SMALLEST <= value <= LARGEST:
+        raise InputError(f"{field.key} {field.symbol}: expected 0.0001 to 1 000 000 {field.unit}, got {value:g}")
+    return value
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One law of the bench.
+
+    Attributes
+    ----------
+    chosen : Chosen
+        Of `armlab.kin.motion.law_types`.
+    as_typed : bool
+        Whether it is left as its options say, not stretched to the duration and the distance; see `AS_TYPED`.
+    colour : int
+        Place of its colour.
+    """
+
+    chosen: Chosen
+    as_typed: bool = False
+    colour: int = 0
+
+    @property
+    def title(self) -> str:
+        """The name of the law."""
+        return law_type(self.chosen.key).title
+
+    @property
+    def moving_ends(self) -> bool:
+        """Whether it begins or ends with a speed on purpose."""
+        return any(self.chosen.options.get(name) for name in END_SPEEDS)
+
+
+@lru_cache(maxsize=256)
+def law_of(entry: Entry, timing: Timing) -> Law:
+    """Return the law an entry stands for.
+
+    Raises
+    ------
+    InputError
+        The law cannot be made so; the text names the option or the limit.
+    """
+    kind, options = law_type(entry.chosen.key), entry.chosen.options
+    if len(options.get("rows", ())) > MOST_ROWS:
+        raise InputError(f"rows: expected at most {MOST_ROWS}, got {len(options['rows'])}")
+    try:
+        # What overflows here is said below in words.
+        with np.errstate(all="ignore"):
+            law = _made(entry, timing, options)
+            sizes: tuple[float, ...] = (law.duration, *law.span, law.peak_speed, law.peak_acceleration, law.peak_jerk)
+    except (OverflowError, ZeroDivisionError, ValueError):
+        sizes = (math.nan,)
+    if not all(map(math.isfinite, sizes)) or not SMALLEST <= sizes[0] <= LARGEST:
+        raise InputError(f"{kind.title}: with these numbers it would be too long, too short or too fast to be drawn")
+    return law
+
+
+def _made(entry: Entry, timing: Timing, options: dict[str, Any]) -> Law:
+    kind = law_type(entry.chosen.key)
+    if entry.as_typed:
+        defaults = {field.key: field.default for field in kind.fields}
+        return AS_TYPED[kind.key](**{**defaults, **options})
+    if not timing.fastest:
+        return kind.law(timing.duration, timing.distance, **options)
+    return kind.within(timing.limit(1), timing.limit(2), timing.limit(3), timing.distance, **options)
+
+
+class Excess(NamedTuple):
+    """A limit that is not kept.
+
+    Attributes
+    ----------
+    order : int
+        Of the derivative, 1 to 3.
+    peak, limit : float
+        ``peak`` is infinite where the derivative below it jumps.
+    spans : tuple of (float, float)
+        When, seconds; empty where only jumps exceed it.
+    """
+
+    order: int
+    peak: float
+    limit: float
+    spans: tuple[tuple[float, float], ...]
+
+
+def excesses(law: Law, timing: Timing, moving_ends: bool = False) -> tuple[Excess, ...]:
+    """Return which limits a law exceeds, and when.
+
+    Parameters
+    ----------
+    law : Law
+    timing : Timing
+    moving_ends : bool
+        Whether the law is not meant to begin and end at rest: then a speed at an end is no jump.
+    """
+    peaks = (law.peak_speed, law.peak_acceleration, law.peak_jerk)
+    smooth = law.continuity if moving_ends else law.continuity_from_rest
+    found = []
+    for order, peak in enumerate(peaks, start=1):
+        limit = timing.limit(order)
+        if math.isinf(limit):
+            continue
+        spans = _spans(law, order, limit)
+        jumps = smooth < min(order - 1, SMOOTH_ENOUGH)
+        if spans or jumps:
+            found.append(Excess(order, math.inf if jumps else peak, limit, spans))
+    return tuple(found)
+
+
+def _spans(law: Law, order: int, limit: float) -> tuple[tuple[float, float], ...]:
+    degree = None if law.degree is None else max(law.degree - order, 0)
+    series = series_of(lambda t: law.at(t, order)[:, None], law.edges, degree)
+    return tuple(exceeding(series, np.array([limit]))[0])
+
+
+class Phases(NamedTuple):
+    """A law of constant accelerations that speeds up, goes on, slows down.
+
+    Attributes
+    ----------
+    up, coast, down : float
+        Seconds; ``coast`` is 0 in a triangle of speed.
+    peak : float
+        The largest speed.
+    """
+
+    up: float
+    coast: float
+    down: float
+    peak: float
+
+    @property
+    def triangle(self) -> bool:
+        """Whether there is no constant speed in between."""
+        return self.coast == 0.0
+
+
+STILL = 1e-9
+"""An acceleration below this part of the largest is none."""
+
+
+def phases(law: Law) -> Phases | None:
+    """Return the phases of a trapezoid or triangle of speed; None for a law that is something else.
+
+    References
+    ----------
+    Notes 6.104-6.113.
+    """
+    if law.degree != 2:
+        return None
+    middles = 0.5 * (law.edges[1:] + law.edges[:-1])
+    values = law.at(middles, 2)
+    signs = np.where(np.abs(values) <= STILL * law.peak_acceleration, 0, np.sign(values)).astype(int)
+    if len(signs) > 3 or np.any(np.diff(signs) >= 0) or not signs.any():
+        return None
+    times = dict(zip(signs.tolist(), np.diff(law.edges).tolist(), strict=True))
+    return Phases(times.get(1, 0.0), times.get(0, 0.0), times.get(-1, 0.0), law.peak_speed)

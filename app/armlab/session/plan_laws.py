@@ -1,0 +1,87 @@
+"""The timing of a planned path: as fast as the limits allow, or in a given time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.motion import LawBounds, Motion, Path, Trajectory, as_fast_as_allowed, law_bounds, law_types, scaled
+from armlab.kin.motion.law_types import SMOOTH_ENOUGH
+from armlab.session.plan_moves import Stretch
+from armlab.session.plan_question import Limits, Question
+
+SAMPLES = 400
+"""Of a motion, among which the largest speed of the tool is looked for."""
+
+JERK_REMARK = "the acceleration jumps, so the limit of jerk cannot be kept"
+
+
+def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajectory, LawBounds, tuple[str, ...]]:
+    """Return a path in joint space run through as fast as its law can be within the limits.
+
+    The bounds of section 6.1.1 give the law its shape; they are safe and not sharp, so that the motion is then scaled
+    to meet one limit exactly.
+
+    Returns
+    -------
+    trajectory : Trajectory
+    bounds : LawBounds
+        Those used: with the speed lowered where no acceleration was left at the largest one.
+    remarks : tuple of str
+
+    Raises
+    ------
+    InputError
+        The law does not fit; the text names the move.
+    """
+    limits, kind = question.limits, law_types()[stretch.move.law.key]
+    try:
+        bounds = law_bounds(path, limits.velocity, limits.acceleration)
+        if not bounds.possible:
+            bounds = bounds.lowered()
+        needed = "jerk" in kind.needs
+        jerk = _jerk_bound(path, limits.jerk(needed), bounds)
+        law = kind.within(bounds.V, bounds.A, jerk, **stretch.move.law.options)
+        trajectory = Trajectory(path, law)
+    except InputError as refusal:
+        raise InputError(f"move {stretch.title}: {refusal}") from None
+    smooth = trajectory.continuity_from_rest >= SMOOTH_ENOUGH
+    asked = limits.jerk_time is not None
+    jerks = limits.jerk() if asked and smooth else np.inf
+    motion, _ = as_fast_as_allowed(trajectory, limits.velocity, limits.acceleration, jerks)
+    motion = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
+    assert isinstance(motion, Trajectory)
+    return motion, bounds, (JERK_REMARK,) if asked and not smooth else ()
+
+
+def lasting(stretch: Stretch, path: Path, duration: float) -> Trajectory:
+    """Return a path in joint space run through in a time; `InputError` names the move where the law does not fit."""
+    try:
+        return Trajectory(path, law_types()[stretch.move.law.key].law(duration, **stretch.move.law.options))
+    except InputError as refusal:
+        raise InputError(f"move {stretch.title}: {refusal}") from None
+
+
+def slack(question: Question, motion: Motion) -> float:
+    """Return the factor for the time of a motion at which one limit is met; below 1 it may be faster."""
+    limits = question.limits
+    smooth = limits.jerk_time is not None and motion.continuity_from_rest >= SMOOTH_ENOUGH
+    _, scaling = as_fast_as_allowed(motion, limits.velocity, limits.acceleration, limits.jerk() if smooth else np.inf)
+    return max(scaling.k, _too_fast(question.arm, motion, limits))
+
+
+def _jerk_bound(path: Path, jerk: np.ndarray, bounds: LawBounds) -> float:
+    """Return a bound of the third derivative of s for the shape of the law: of the straight part of q''' alone."""
+    moving = bounds.M_v > 0.0
+    return float((jerk[moving] / bounds.M_v[moving]).min())
+
+
+def _too_fast(arm: Arm, motion: Motion, limits: Limits) -> float:
+    """Return the largest speed of the tool in parts of its limit."""
+    if limits.tool_speed is None:
+        return 0.0
+    t = np.linspace(0.0, motion.duration, SAMPLES)
+    q, qdot = motion.derivatives(t, (0, 1))
+    v = (arm.jacobian(q)[:, :3] @ qdot[:, :, None])[:, :, 0]
+    return float(np.linalg.norm(v, axis=1).max()) / limits.tool_speed

@@ -1,0 +1,193 @@
+"""What a plan of motion is made of: waypoints, and the moves from each to the next."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal, Self, cast, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
+from armlab.kin.motion import law_types, path_types
+from armlab.kin.motion.path_types import PathType, Space
+from armlab.kin.transforms import as_pose
+from armlab.session.chosen import Chosen
+from armlab.session.state import Json
+
+Floats = NDArray[np.float64]
+
+Turning = Literal["axis", "euler", "kept", "wrist"]
+
+TURNINGS: dict[Turning, str] = {
+    "axis": "about one axis",
+    "euler": "Euler angles zyx",
+    "kept": "kept as it is",
+    "wrist": "apart, by the wrist",
+}
+"""How the tool turns during a Cartesian move."""
+
+EULER_AXES = "zyx"
+
+MOST_WAYPOINTS = 100
+"""More cannot be told apart in a list; long lists of samples are read as a recorded motion."""
+
+
+LINE, TRAPEZOID = Chosen("line"), Chosen("trapezoidal")
+
+
+@dataclass(frozen=True)
+class Waypoint:
+    """A configuration to go through.
+
+    Attributes
+    ----------
+    q : tuple of float
+        rad and m, inside the limits.
+    pose : tuple of float or None
+        The 16 numbers of the wanted tool pose in the world where it was typed or dragged; None: the one of ``q``.
+    """
+
+    q: tuple[float, ...]
+    pose: tuple[float, ...] | None = None
+
+    def wanted(self, arm: Arm) -> Floats:
+        """Return the wanted pose of the tool in the world, (4, 4)."""
+        pose = arm.fk(self.q) if self.pose is None else np.reshape(self.pose, (4, 4))
+        return np.asarray(pose, dtype=np.float64)
+
+    def to_json(self) -> Json:
+        """Write it down."""
+        return {"q": list(self.q), **({} if self.pose is None else {"pose": list(self.pose)})}
+
+    @classmethod
+    def from_json(cls, data: Json, arm: Arm) -> Self:
+        """Read it back; raises when it does not fit the arm."""
+        pose = data.get("pose")
+        return cls(checked_q(arm, data["q"]), None if pose is None else flat_pose(np.reshape(pose, (4, 4))))
+
+
+@dataclass(frozen=True)
+class Move:
+    """How the arm comes from the waypoint before.
+
+    Moves in a row that are the same, of a path that takes several waypoints, are one stretch of it.
+
+    Attributes
+    ----------
+    space : str
+        ``"joint"`` or ``"cartesian"``: what runs through the waypoints, the configurations or the poses of the tool.
+    path, law : Chosen
+        Kinds of `path_types` and `law_types`.
+    turning : str
+        One of `TURNINGS`; of a joint move it has no effect.
+    stop : bool
+        Whether the arm rests at the waypoint it comes to, although the path could go through.
+    """
+
+    space: Space = "joint"
+    path: Chosen = LINE
+    law: Chosen = TRAPEZOID
+    turning: Turning = "axis"
+    stop: bool = False
+
+    @property
+    def kind(self) -> PathType:
+        """The kind of its path."""
+        return path_types()[self.path.key]
+
+    def through(self) -> Self:
+        """Return the move without its stop: moves that are equal then can be one stretch."""
+        return replace(self, stop=False)
+
+    def to_json(self) -> Json:
+        """Write it down."""
+        return {
+            "space": self.space,
+            "path": self.path.to_json(),
+            "law": self.law.to_json(),
+            "turning": self.turning,
+            "stop": self.stop,
+        }
+
+    @classmethod
+    def from_json(cls, data: Json) -> Self:
+        """Read it back; `InputError` when it is not usable."""
+        path = Chosen.from_json(data.get("path", LINE.to_json()), path_types())
+        law = Chosen.from_json(data.get("law", TRAPEZOID.to_json()), law_types())
+        turning = checked_turning(data.get("turning", "axis"))
+        return cls(checked_space(data.get("space", "joint")), path, law, turning, bool(data.get("stop", False)))
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Moves that are one path.
+
+    Attributes
+    ----------
+    first, last : int
+        Waypoints, from 0.
+    move : Move
+        The first of its moves.
+    """
+
+    first: int
+    last: int
+    move: Move
+
+    @property
+    def title(self) -> str:
+        """Which waypoints it joins, such as ``"1 → 3"``."""
+        return f"{self.first + 1} → {self.last + 1}"
+
+
+def stretches(moves: tuple[Move, ...]) -> tuple[Stretch, ...]:
+    """Return what moves between waypoints 0, 1, ... amount to, in order."""
+    found: list[Stretch] = []
+    for k, move in enumerate(moves):
+        before = found[-1] if found else None
+        most = move.kind.most
+        joins = (
+            before is not None
+            and not moves[k - 1].stop
+            and before.move.through() == move.through()
+            and (most is None or before.last - before.first + 2 <= most)
+        )
+        if joins and before is not None:
+            found[-1] = replace(before, last=k + 1)
+        else:
+            found.append(Stretch(k, k + 1, move))
+    return tuple(found)
+
+
+def stretch_at(moves: tuple[Move, ...], k: int) -> Stretch:
+    """Return the stretch a move belongs to, the move to waypoint k + 1 counted from 0."""
+    return next(stretch for stretch in stretches(moves) if stretch.first <= k < stretch.last)
+
+
+def checked_q(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
+    """Return joint values inside the limits; `InputError` when they are not n finite numbers or far outside."""
+    values = np.array(q, dtype=float)
+    if values.shape != (arm.n,) or not np.isfinite(values).all():
+        raise InputError(f"waypoint: expected {arm.n} finite joint values, got {values.size}")
+    return tuple(np.asarray(arm.clip(values)).tolist())
+
+
+def flat_pose(pose: ArrayLike) -> tuple[float, ...]:
+    """Return the 16 numbers of a pose; `InputError` when it is none."""
+    return tuple(np.asarray(as_pose(pose, "pose of the waypoint"), dtype=float).reshape(16).tolist())
+
+
+def checked_space(space: object) -> Space:
+    """Return a space; `UnknownName` for another word."""
+    if space not in get_args(Space):
+        raise UnknownName("space", space, get_args(Space))
+    return cast(Space, space)
+
+
+def checked_turning(turning: object) -> Turning:
+    """Return a way of turning; `UnknownName` for another word."""
+    if turning not in TURNINGS:
+        raise UnknownName("turning", turning, TURNINGS)
+    return cast(Turning, turning)

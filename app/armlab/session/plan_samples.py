@@ -1,0 +1,71 @@
+"""A planned motion at many times: for pictures, plots and files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.motion import Motion, Violation, violations
+from armlab.session.plan_question import Leg, Question, Samples
+
+Floats = NDArray[np.float64]
+
+DRAWN = 161
+"""Points of the way of a leg in the scene."""
+
+PLOTTED = 601
+"""Samples of a whole motion in the plots."""
+
+STANDS = 1e-6
+"""Of the largest speed of the tool: below, the tool stands and its way has no curvature."""
+
+
+def exceeded(question: Question, motion: Motion) -> tuple[Violation, ...]:
+    """Return when which limit is exceeded by more than rounding."""
+    limits, slack = question.limits, 1.0 + 1e-6
+    jerk = None if limits.jerk_time is None else limits.jerk() * slack
+    return tuple(
+        violations(
+            motion,
+            positions=question.arm.limits,
+            velocity=np.array(limits.velocity) * slack,
+            acceleration=np.array(limits.acceleration) * slack,
+            jerk=jerk,
+        )
+    )
+
+
+def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED) -> Samples:
+    """Return a motion at evenly spaced times, with what the tool does."""
+    t = np.linspace(0.0, motion.duration, count)
+    q, qdot, qddot, qdddot = motion.derivatives(t)
+    tool = np.asarray(arm.position(q))
+    v, a = _tool_rates(arm, motion, t, q, qdot)
+    speed = np.linalg.norm(v, axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        bend = np.linalg.norm(np.cross(v, a), axis=1) / speed**3
+    curvature = np.where(speed > STANDS * max(float(speed.max()), 1e-12), bend, np.nan)
+    return Samples(t, q, qdot, qddot, qdddot, tool, speed, _parameter(legs, t), curvature)
+
+
+def _tool_rates(arm: Arm, motion: Motion, t: Floats, q: Floats, qdot: Floats) -> tuple[Floats, Floats]:
+    """Return velocity and acceleration of the tool point, (k, 3) each; the change of J by a central difference."""
+    J = arm.jacobian(q)[:, :3]
+    v = (J @ qdot[:, :, None])[:, :, 0]
+    step = 1e-5
+    turned = (arm.jacobian(q + step * qdot)[:, :3] - arm.jacobian(q - step * qdot)[:, :3]) / (2.0 * step)
+    a = (J @ motion.at(t, 2)[:, :, None] + turned @ qdot[:, :, None])[:, :, 0]
+    return np.asarray(v), np.asarray(a)
+
+
+def _parameter(legs: Sequence[Leg], t: Floats) -> Floats:
+    """Return the path parameter of the leg that is on."""
+    found = np.full(len(t), np.nan)
+    for leg in legs:
+        if leg.trajectory is not None:
+            on = t >= leg.start - 1e-12
+            found[on] = leg.trajectory.law.at(t[on] - leg.start)
+    return found

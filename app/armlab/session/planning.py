@@ -1,0 +1,200 @@
+"""Working out a plan: paths, inverse kinematics, laws; in pieces, because it takes longer than a command may."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import takewhile
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.errors import InputError
+from armlab.kin.ik.branches import branch_names
+from armlab.kin.motion import (
+    Followed,
+    Motion,
+    Path,
+    Sequential,
+    ToolPath,
+    Trajectory,
+    Violation,
+    follow,
+    law_type,
+    path_type,
+    scaled,
+)
+from armlab.session.plan_laws import fastest, lasting, slack
+from armlab.session.plan_moves import Stretch
+from armlab.session.plan_paths import joint_path, tool_path
+from armlab.session.plan_question import Feasible, Leg, Planned, Question
+from armlab.session.plan_samples import DRAWN, exceeded, sampled
+
+Floats = NDArray[np.float64]
+
+NEARLY_SINGULAR = 0.03
+"""Smallest over largest singular value of the task Jacobian below which a path is marked: joints turn fast there."""
+
+APART = 1e-6
+"""Radians, or length scales: a leg that ends nearer to a waypoint's configuration has kept it."""
+
+
+def making(question: Question) -> Iterator[Planned | None]:
+    """Work out a plan; yield None between pieces of the work, and at last the plan."""
+    if question.recorded is not None:
+        yield _recorded(question)
+        return
+    legs: list[Leg] = []
+    q: Floats | None = np.array(question.waypoints[0].q)
+    for stretch in question.parts:
+        yield None
+        # Behind a leg that cannot be run the arm begins as its waypoint was stored.
+        leg = _laid(question, stretch, np.array(question.waypoints[stretch.first].q) if q is None else q)
+        yield None
+        leg = _timed(question, leg)
+        q = None if leg.motion is None else leg.motion.at(leg.motion.duration)
+        legs.append(leg)
+    yield None
+    yield _together(question, legs)
+
+
+def _laid(question: Question, stretch: Stretch, q: Floats) -> Leg:
+    """Return a leg with its path in joint space, or with the reason why it has none."""
+    lay = _in_space if stretch.move.space == "cartesian" else _in_joints
+    try:
+        return lay(question, stretch, q)
+    except InputError as refusal:
+        return Leg(stretch, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, str(refusal))
+
+
+def _timed(question: Question, leg: Leg) -> Leg:
+    """Return a leg run through as fast as the limits allow."""
+    if leg.path is None or leg.stretch is None or leg.trouble:
+        return leg
+    try:
+        motion, bounds, remarks = fastest(question, leg.stretch, leg.path)
+    except InputError as refusal:
+        return replace(leg, trouble=str(refusal))
+    other_way = _other_way(question, leg.stretch, motion.at(motion.duration))
+    remarks = (*leg.remarks, *motion.remarks, *remarks, *other_way)
+    return replace(leg, motion=motion, bounds=bounds, remarks=remarks)
+
+
+def _in_joints(question: Question, stretch: Stretch, q: Floats) -> Leg:
+    knots = np.array([point.q for point in question.waypoints[stretch.first : stretch.last + 1]])
+    knots[0] = q
+    path = joint_path(stretch, knots)
+    s = np.linspace(0.0, 1.0, DRAWN)
+    points = np.asarray(question.arm.position(path.at(s)), dtype=np.float64)
+    return Leg(stretch, 0.0, points, np.zeros(DRAWN, dtype=int), None, path=path)
+
+
+def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
+    arm = question.arm
+    poses = np.array([point.wanted(arm) for point in question.waypoints[stretch.first : stretch.last + 1]])
+    poses[0] = arm.fk(q) if question.waypoints[stretch.first].pose is None or stretch.first else poses[0]
+    way = tool_path(arm, stretch, poses)
+    found = follow(arm, way, q, question.samples, carry_on=True)
+    leg = Leg(stretch, 0.0, way.pose(found.s)[:, :3, 3], _worth(found), None, tool_path=way, followed=found)
+    if not found.whole:
+        return replace(leg, trouble=f"move {stretch.title}: {_decapitalised(found.reason)}")
+    path = found.joint_path()
+    return replace(leg, path=path, deviation=_deviation(question, way, path, found))
+
+
+def _worth(found: Followed) -> NDArray[np.int_]:
+    near = np.where(np.nan_to_num(found.singular_value) < NEARLY_SINGULAR, Feasible.NEAR_SINGULAR, Feasible.YES)
+    return np.where(found.reached, near, Feasible.NOT_REACHED).astype(int)
+
+
+def _deviation(question: Question, way: ToolPath, path: Path, found: Followed) -> float:
+    """Return how far the tool is from its path half way between two samples, at most."""
+    between = 0.5 * (found.s[1:] + found.s[:-1])
+    apart = question.arm.position(path.at(between)) - way.pose(between)[:, :3, 3]
+    if question.arm.task.position:
+        apart = apart[:, list(_controlled(question))]
+    return float(np.linalg.norm(apart, axis=1).max())
+
+
+def _controlled(question: Question) -> tuple[int, ...]:
+    """Return which coordinates the task of the arm holds: of a planar arm two."""
+    return tuple("xyz".index(axis) for axis in question.arm.task.position)
+
+
+def _decapitalised(text: str) -> str:
+    return text[:1].lower() + text[1:]
+
+
+def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ...]:
+    """Return the sentence on a waypoint that is reached in another way than it was stored in."""
+    if stretch.move.space == "joint":
+        return ()
+    arm, stored = question.arm, np.array(question.waypoints[stretch.last].q)
+    scale = np.where(arm.revolute, 1.0, arm.length_scale)
+    if np.abs((q - stored) / scale).max() <= APART:
+        return ()
+    names = branch_names(arm, np.stack([q, stored]))
+    how = f": {names[0]} instead of {names[1]}" if names[0] != names[1] and not names[0].startswith("solution") else ""
+    return (f"waypoint {stretch.last + 1} is reached on the branch the move began on{how}, not as it was stored",)
+
+
+def _together(question: Question, legs: Sequence[Leg]) -> Planned:
+    """Return the plan of legs one after the other, in the time that was asked for."""
+    running = list(takewhile(lambda leg: leg.motion is not None, legs))
+    within = sum(leg.motion.duration for leg in running if leg.motion is not None)
+    start, placed = 0.0, []
+    for leg in running:
+        placed.append(replace(_lasting(question, leg, within), start=start))
+        start += _motion(placed[-1]).duration
+    if not placed:
+        return Planned(question, tuple(legs), None, None, (), math.nan)
+    motion: Motion = _motion(placed[0]) if len(placed) == 1 else Sequential([_motion(leg) for leg in placed])
+    over = exceeded(question, motion)
+    drawn = [_drawn(question, leg, over) for leg in placed]
+    every = (*drawn, *legs[len(running) :])
+    return Planned(question, every, motion, sampled(question.arm, motion, drawn), over, within)
+
+
+def _lasting(question: Question, leg: Leg, within: float) -> Leg:
+    """Return a leg in its share of the time that was asked for; as fast as allowed where none was."""
+    if question.duration is None or leg.stretch is None or leg.path is None:
+        return leg
+    share = question.duration * _motion(leg).duration / within
+    return replace(leg, motion=lasting(leg.stretch, leg.path, share))
+
+
+def _motion(leg: Leg) -> Motion:
+    assert leg.motion is not None
+    return leg.motion
+
+
+def _drawn(question: Question, leg: Leg, over: Sequence[Violation]) -> Leg:
+    """Return a leg with its way at even times, marked where a limit is exceeded."""
+    motion = _motion(leg)
+    t = np.linspace(0.0, motion.duration, DRAWN)
+    points = np.asarray(question.arm.position(motion.at(t)), dtype=np.float64)
+    worth = np.zeros(DRAWN, dtype=int)
+    if leg.followed is not None and leg.trajectory is not None:
+        place = leg.trajectory.law.at(t)
+        worth = leg.worth[np.clip(np.searchsorted(leg.followed.s, place), 0, len(leg.followed.s) - 1)]
+    times = leg.start + t
+    for violation in over:
+        on = (times >= violation.start) & (times <= violation.end)
+        worth = np.where(on, int(Feasible.OVER_LIMIT), worth)
+    return replace(leg, points=points, worth=worth, times=times)
+
+
+def _recorded(question: Question) -> Planned:
+    """Return the plan of a recorded motion: a spline through its samples, in its own time or another."""
+    recorded = question.recorded
+    assert recorded is not None
+    t = np.array(recorded.t) - recorded.t[0]
+    path = path_type("spline").path(recorded.q, times=t, ends="natural")
+    own = Trajectory(path, law_type("constant").law(float(t[-1])))
+    motion = own if question.duration is None else scaled(own, question.duration / own.duration)
+    leg = Leg(None, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, motion=motion)
+    over = exceeded(question, motion)
+    leg = _drawn(question, leg, over)
+    within = own.duration * slack(question, own)
+    return Planned(question, (leg,), motion, sampled(question.arm, motion, [leg]), over, within)

@@ -1,0 +1,89 @@
+"""Numbers, symbols and units of the laboratory of curves."""
+
+from __future__ import annotations
+
+import math
+
+from armlab.content.arithmetic import evaluate
+from armlab.errors import InputError
+from armlab.ui.colours import JOINTS, Rgb
+from armlab.ui.format import MINUS, number
+from armlab.ui.panels._iteration_words import scientific
+
+COLOURS: tuple[Rgb, ...] = JOINTS[:3]
+"""Of the curves."""
+
+SYMBOLS = ("q", "q̇", "q̈", "q⃛")
+_POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def figures(value: float, digits: int = 4) -> str:
+    """Return a number with so many figures, or with a power of ten where it is very large or small.
+
+    >>> figures(2.4), figures(-0.16667, 3), figures(1234.56), figures(4e-7)
+    ('2.4', '−0.167', '1235', '4.0·10⁻⁷')
+    """
+    if value == 0.0:
+        return "0"
+    if not 1e-4 <= abs(value) < 1e6:
+        return scientific(value)
+    decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    text = number(value, decimals)
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def typed_number(value: float) -> str:
+    """Return a number as it stands in a field: what is read back is the same to ten figures."""
+    return f"{value:.10g}".replace("-", MINUS)
+
+
+def read(text: str, where: str) -> float:
+    """Return a typed number; `InputError` that says where when it is none."""
+    try:
+        return evaluate(text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", "."))
+    except InputError:
+        raise InputError(f"{where}: expected a number, got {text.strip()[:40]!r}") from None
+
+
+def read_rows(text: str) -> tuple[tuple[float, ...], ...]:
+    """Return typed knots, ``t q`` in each line or between semicolons; `InputError` names the knot."""
+    rows = [row for row in text.replace(";", "\n").splitlines() if row.strip()]
+    return tuple(
+        tuple(read(cell, f"knot {k}") for cell in row.replace(", ", " ").replace("\t", " ").split())
+        for k, row in enumerate(rows, start=1)
+    )
+
+
+def unit(order: int, of: str) -> str:
+    """Return the unit of a derivative with respect to time.
+
+    >>> unit(0, "rad"), unit(1, "rad"), unit(3, "mm")
+    ('rad', 'rad/s', 'mm/s³')
+    """
+    return of if order == 0 else f"{of}/s{'' if order == 1 else str(order).translate(_POWERS)}"
+
+
+def power(letter: str, exponent: int) -> str:
+    """Return a power of a letter.
+
+    >>> power("τ", 3), power("t", 1), power("t", 0)
+    ('τ³', 't', '1')
+    """
+    return "1" if exponent == 0 else letter if exponent == 1 else f"{letter}{str(exponent).translate(_POWERS)}"
+
+
+def polynomial(coefficients: tuple[float, ...], letter: str) -> str:
+    """Return a polynomial, highest power first, without its zeros.
+
+    >>> polynomial((6, -15, 10, 0, 0, 0), "τ")
+    '6τ⁵ − 15τ⁴ + 10τ³'
+    """
+    degree = len(coefficients) - 1
+    said = ""
+    for k, value in enumerate(coefficients):
+        if value == 0.0:
+            continue
+        sign = (f" {MINUS} " if value < 0.0 else " + ") if said else (MINUS if value < 0.0 else "")
+        size, where = figures(abs(value)), power(letter, degree - k)
+        said += sign + (size if where == "1" else where if size == "1" else f"{size}{where}")
+    return said or "0"
