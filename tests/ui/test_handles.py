@@ -11,11 +11,12 @@ from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_about
 from armlab.kin.task import task_named
 from armlab.kin.transforms import transform
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import PlaceTarget, target_pose, verdict
 from armlab.session.state import State, apply
-from armlab.ui.layers.gizmo import handles_of
-from armlab.ui.panels.target import typed_pose
+from armlab.ui.layers._handle import handles_of
+from armlab.ui.pose_fields import typed_component
 from armlab.ui.units import Units
 
 UNITS = Units(Notation())
@@ -67,25 +68,25 @@ def state():
     ],
 )
 def test_typed_numbers_are_taken(state, cell, text, entry, value):
-    assert typed_pose(state, cell, text, UNITS)[entry] == pytest.approx(value)
+    assert typed_component(state[Joints].arm, target_pose(state), cell, text, UNITS)[entry] == pytest.approx(value)
 
 
 def test_a_typed_angle_changes_only_that_angle(state):
     before = euler_zyx(target_pose(state)[:3, :3])[0]
-    after = euler_zyx(typed_pose(state, "pitch", "35", UNITS)[:3, :3])[0]
+    after = euler_zyx(typed_component(state[Joints].arm, target_pose(state), "pitch", "35", UNITS)[:3, :3])[0]
     np.testing.assert_allclose(after, [before[0], np.radians(35.0), before[2]], atol=1e-9)
 
 
 @pytest.mark.parametrize("text", ["", "abc", "nan", "inf", "-inf", "1e999", "1 2", "0x10", "<b>", "1_000"])
 def test_what_is_no_number_is_refused(state, text):
     with pytest.raises(InputError, match="x: expected "):
-        typed_pose(state, "x", text, UNITS)
+        typed_component(state[Joints].arm, target_pose(state), "x", text, UNITS)
 
 
 @pytest.mark.parametrize(("cell", "text"), [("x", "1e7"), ("yaw", "4000")])
 def test_absurd_numbers_are_refused(state, cell, text):
     with pytest.raises(InputError, match="expected at most"):
-        typed_pose(state, cell, text, UNITS)
+        typed_component(state[Joints].arm, target_pose(state), cell, text, UNITS)
 
 
 def test_an_arm_on_the_wall_is_told_its_target_in_its_own_frame(state):
@@ -94,7 +95,7 @@ def test_an_arm_on_the_wall_is_told_its_target_in_its_own_frame(state):
     base = transform(rotation_about("x", np.pi / 2))
     arm = Arm.from_dh(planar.arm.rows, base=base, limits=planar.arm.limits, task="xy")
     wall = State.initial(replace(planar, arm=arm))
-    wanted = typed_pose(wall, "y", "300", UNITS)
+    wanted = typed_component(wall[Joints].arm, target_pose(wall), "y", "300", UNITS)
     before, after = target_pose(wall)[:3, 3], wanted[:3, 3]
     np.testing.assert_allclose(after, [before[0], before[1], 0.3], atol=1e-12)
     assert apply(wall, PlaceTarget(wanted)).derived(verdict).reached

@@ -67,7 +67,7 @@ EXAMPLES: dict[str, Example] = {
                 ("cubic", {"v_start": [0.7], "v_end": [-0.4]}),
                 ("quintic", {"v_start": [0.7], "v_end": [-0.4]}),
             ),
-            "Both leave at 0.7 and arrive at −0.4; only the quintic has room left to begin and end without acceleration.",
+            "Both leave at 0.7 and arrive at −0.4; only the quintic can also begin and end without acceleration.",
         ),
         Example(
             "quintic",
@@ -81,8 +81,8 @@ EXAMPLES: dict[str, Example] = {
             "From 1 to 4 in 2 s",
             ((0.0, 1.0), (2.0, 4.0)),
             (("cubic", {}), ("quintic", {})),
-            "The cubic starts with an acceleration of 4.5 out of rest, a jump; the quintic starts softly, and is faster "
-            "in the middle for it: above 2.5.",
+            "The cubic starts with an acceleration of 4.5 out of rest, a jump; the quintic starts softly, and is "
+            "faster in the middle for it: above 2.5.",
             v_max=2.5,
             a_max=5.0,
         ),
@@ -91,8 +91,8 @@ EXAMPLES: dict[str, Example] = {
             "Degree 15: cubic with quintic timing",
             ((0.0, 0.0), (4.0, math.pi)),
             (("cubic", {}), ("cubic", {})),
-            "The same path by two laws: with the quintic s(t) it is a polynomial of degree 3 · 5 = 15 in t, long at "
-            "rest and fast between.",
+            "The same path by two laws: with the quintic s(t) it is a polynomial of degree 3 · 5 = 15 in t, slow at "
+            "both ends and fast between.",
             ("quintic",),
         ),
         Example(
@@ -108,8 +108,8 @@ EXAMPLES: dict[str, Example] = {
             "Lift-off, travel, set-down (4-3-4)",
             ((0.0, 0.0), (1.0, 0.2), (3.0, 1.8), (4.0, 2.0)),
             (("lts_434", {}), ("spline", {})),
-            "Both are smooth up to the acceleration, but 4-3-4 also begins and ends with none: 14 equations for "
-            "5 + 4 + 5 coefficients.",
+            "Both are smooth up to the acceleration; with degrees 4, 3, 4 it is also zero at both ends: 14 equations "
+            "for 5 + 4 + 5 coefficients.",
         ),
         Example(
             "blends",
@@ -160,7 +160,7 @@ NOTES: dict[str, tuple[str, ...]] = {
         "Notes after 6.183 call the cubic continuous up to acceleration: from rest it is C1 only.",
     ),
     "quintic": (
-        "Notes before 6.72 say degree 6 for the quintic of 6.72–6.73.",
+        "Notes before 6.72 say degree 6 for the quintic of 6.72–6.73: it is 5.",
         "Notes 6.74 prints −5τ⁴: corrected to −15τ⁴.",
     ),
     "polynomial": ("Notes 6.74 prints −5τ⁴ for the quintic: corrected to −15τ⁴.",),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -23,6 +23,8 @@ Floats = NDArray[np.float64]
 FROM_KNOTS = ("times", "duration", "spacing")
 """Options of a path that the times of the knots take the place of."""
 
+CONSTANT = Chosen("constant")
+
 LARGEST = 1e15
 """Of a derivative: beyond it the options are not meant, and digits are lost."""
 
@@ -34,7 +36,7 @@ def kinds() -> dict[str, PathType]:
 
 def form(kind: PathType) -> tuple[Field, ...]:
     """Return the options of a kind that are left to choose when the knots have times."""
-    return tuple(field for field in kind.fields if field.key not in FROM_KNOTS)
+    return tuple(replace(field, title=in_knots(field.title)) for field in kind.fields if field.key not in FROM_KNOTS)
 
 
 def why_not(kind: PathType, knots: tuple[Knot, ...]) -> str:
@@ -78,7 +80,7 @@ class Drawn:
 
     colour: int
     path: Chosen
-    law: Chosen = Chosen("constant")
+    law: Chosen = CONSTANT
 
 
 @dataclass(frozen=True, eq=False)

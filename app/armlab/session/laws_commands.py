@@ -175,6 +175,19 @@ class StretchOptimally(Command):
 
 
 @dataclass(frozen=True)
+class ShowBounds(Command):
+    """Look at the calculator of bounds, or at the laws alone."""
+
+    on: bool
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        part = state[Laws]
+        return state if part.bounds_shown == self.on else state.replace(replace(part, bounds_shown=self.on))
+
+
+@dataclass(frozen=True)
 class SetBound(Command):
     """Set knots, limits or speed of the calculator; None leaves one as it comes."""
 

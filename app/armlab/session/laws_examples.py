@@ -31,8 +31,8 @@ class Example:
     k : float
         Time scaling of the first law.
     bounded : Bounded
-    section : str
-        ``"bounds"`` where the calculator is what to look at; empty for the laws.
+    bounds_shown : bool
+        Whether the calculator is what to look at.
     """
 
     key: str
@@ -42,7 +42,7 @@ class Example:
     says: str
     k: float = 1.0
     bounded: Bounded = field(default_factory=Bounded)
-    section: str = ""
+    bounds_shown: bool = False
 
     def part(self) -> Laws:
         """Return the bench with this example in place."""
@@ -51,7 +51,14 @@ class Example:
             options = {name: value for name, value in given.items() if name != "as_typed"}
             chosen = Chosen.of(law_types(), key, **options)
             entries.append(Entry(chosen, bool(given.get("as_typed")), colour))
-        return Laws(tuple(entries), self.timing, k=self.k, bounded=self.bounded, example=self.key)
+        return Laws(
+            tuple(entries),
+            self.timing,
+            k=self.k,
+            bounded=self.bounded,
+            bounds_shown=self.bounds_shown,
+            example=self.key,
+        )
 
 
 def _rows(rows: Any) -> list[list[float]]:
@@ -156,7 +163,7 @@ EXAMPLES: dict[str, Example] = {
             _REST,
             Timing(True, 2.0, 1.0, 0.5, None, None),
             "Joint 2 decides: V = min(3/4, 2/4) = 1/2; both |dq/ds| are largest at s = 1, an end of the path.",
-            section="bounds",
+            bounds_shown=True,
         ),
         Example(
             "no_bound",
@@ -165,7 +172,7 @@ EXAMPLES: dict[str, Example] = {
             Timing(False, 4.0, 1.0, 0.5, None, None),
             "At V = 1/2 the bends of the path alone take more than a_max = 1 of joint 2: A = −0.125; press “Lower V”.",
             bounded=Bounded(a_max=(1.0, 1.0), speed=0.5),
-            section="bounds",
+            bounds_shown=True,
         ),
     )
 }

@@ -23,6 +23,9 @@ from armlab.session.chosen import Chosen
 SMALLEST, LARGEST = 1e-4, 1e6
 """Of times, distances and limits, each in its unit: beyond them nothing could be drawn."""
 
+HUGE = 1e24
+"""Of s and its derivatives: the septic over the longest distance in the shortest time stays below."""
+
 MOST_ROWS = 60
 """Of a typed table: more could not be read."""
 
@@ -64,7 +67,7 @@ class Timing:
     distance: float = 1.0
     speed: float | None = 1.0
     acceleration: float | None = 2.0
-    jerk: float | None = 10.0
+    jerk: float | None = None
 
     def limit(self, order: int) -> float:
         """Return the limit of the derivative of order 1, 2 or 3; infinite where there is none."""
@@ -134,9 +137,9 @@ def law_of(entry: Entry, timing: Timing) -> Law:
         with np.errstate(all="ignore"):
             law = _made(entry, timing, options)
             sizes: tuple[float, ...] = (law.duration, *law.span, law.peak_speed, law.peak_acceleration, law.peak_jerk)
-    except (OverflowError, ZeroDivisionError, ValueError):
+    except (OverflowError, ZeroDivisionError):
         sizes = (math.nan,)
-    if not all(map(math.isfinite, sizes)) or not SMALLEST <= sizes[0] <= LARGEST:
+    if not all(abs(size) <= HUGE for size in sizes) or not SMALLEST <= sizes[0] <= LARGEST:
         raise InputError(f"{kind.title}: with these numbers it would be too long, too short or too fast to be drawn")
     return law
 
@@ -170,18 +173,15 @@ class Excess(NamedTuple):
     spans: tuple[tuple[float, float], ...]
 
 
-def excesses(law: Law, timing: Timing, moving_ends: bool = False) -> tuple[Excess, ...]:
-    """Return which limits a law exceeds, and when.
+@lru_cache(maxsize=256)
+def excesses(entry: Entry, timing: Timing) -> tuple[Excess, ...]:
+    """Return which limits the law of an entry exceeds, and when.
 
-    Parameters
-    ----------
-    law : Law
-    timing : Timing
-    moving_ends : bool
-        Whether the law is not meant to begin and end at rest: then a speed at an end is no jump.
+    A speed at an end is a jump only where the law is meant to begin and end at rest.
     """
+    law = law_of(entry, timing)
     peaks = (law.peak_speed, law.peak_acceleration, law.peak_jerk)
-    smooth = law.continuity if moving_ends else law.continuity_from_rest
+    smooth = law.continuity if entry.moving_ends else law.continuity_from_rest
     found = []
     for order, peak in enumerate(peaks, start=1):
         limit = timing.limit(order)

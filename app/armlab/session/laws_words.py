@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import NamedTuple
 
 from armlab.errors import InputError
-from armlab.kin.motion import LawBounds
+from armlab.kin.motion import Law, LawBounds
 from armlab.kin.motion.breaks import class_text
+from armlab.kin.motion.law_types import JERK_REMARK
 from armlab.kin.timing.table import PLUS_MINUS_ONE
 from armlab.session.iteration_1d import signed
 from armlab.session.laws_bounds import Bounded
@@ -105,6 +107,11 @@ def _fastest_text(found: Phases, timing: Timing) -> str:
     )
 
 
+def remarks(part: Laws, i: int) -> tuple[str, ...]:
+    """Return the remarks of a law, but for what `excess_text` says with numbers."""
+    return tuple(text for text in part.laws[i].remarks if text != JERK_REMARK)
+
+
 def excess_text(excess: Excess) -> str:
     """Return in words how a limit is not kept.
 
@@ -162,6 +169,58 @@ def bounds_text(bounded: Bounded, bounds: LawBounds) -> tuple[str, str]:
     who = f"joint {bounds.V_joint} decides" if bounds.V_joint else "chosen below the largest"
     if not bounded.a_max:
         return "ok", f"V = {amount(bounds.V, '1/s')}, {who}. Give a_max for a bound of s̈."
-    by = f", joint {bounds.A_joint} decides" if bounds.A_joint else ""
-    head = f"V = {amount(bounds.V, '1/s')} ({who}), A = {amount(bounds.A, '1/s²')}{by}. "
+    by = f"; A: joint {bounds.A_joint} decides" if bounds.A_joint else ""
+    head = f"V: {who}{by}. "
     return ("ok" if bounds.possible else "no"), head + bounds.explanation
+
+
+class JointRow(NamedTuple):
+    """What one joint allows.
+
+    Attributes
+    ----------
+    joint : int
+        1-based.
+    M_v, M_v_at, M_a : float
+        Largest |dq/ds| and where it is, and largest |d²q/ds²|.
+    V, A : float
+        The largest |s'| and |s''| it allows by itself, the latter at the V of all.
+    first_speed, first_acceleration : bool
+        Whether no other joint allows less.
+    """
+
+    joint: int
+    M_v: float
+    M_v_at: float
+    M_a: float
+    V: float
+    A: float
+    first_speed: bool
+    first_acceleration: bool
+
+
+def joint_rows(bounded: Bounded) -> tuple[JointRow, ...]:
+    """Return what each joint allows (notes 6.25 and 6.33); a joint that stands still allows anything."""
+    found = bounded.found
+    rows = []
+    for j in range(bounded.joints):
+        M_v, M_a = float(found.M_v[j]), float(found.M_a[j])
+        V = float(found.v_max[j]) / M_v if M_v else math.inf
+        A = (float(found.a_max[j]) - found.V**2 * M_a) / M_v if M_v else math.inf
+        decides = (found.V_joint == j + 1, bool(bounded.a_max) and found.A_joint == j + 1)
+        rows.append(JointRow(j + 1, M_v, float(found.M_v_at[j]), M_a, V, A, *decides))
+    return tuple(rows)
+
+
+def factor(law: Law, peak: float, order: int) -> float | None:
+    """Return T^order peak / L, the peak of the law from 0 to 1 in 1 s; None for one that ends where it began."""
+    low, high = law.span
+    if abs(law.distance) <= 1e-9 * (high - low):
+        return None
+    return peak * law.duration**order / abs(law.distance)
+
+
+def gain(law: Law) -> float:
+    """Return the integral of the acceleration, s'(T) - s'(0) (notes 1.37-1.39); rounding is taken as 0."""
+    value = float(law.at(law.duration, 1) - law.at(0.0, 1))
+    return 0.0 if abs(value) <= 1e-12 * max(law.peak_speed, 1e-300) else value

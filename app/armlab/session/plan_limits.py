@@ -19,35 +19,43 @@ from armlab.session.state import Command, State
 
 
 @dataclass(frozen=True)
-class LimitMotion(PlanCommand):
-    """Change what the motion is limited by; None leaves as it is, 0 takes a limit of tool speed or jerk away.
-
-    Parameters
-    ----------
-    velocity, acceleration : float, optional
-        Share of the limits of the joints, more than 0 and at most 1.
-    tool_speed : float, optional
-        m/s.
-    jerk_time : float, optional
-        Seconds.
-    """
+class UseShare(PlanCommand):
+    """Use only a share of the limits of the joints, more than 0 and at most 1; None leaves as it is."""
 
     velocity: float | None = None
     acceleration: float | None = None
-    tool_speed: float | None = None
-    jerk_time: float | None = None
-    label: ClassVar[str] = "limit of the motion"
+    label: ClassVar[str] = "share of the limits"
 
     def apply(self, state: State) -> State:
-        """Return the state with the limits."""
+        """Return the state with the shares."""
         part = state[Plan]
         v, a = part.shares
-        shares = checked_shares(
-            (v if self.velocity is None else self.velocity, a if self.acceleration is None else self.acceleration)
-        )
-        speed = part.tool_speed if self.tool_speed is None else optional_positive(self.tool_speed or None, "tool speed")
-        jerk = part.jerk_time if self.jerk_time is None else optional_positive(self.jerk_time or None, "jerk time")
-        return state.replace(replace(part, shares=shares, tool_speed=speed, jerk_time=jerk))
+        wanted = (v if self.velocity is None else self.velocity, a if self.acceleration is None else self.acceleration)
+        return state.replace(replace(part, shares=checked_shares(wanted)))
+
+
+@dataclass(frozen=True)
+class LimitTool(PlanCommand):
+    """Limit the speed of the tool point, m/s; None: any."""
+
+    speed: float | None
+    label: ClassVar[str] = "limit of tool speed"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the limit."""
+        return state.replace(replace(state[Plan], tool_speed=optional_positive(self.speed, "tool speed")))
+
+
+@dataclass(frozen=True)
+class LimitJerk(PlanCommand):
+    """Limit the jerk by the seconds in which the full acceleration is built up; None: any jerk."""
+
+    time: float | None
+    label: ClassVar[str] = "limit of jerk"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the limit."""
+        return state.replace(replace(state[Plan], jerk_time=optional_positive(self.time, "jerk time")))
 
 
 @dataclass(frozen=True)

@@ -45,6 +45,7 @@ class AddWaypoint(PlanCommand):
             waypoints=(*part.waypoints[:k], point, *part.waypoints[k:]),
             moves=(*part.moves[: k - 1], like, *part.moves[k - 1 :]),
             selected=k,
+            handled=False,
         )
         return with_plan(state, refitted(changed))
 
@@ -93,15 +94,26 @@ class ShiftWaypoint(PlanCommand):
 
 @dataclass(frozen=True)
 class SelectWaypoint(Command):
-    """Show the values of a waypoint, and of the move to it."""
+    """Show the values of a waypoint, and of the move to it; the handle in the scene is then its own, or the arm's.
+
+    Parameters
+    ----------
+    k : int
+        From 0.
+    handled : bool
+        Whether it can be dragged.
+    """
 
     k: int
+    handled: bool = True
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
         """Return the state with the waypoint selected."""
         part = state[Plan]
-        return state if part.selected == self.k else state.replace(replace(part, selected=checked_index(part, self.k)))
+        if (part.selected, part.handled) == (self.k, self.handled):
+            return state
+        return state.replace(replace(part, selected=checked_index(part, self.k), handled=self.handled))
 
 
 @dataclass(frozen=True)

@@ -77,7 +77,9 @@ def _timed(question: Question, leg: Leg) -> Leg:
     except InputError as refusal:
         return replace(leg, trouble=str(refusal))
     other_way = _other_way(question, leg.stretch, motion.at(motion.duration))
-    remarks = (*leg.remarks, *motion.remarks, *remarks, *other_way)
+    # What a law says of its ends is not so where the path itself begins and ends at rest.
+    of_law = motion.law.remarks if motion.continuity_from_rest < 1.0 else ()
+    remarks = (*leg.remarks, *leg.path.remarks, *of_law, *remarks, *other_way)
     return replace(leg, motion=motion, bounds=bounds, remarks=remarks)
 
 

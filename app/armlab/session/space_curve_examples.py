@@ -66,9 +66,9 @@ def degrees(*angles: float) -> Triple:
     return x, y, z
 
 
-_SQUARE: tuple[Point, ...] = ((0.4, -0.3, 0.5), (0.4, 0.3, 0.5), (0.8, 0.3, 0.5), (0.8, -0.3, 0.5), (0.4, -0.3, 0.5))
+_SQUARE: tuple[Point, ...] = ((-0.2, -0.7, 0.2), (0.3, -0.7, 0.2), (0.3, -0.7, 0.7), (-0.2, -0.7, 0.7), (-0.2, -0.7, 0.2))
 _CORNER: tuple[Point, ...] = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 2.0, 0.0))
-_RING: tuple[Point, ...] = ((0.8, 0.0, 0.5), (0.5, 0.3, 0.5), (0.2, 0.0, 0.5))
+_RING: tuple[Point, ...] = ((0.25, -0.6, 0.3), (0.0, -0.35, 0.4), (-0.25, -0.6, 0.5))
 
 EXAMPLES: dict[str, Example] = {
     example.key: example
@@ -91,7 +91,7 @@ EXAMPLES: dict[str, Example] = {
             "helix",
             "Helix: constant curvature and torsion",
             "Curvature and torsion are the same everywhere, and n always points to the axis.",
-            _through("helix", ((0.5, 0.1, 0.2), (0.5, 0.1, 0.8)), radius=0.2, turns=2.0),
+            _through("helix", ((0.0, -0.6, 0.2), (0.0, -0.6, 0.8)), radius=0.2, turns=2.0),
         ),
         Example(
             "twisted",
@@ -116,7 +116,7 @@ EXAMPLES: dict[str, Example] = {
             "Clothoid: from straight to curved",
             "The curvature grows from zero in proportion to the distance gone, so the centripetal acceleration begins "
             "without a jump; at s = 0 there is no normal.",
-            _through("clothoid", ((0.4, -0.4, 0.4), (0.6, 0.4, 0.4)), "constant", turn=math.pi),
+            _through("clothoid", ((-0.3, -0.7, 0.4), (0.3, -0.5, 0.4)), "constant", turn=math.pi),
         ),
         Example(
             "square",
@@ -147,26 +147,33 @@ EXAMPLES: dict[str, Example] = {
             "Straight, and not regular (6.12)",
             "The curvature is 0 everywhere it exists, hence bounded, and yet p′ = 0 at s = 0.5: there the curve has no "
             "tangent and no parametrisation by its length.",
-            _typed("0.5+(2s-1)^3/4", "(2s-1)^3/3", "0.5"),
+            _typed("(2s-1)^3/4", "-0.6+(2s-1)^3/9", "0.5+(2s-1)^3/6"),
         ),
         Example(
             "cusp",
             "Cusp: it turns back in a point",
             "At s = 0.5 the curve stands still and t turns round at once; beside it the curvature grows beyond bounds.",
-            _typed("0.5+(2s-1)^2/3", "(2s-1)^3/3", "0.5"),
+            _typed("(2s-1)^3/3", "-0.6", "0.3+(2s-1)^2/3"),
         ),
         Example(
             "spline",
             "Spline through points in space",
             "Position, direction and curvature are continuous at the points, the torsion jumps.",
-            _through("spline", ((0.4, -0.4, 0.3), (0.6, -0.1, 0.7), (0.3, 0.2, 0.5), (0.6, 0.5, 0.4))),
+            _through("spline", ((-0.3, -0.6, 0.3), (-0.1, -0.7, 0.7), (0.1, -0.4, 0.5), (0.4, -0.6, 0.4)), ends="natural"),
         ),
         Example(
             "wander",
             "Turn: Euler angles wander (6.150)",
-            "From the same A to the same B: about one axis the tips run on arcs of circles, by ZXZ angles they wander "
-            "off and turn through much more.",
-            _turn("zxz", (0.0, 20.0, 0.0), (150.0, 30.0, 30.0)),
+            "From the same A to the same B: about one axis every tip runs on an arc of a circle, by ZXZ angles they "
+            "wander off, and the whole angle is larger.",
+            _turn("zxz", (0.0, 60.0, 0.0), (120.0, 60.0, -120.0)),
+        ),
+        Example(
+            "wander_far",
+            "Turn: nearly twice as far",
+            "By yaw, pitch and roll it turns through 245° to get where one axis takes it in 132°; in between both are "
+            "half a turn apart.",
+            _turn("zyx", (0.0, 40.0, 0.0), (150.0, 40.0, -120.0)),
         ),
         Example(
             "agree",
@@ -184,7 +191,7 @@ EXAMPLES: dict[str, Example] = {
         Example(
             "many_turns",
             "Turn: angles that go round too far",
-            "Angles that are 350° apart are 10° apart as orientations: typed like this the angles go nearly once round.",
+            "Headings 350° apart are orientations 10° apart: an angle that is taken as typed goes nearly once round.",
             _turn("zyx", (0.0, 20.0, 0.0), (350.0, 20.0, 0.0)),
         ),
     )

@@ -213,7 +213,7 @@ class Drawing:
     def _wanted(self, state: State, open_panels: frozenset[str], bare: bool) -> bool:
         switch = self.layer.switch
         on = switch is None or switch.on(state) or (switch is SKELETON and bare)
-        return on and (not self.layer.panel or self.layer.panel in open_panels)
+        return on and (not self.layer.panels or bool(self.layer.panels & open_panels))
 
     def _guarded(self, call: Callable[..., Any] | None, *arguments: Any) -> Any:
         """Return the result of a call, or None when it raised; a layer that fails must not stop the others."""

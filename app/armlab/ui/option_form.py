@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -88,16 +89,27 @@ def _option(fields: Fields, cell: str, kind: Field, given: Mapping[str, Any], sc
     if kind.kind == "rows":
         return _rows(fields, cell, kind, _text(kind, value, scales), scales)
     typed = fields.field(cell, _text(kind, value, scales), title)
-    wide = " wide" if kind.kind in ("vector", "list") else ""
+    wide = " wide" if kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1) else ""
     unit = unit_text(kind, scales[0]) if kind.kind != "vector" else _vector_unit(kind, scales)
-    symbol = f"<span>{escaped(kind.symbol or title)}</span>"
+    symbol = f"<span>{_symbol(kind.symbol) or escaped(title)}</span>"
     return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{escaped(unit)}</i></label>'
+
+
+def _symbol(text: str) -> str:
+    """Return a symbol with what follows a low line set as its index.
+
+    >>> _symbol("Δt_k−1,k"), _symbol("t_a, t_b"), _symbol("T_s/T")
+    ('Δt<sub>k−1,k</sub>', 't<sub>a</sub>, t<sub>b</sub>', 'T<sub>s</sub>/T')
+    """
+    return re.sub(r"_([^\s/]+?)(?=, |/|$)", r"<sub>\1</sub>", escaped(text))
 
 
 def _rows(fields: Fields, cell: str, kind: Field, text: str, scales: Sequence[Scale]) -> str:
     """Return a field of several lines, one for each row of a table, under its title."""
     unit = unit_text(kind, scales[0])
-    head = f"{escaped(f'{kind.symbol}: {kind.title}' if kind.symbol else capitalised(kind.title))} <i>{escaped(unit)}</i>"
+    head = (
+        f"{escaped(f'{kind.symbol}: {kind.title}' if kind.symbol else capitalised(kind.title))} <i>{escaped(unit)}</i>"
+    )
     lines = min(max(text.count("\n") + 1, 2), MOST_LINES)
     typed = fields.area(cell, text, capitalised(kind.title), lines)
     return f'<label class="option wide rows"><span>{head}</span>{typed}</label>'

@@ -39,22 +39,32 @@ class Curve:
         With its unit, such as ``"w, m²"``.
     colour : (int, int, int)
     width : float
-        Of the line, pixels.
+        Of the line, or of its dots, pixels.
     dots : bool
-        Whether it is single points, drawn as dots without a line.
+        Whether its points are drawn as dots without a line: a line goes on over gaps inside of a curve.
+    dash : tuple of int
+        Pixels drawn and left out in turn; empty for a full line.
+    opacity : float
+        Below 1 for what stands behind other curves.
     """
 
     name: str
     colour: Rgb
     width: float = 1.6
     dots: bool = False
+    dash: tuple[int, ...] = ()
+    opacity: float = 1.0
 
     @property
     def series(self) -> dict[str, Any]:
         """How the page draws it."""
         drawn: dict[str, Any] = {"label": self.name, "stroke": css(self.colour)}
+        if self.opacity < 1.0:
+            drawn["stroke"] = f"rgba{css(self.colour)[3:-1]},{self.opacity:g})"
+        if self.dash:
+            drawn["dash"] = list(self.dash)
         if self.dots:
-            return {**drawn, "width": 0, "points": {"show": True, "size": 6, "fill": css(self.colour)}}
+            return {**drawn, "width": 0, "points": {"show": True, "size": self.width, "fill": css(self.colour)}}
         return {**drawn, "width": self.width}
 
 
@@ -77,6 +87,8 @@ class Plot:
         Pixels.
     from_zero : bool
         Whether the ordinate begins at 0, which the curves must not be below.
+    legend : bool
+        Whether several curves are named above the plot.
     """
 
     def __init__(
@@ -89,6 +101,7 @@ class Plot:
         limits: int = 0,
         height: int = HEIGHT,
         from_zero: bool = False,
+        legend: bool = True,
     ) -> None:
         self._from_zero = from_zero
         self._x, self._curves, self._limits, self._file = x, tuple(curves), limits, file
@@ -96,22 +109,27 @@ class Plot:
         self._gui = gui
         names = "".join(f"<span>{dot(css(curve.colour))}{escaped(curve.name)}</span>" for curve in self._curves)
         self._head = gui.fields(lambda _cell, _text: gui.save(f"{file}.csv", self.csv()))
-        legend = f'<div class="legend">{names}</div>' if len(self._curves) > 1 else ""
+        names = f'<div class="legend">{names}</div>' if legend and len(self._curves) > 1 else ""
         save = button(self._head.channel_id, "csv", "CSV", "copy", "Save the curves as a table")
-        self._after_title = f'<span class="copies">{save}</span></h3>{legend}'
+        self._after_title = f'<span class="copies">{save}</span></h3>{names}'
         self.name(title)
         empty = np.array([0.0, 1.0])
         self._handle: Any = gui.uplot(
             tuple([empty] * (1 + len(self._curves) + limits)),
-            (
-                {"label": x},
-                *(curve.series for curve in self._curves),
-                *({"label": "limit", "stroke": css(VERDICT["no"]), "width": 1, "dash": [5, 4]} for _ in range(limits)),
-            ),
+            self._series(),
             x,
             height,
         )
         self._cursor = gui.html()
+
+    def _series(self) -> tuple[dict[str, Any], ...]:
+        """Return how the page draws abscissa, curves and limits."""
+        limit = {"label": "limit", "stroke": css(VERDICT["no"]), "width": 1, "dash": [5, 4]}
+        return ({"label": self._x}, *(curve.series for curve in self._curves), *[limit] * self._limits)
+
+    def announce(self, curves: Sequence[Curve]) -> None:
+        """Have other curves, whose number may be another, from the next `show` on; for a plot without a legend."""
+        self._curves = tuple(curves)
 
     def name(self, title: str) -> None:
         """Give the plot a heading: the markup of the quantity and its unit."""
@@ -124,6 +142,12 @@ class Plot:
         self._x = x
         first, *rest = self._handle.axes
         self._handle.axes = ({**first, "label": x}, *rest)
+
+    def visible(self, on: bool) -> None:
+        """Show or hide all of it."""
+        for handle in (self._head.html, self._handle, self._cursor.handle):
+            if handle.visible != on:
+                handle.visible = on
 
     def show(
         self,
@@ -158,7 +182,16 @@ class Plot:
         lines = [np.full(len(pick), level) for level in (*limits, *[np.nan] * (self._limits - len(limits)))]
         if self._from_zero:
             self._range(max((float(np.nanmax(c)) for c in (*shown[1:], *lines) if np.isfinite(c).any()), default=0.0))
-        self._handle.data = tuple(np.ascontiguousarray(column) for column in (*shown, *lines))
+        self._write(tuple(np.ascontiguousarray(column) for column in (*shown, *lines)))
+
+    def _write(self, data: tuple[NDArray[np.float64], ...]) -> None:
+        """Send the columns; at no moment has the page a curve without its column."""
+        series, before = self._series(), tuple(self._handle.series)
+        if len(series) < len(before):
+            self._handle.series = series
+        self._handle.data = data
+        if series != before and len(series) >= len(before):
+            self._handle.series = series
 
     def _range(self, most: float) -> None:
         scales = {"x": {"time": False}, "y": {"range": (0.0, 1.08 * most if most > NOTHING else 1.0)}}

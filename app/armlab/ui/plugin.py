@@ -94,8 +94,8 @@ class Layer:
         to ``canvas.scene`` is shown, hidden and removed as a whole.
     switch : Switch or None
         With which a person shows or hides it; it is built when first switched on, and not shown while it is off.
-    panel : str
-        Key of the panel with which it comes and goes; empty when it does not.
+    panel : str or tuple of str
+        Keys of the panels with which it comes and goes; empty when it does not.
     hides : tuple of str
         Keys of layers that say the same in fewer words, and are hidden while its switch is on.
     silent : bool
@@ -107,9 +107,14 @@ class Layer:
     watches: tuple[type[Part], ...]
     build: Callable[[LayerCanvas, State], Show]
     switch: Switch | None = None
-    panel: str = ""
+    panel: str | tuple[str, ...] = ""
     hides: tuple[str, ...] = ()
     silent: bool = False
+
+    @property
+    def panels(self) -> frozenset[str]:
+        """The panels with which it comes and goes."""
+        return frozenset(filter(None, (self.panel,) if isinstance(self.panel, str) else self.panel))
 
 
 @cache
@@ -146,8 +151,9 @@ def layers() -> dict[str, Layer]:
         if names.count(name) > 1:
             raise PluginError(f"two switches are called {name!r}")
     for layer in found.values():
-        if layer.panel and layer.panel not in panels():
-            raise PluginError(f"layer {layer.key}: there is no panel {layer.panel!r}")
+        for panel in layer.panels:
+            if panel not in panels():
+                raise PluginError(f"layer {layer.key}: there is no panel {panel!r}")
     hiding: tuple[Panel | Layer, ...] = (*panels().values(), *found.values())
     for plugin in hiding:
         for key in plugin.hides:

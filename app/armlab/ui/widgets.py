@@ -293,9 +293,10 @@ class Gui:
             )
         )
 
-    def save(self, name: str, text: str) -> None:
-        """Have the browser save a text file."""
-        self._client.send_file_download(name, text.encode(), save_immediately=True)
+    def save(self, name: str, content: str | bytes) -> None:
+        """Have the browser save a file: a text, or bytes."""
+        data = content.encode() if isinstance(content, str) else content
+        self._client.send_file_download(name, data, save_immediately=True)
 
     @contextmanager
     def folder(self, label: str, expanded: bool = False) -> Iterator[None]:

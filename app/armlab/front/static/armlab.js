@@ -49,12 +49,15 @@
     if (live.dataset.cell === 'seek' && clock) clock = { ...clock, time: live.value * clock.end, at: performance.now() };
   });
 
-  // Files are read here and arrive as text: the lab takes no uploads.
+  // Files are read here and arrive as text: the lab takes no uploads. A field may take more bytes with data-most.
+  // What becomes too long for a message when it is written as JSON is no text; the lab says so of a zero character.
+  const fits = text => new Blob([JSON.stringify(text)]).size < 2e6;
   document.addEventListener('change', event => {
     const file = event.target.matches?.('input[type=file][data-chan]') && event.target.files[0];
     if (!file) return;
     const field = event.target;
-    file.slice(0, 50001).text().then(text => send(field, text)); // one more than the lab takes, so that it says so
+    const most = Number(field.dataset.most) || 50000; // one more is sent than the lab takes, so that it says so
+    file.slice(0, most + 1).text().then(text => send(field, fits(text) ? text : '\0'));
     field.value = '';
   });
 
@@ -228,7 +231,7 @@
   // Files the lab would refuse anyway are not sent: viser has no limit of its own.
   document.addEventListener('change', event => {
     const file = event.target.files?.[0];
-    if (file && file.size > 5e6) {
+    if (file && file.size > 5e6 && !event.target.dataset.chan) {
       event.stopImmediatePropagation();
       event.target.value = '';
     }
@@ -283,6 +286,163 @@
   };
   let toldTo = '';
 
+  // While a clip plays on a machine that draws too few pictures, they are made simpler, step by step; at rest they are
+  // whole again. How many are too few is counted here, so that no setting of the lab changes.
+  const simpler = (() => {
+    const STEPS = [[1, false], [1, true], [0.75, true], [0.5, true]]; // part of the screen's pixels each way; rough bodies or not
+    const LAST = STEPS.length - 1;
+    const ENOUGH = 50, PERIOD = 500; // pictures a second, and the ms over which they are counted
+    const GAIN = 1.15; // what all steps must bring; if not, the screen shows no more, and pictures stay whole
+    let playing = false, step = 0, useful = true, whole = 0, easy = true;
+    let began = 0, count = 0, settling = true; // of the present period, which does not count while things change
+    let rest = 0, ours = 0; // pixel ratio at rest, and the one set here
+    const dim = new Set(); // lamps whose shadows are off
+    const indices = new WeakMap(); // of a geometry: the whole index and the rough one
+
+    const show = rough => {
+      const scene = window.__viserMutable?.scene;
+      const state = scene?.__r3f?.root?.getState();
+      if (!state?.viewport || !state.setDpr) return true;
+      if (state.viewport.dpr !== ours) rest = state.viewport.dpr; // set by viser
+      ours = playing ? Math.min(rest, STEPS[step][0] * devicePixelRatio) : rest;
+      if (state.viewport.dpr !== ours) state.setDpr(ours);
+      let made = 0;
+      scene.traverse(object => {
+        if (rough && object.isLight && object.castShadow) {
+          object.castShadow = false;
+          dim.add(object);
+        }
+        const geometry = object.isMesh && object.material?.isMeshStandardMaterial && object.geometry;
+        if (!geometry || !geometry.index || !geometry.attributes.normal) return;
+        if (rough && !indices.has(geometry) && !made++) indices.set(geometry, [geometry.index, fewer(geometry)]);
+        const index = indices.get(geometry)?.[Number(rough)];
+        if (index && geometry.index !== index) geometry.setIndex(index);
+      });
+      if (!rough) {
+        for (const lamp of dim) lamp.castShadow = true;
+        dim.clear();
+      }
+      return !made;
+    };
+
+    const tick = now => {
+      if (!playing) return;
+      requestAnimationFrame(tick);
+      count += 1;
+      if (!show(STEPS[step][1])) settling = true;
+      const spent = now - began;
+      if (spent < PERIOD) return;
+      if (!settling && spent < 4 * PERIOD) judge((1000 * count) / spent);
+      else settling = false;
+      began = now;
+      count = 0;
+    };
+
+    const judge = rate => {
+      if (rate < ENOUGH) easy = false;
+      if (!useful || rate >= ENOUGH) return;
+      if (step === LAST) {
+        if (rate >= GAIN * whole) return;
+        useful = false;
+        step = 0;
+      } else {
+        if (step === 0) whole = rate;
+        step = Math.min(LAST, step + (rate < ENOUGH / 2 ? 2 : 1));
+      }
+      settling = true; // shaders are made for it
+    };
+
+    return on => {
+      if (on === playing) return;
+      playing = on;
+      if (!on) {
+        show(false);
+        window.__viserMutable?.requestRender();
+        return;
+      }
+      if (easy && step > 0) step -= 1; // the machine has more time than it had
+      easy = settling = true;
+      began = performance.now();
+      count = 0;
+      requestAnimationFrame(tick);
+    };
+  })();
+
+  // The index of a body with fewer triangles on the same vertices: edges are collapsed where the surface bends least
+  // (Garland and Heckbert 1997, without new vertices). A corner takes the normal nearest to its own, so creases stay.
+  const fewer = geometry => {
+    const LEFT = 0.36, LEAST = 150; // part of the triangles that is left; with fewer it stays as it is
+    const { position, normal } = geometry.attributes;
+    const wanted = LEFT * geometry.index.count / 3;
+    if (geometry.index.count / 3 < LEAST) return geometry.index;
+    const named = new Map(), points = [], corners = []; // vertices in one place are one point with several corners
+    const of = Array.from({ length: position.count }, (_, i) => {
+      const p = [position.getX(i), position.getY(i), position.getZ(i)];
+      const k = named.get(p.join()) ?? points.length;
+      if (k === points.length) {
+        named.set(p.join(), k);
+        points.push(p);
+        corners.push([]);
+      }
+      corners[k].push(i);
+      return k;
+    });
+    const cross = (a, b, c) => {
+      const [x, y, z] = [0, 1, 2].map(k => b[k] - a[k]), [u, v, w] = [0, 1, 2].map(k => c[k] - a[k]);
+      return [y * w - z * v, z * u - x * w, x * v - y * u];
+    };
+    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let faces = [];
+    for (let i = 0; i < geometry.index.count; i += 3) faces.push([0, 1, 2].map(k => geometry.index.getX(i + k)));
+    const planes = points.map(() => []); // of a point: those it should stay in, each with an area
+    for (const face of faces) {
+      const n = cross(...face.map(i => points[of[i]])), area = Math.hypot(...n);
+      if (!area) continue;
+      const unit = n.map(x => x / area);
+      for (const i of face) planes[of[i]].push([unit, -dot(unit, points[of[i]]), area]);
+    }
+    const cost = (from, to) => planes[from].reduce((sum, [n, d, area]) => sum + area * (dot(n, points[to]) + d) ** 2, 0);
+    const nearest = (i, to) => {
+      const n = [normal.getX(i), normal.getY(i), normal.getZ(i)];
+      const like = k => dot(n, [normal.getX(k), normal.getY(k), normal.getZ(k)]);
+      return corners[to].reduce((best, k) => (like(k) > like(best) ? k : best));
+    };
+    for (let pass = 0; pass < 20 && faces.length > wanted; pass++) {
+      const around = points.map(() => []);
+      for (const face of faces) for (const i of face) around[of[i]].push(face);
+      const moves = [];
+      const first = new Set();
+      for (const face of faces) {
+        for (let k = 0; k < 3; k++) {
+          const from = of[face[k]], to = of[face[(k + 1) % 3]];
+          moves.push([cost(from, to), from, to]);
+        }
+      }
+      moves.sort((a, b) => a[0] - b[0]);
+      const moved = new Map();
+      for (const [, from, to] of moves) {
+        if (faces.length - 2 * moved.size <= wanted) break;
+        const ring = around[from].flat().map(i => of[i]);
+        if (ring.some(point => first.has(point))) continue;
+        const turns = around[from].some(face => {
+          const before = face.map(i => of[i]);
+          if (before.includes(to)) return false;
+          const n = cross(...before.map(p => points[p])), m = cross(...before.map(p => points[p === from ? to : p]));
+          return dot(n, m) < 0.5 * Math.hypot(...n) * Math.hypot(...m);
+        });
+        if (turns) continue;
+        moved.set(from, to);
+        planes[to] = planes[to].concat(planes[from]);
+        for (const point of ring) first.add(point);
+      }
+      if (!moved.size) break;
+      faces = faces.map(face => face.map(i => (moved.has(of[i]) ? nearest(i, moved.get(of[i])) : i)));
+      faces = faces.filter(([a, b, c]) => of[a] !== of[b] && of[b] !== of[c] && of[c] !== of[a]);
+    }
+    const { constructor: Index, array } = geometry.index;
+    return new Index(array.constructor.from(faces.flat()), 1);
+  };
+
   // The timeline: between two marks of the lab its thumb and the cursors of plots follow the page's own clock.
   let clock = null;
   let clockText = '';
@@ -292,6 +452,7 @@
       clockText = text;
       clock = text ? { ...JSON.parse(text), at: performance.now() } : null;
       if (clock) requestAnimationFrame(showClock);
+      simpler(clock !== null && clock.rate > 0);
     }
     drawClock(performance.now()); // the bar may have been made anew, without its time
   };
@@ -307,12 +468,16 @@
     placeCursors(part);
     return time;
   };
+  const CLOCK_INTERVAL = 45; // ms: each move of the thumb is a layout of the page, and takes time from the picture
   let clockDrawn = 0;
   const showClock = now => {
     if (!clock || now === clockDrawn) return;
-    clockDrawn = now;
-    const time = drawClock(now);
-    if (clock.rate > 0 && time < clock.end) requestAnimationFrame(showClock);
+    const going = clock.rate > 0 && clock.time + clock.rate * (now - clock.at) / 1000 < clock.end;
+    if (!going || now - clockDrawn >= CLOCK_INTERVAL) {
+      clockDrawn = now;
+      drawClock(now);
+    }
+    if (going) requestAnimationFrame(showClock);
   };
 
   // <i data-cursor=PART> after a plot: a line at that part of its width; PART "time" follows the timeline.
@@ -339,12 +504,12 @@
     const canvas = document.querySelector('canvas');
     if (!canvas) return;
     const box = canvas.getBoundingClientRect();
-    const style = document.documentElement.style;
-    style.setProperty('--al-left', `${box.left}px`);
-    style.setProperty('--al-right', `${innerWidth - box.right}px`);
-    style.setProperty('--al-wide', `${box.width}px`);
-    style.setProperty('--al-mid', `${(box.left + box.right) / 2}px`);
+    const found = [box.left, innerWidth - box.right, box.width, (box.left + box.right) / 2].map(x => `${x}px`);
+    if (found.join() === measured) return; // setting one, even to what it is, has the whole page styled anew
+    measured = found.join();
+    ['left', 'right', 'wide', 'mid'].forEach((name, i) => document.documentElement.style.setProperty(`--al-${name}`, found[i]));
   };
+  let measured = '';
 
   const watch = () => {
     let due = false;

@@ -107,7 +107,7 @@ LAW = LawType(
         *END_SPEEDS,
         Field(
             "deceleration",
-            "",
+            "A_dec",
             "limit when slowing down; left out: as when speeding up",
             "number",
             low=0.0,

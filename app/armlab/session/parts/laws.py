@@ -40,6 +40,8 @@ class Laws(Part):
         The new time is k times the old; 1 leaves it alone.
     bounded : Bounded
         The path and the limits of the calculator.
+    bounds_shown : bool
+        Whether the calculator is looked at.
     example : str
         Key of the example that is in place as it was put there; empty when it is none.
     """
@@ -51,6 +53,7 @@ class Laws(Part):
     scaled: int = 0
     k: float = 1.0
     bounded: Bounded = field(default_factory=Bounded)
+    bounds_shown: bool = False
     example: str = ""
 
     @classmethod
@@ -93,6 +96,7 @@ class Laws(Part):
             "scaled": self.scaled,
             "k": self.k,
             "bounds": self.bounded.to_json(),
+            "bounds_shown": self.bounds_shown,
             "example": self.example,
         }
 
@@ -107,7 +111,15 @@ class Laws(Part):
         for each in QUANTITIES:
             timing = timing.with_quantity(each.key, data["timing"][each.key])
         bounded = Bounded.from_json(data["bounds"])
-        part = cls(entries, timing, int(data["scaled"]), float(data["k"]), bounded, str(data.get("example", "")))
+        part = cls(
+            entries,
+            timing,
+            int(data["scaled"]),
+            float(data["k"]),
+            bounded,
+            bool(data["bounds_shown"]),
+            str(data.get("example", "")),
+        )
         check(part)
         return part
 

@@ -62,6 +62,8 @@ class Plan(Part):
         Poses along a Cartesian stretch.
     selected : int
         The waypoint whose values, and whose move, are shown.
+    handled : bool
+        Whether the handle in the scene is that of the selected waypoint, and not that of the arm.
     compared : bool
         Whether the same waypoints are also planned with the other kind of moves, joint for Cartesian ones.
     recorded : Recorded or None
@@ -86,6 +88,7 @@ class Plan(Part):
     duration: float | None = None
     samples: int = SAMPLES
     selected: int = 1
+    handled: bool = False
     compared: bool = False
     recorded: Recorded | None = None
     example: str = ""
@@ -152,6 +155,7 @@ class Plan(Part):
             "duration": self.duration,
             "samples": self.samples,
             "selected": self.selected,
+            "handled": self.handled,
             "compared": self.compared,
             "recorded": None if recorded is None else {"t": list(recorded.t), "q": [list(row) for row in recorded.q]},
             "example": self.example,
@@ -178,6 +182,7 @@ class Plan(Part):
             checked_duration(data.get("duration")),
             checked_samples(data.get("samples", SAMPLES)),
             min(max(selected, 0), len(points) - 1),
+            bool(data.get("handled", False)),
             bool(data.get("compared", False)),
             _recorded_from(data.get("recorded"), arm),
             str(data.get("example", "")),

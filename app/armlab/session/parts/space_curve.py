@@ -28,7 +28,7 @@ Shown = Literal["curve", "turn"]
 MOST_POINTS = 24
 """Of a curve: what can be typed and read in a panel."""
 
-POINTS: tuple[Point, ...] = ((0.5, -0.3, 0.3), (0.6, 0.0, 0.6), (0.5, 0.35, 0.35), (0.3, 0.55, 0.6))
+POINTS: tuple[Point, ...] = ((-0.2, -0.65, 0.25), (0.0, -0.45, 0.65), (0.25, -0.7, 0.35), (0.4, -0.5, 0.6))
 """Where points are put that nobody has typed."""
 
 NOTES: tuple[str, str, str] = ("6s+2", "5s^2", "-8s")
@@ -82,8 +82,8 @@ class SpaceCurve(Part):
     arrows: bool = False
     axes: str = "zxz"
     fixed: bool = False
-    start: Triple = (0.0, math.radians(30.0), 0.0)
-    end: Triple = (math.radians(120.0), math.radians(60.0), math.radians(90.0))
+    start: Triple = (0.0, math.radians(60.0), 0.0)
+    end: Triple = (math.radians(120.0), math.radians(60.0), math.radians(-120.0))
     other_way: bool = False
     example: str = "frenet"
 

@@ -3,26 +3,28 @@
 from __future__ import annotations
 
 from armlab.errors import InputError
+from armlab.kin.motion.field import Field
 from armlab.kin.motion.law_types import law_types
+from armlab.session.chosen import Chosen, Value
 from armlab.session.curves_knots import MOST_KNOTS
 from armlab.session.curves_made import Drawn, Made, form, kinds, why_not
 from armlab.session.parts.curves import MOST_CURVES, UNITS, Curves
 from armlab.ui.colours import css
-from armlab.ui.format import MINUS, dot, escaped
+from armlab.ui.format import MINUS, capitalised, dot, escaped, lowered
 from armlab.ui.markup import button, chips, options, select
 from armlab.ui.option_form import Scale, option_markup
-from armlab.ui.panels._curves_words import COLOURS, typed_number, unit
+from armlab.ui.panels._curves_words import COLOURS, figures, typed_number, unit
 from armlab.ui.widgets import Fields
 
 
-def knots_markup(fields: Fields, part: Curves, as_text: bool, refused: str | None) -> str:
-    """Return the table of knots, or the same as text; ``refused`` is a text that was not taken."""
+def knots_markup(fields: Fields, part: Curves, as_text: bool) -> str:
+    """Return the table of knots, or the same as text."""
     channel = fields.channel_id
     names = {f"unit {name}": name for name in UNITS}
     units = chips(channel, names, f"unit {part.unit}", "Unit of the coordinate; the numbers stay")
     switch = button(channel, "as-text", "As table" if as_text else "As text", "copy", "Another way to type the knots")
     head = f'<h3>Knots<span class="copies">{switch}</span></h3><div class="cu-units"><span>q in</span>{units}</div>'
-    return head + (_text(channel, part, refused) if as_text else _table(fields, part))
+    return head + (_text(fields, part) if as_text else _table(fields, part))
 
 
 def _table(fields: Fields, part: Curves) -> str:
@@ -38,19 +40,14 @@ def _table(fields: Fields, part: Curves) -> str:
         less = button(channel, f"remove-knot {k}", "✕", "copy", "Remove", f"Remove knot {k + 1}", off=last)
         rows.append(f"<tr><th>{k + 1}</th>{''.join(f'<td>{cell}</td>' for cell in cells)}<td>{more}{less}</td></tr>")
     heads = f"<tr><th>k</th><th>t<sub>k</sub>, s</th><th>q<sub>k</sub>, {part.unit}</th><th></th></tr>"
-    return f'<div class="cu-scroll"><table class="cu-knots">{heads}{"".join(rows)}</table></div>'
+    return f'<table class="cu-knots">{heads}{"".join(rows)}</table>'
 
 
-def _text(channel: str, part: Curves, refused: str | None) -> str:
+def _text(fields: Fields, part: Curves) -> str:
     """Return the knots in a field of several lines, where a table can be pasted."""
     own = "\n".join(f"{t:.10g} {q:.10g}" for t, q in part.knots)
-    wrong = ' aria-invalid="true"' if refused is not None else ""
-    shown = escaped(own if refused is None else refused)
-    return (
-        f'<textarea class="paste field" rows="6" spellcheck="false" aria-label="Knots: t and q in each line"{wrong}'
-        f' data-chan="{channel}" data-cell="rows">{shown}</textarea>'
-        f'<p class="dim">t in s and q in {part.unit}, one knot a line; leave the field to take it.</p>'
-    )
+    typed = fields.area("rows", own, "Knots: t and q in each line", 6)
+    return f'<div class="cu-text">{typed}</div><p class="dim">t in s and q in {part.unit}, one knot a line.</p>'
 
 
 def curves_markup(fields: Fields, part: Curves) -> str:
@@ -65,19 +62,54 @@ def curves_markup(fields: Fields, part: Curves) -> str:
 def _curve(fields: Fields, part: Curves, i: int) -> str:
     drawn, outcome, channel = part.curves[i], part.outcomes[i], fields.channel_id
     mark = f"{dot(css(COLOURS[drawn.colour]))}{i + 1}"
-    head = button(channel, f"show-{i}", mark, "chip", "Show its equations below", pressed=i == part.selected)
+    head = button(
+        channel, f"show-{i}", mark, "chip", "Show its options here and its equations below", pressed=i == part.selected
+    )
     head += select(channel, f"path-{i}", f"Kind of curve {i + 1}", _kinds(part, drawn))
     last = len(part.curves) == 1
     head += button(channel, f"remove-{i}", "✕", "chip", "Remove this curve", f"Remove curve {i + 1}", off=last)
-    scales = (Scale(part.unit),)
-    fitting = form(kinds()[drawn.path.key])
-    typed = option_markup(fields, f"path{i} ", fitting, drawn.path.options, scales)
+    chosen = _form(fields, part, i) if i == part.selected else _summary(drawn)
+    return f'<div class="cu-curve"><div class="cu-head">{head}</div>{chosen}{_said(outcome, part.unit)}</div>'
+
+
+def _form(fields: Fields, part: Curves, i: int) -> str:
+    """Return the options of a curve, and the law that runs through it."""
+    drawn, channel, scales = part.curves[i], fields.channel_id, (Scale(part.unit),)
+    typed = option_markup(fields, f"path{i} ", form(kinds()[drawn.path.key]), drawn.path.options, scales)
     laws = {key: law.title for key, law in law_types().items()}
-    chosen = select(channel, f"law-{i}", f"Law of curve {i + 1}", options(laws, drawn.law.key), "How s goes from 0 to 1")
+    chosen = select(
+        channel, f"law-{i}", f"Law of curve {i + 1}", options(laws, drawn.law.key), "How s goes from 0 to 1"
+    )
     law = option_markup(fields, f"law{i} ", law_types()[drawn.law.key].fields, drawn.law.options, scales)
     run = f'<div class="options"><label class="option wide"><span>Law s(t)</span>{chosen}</label>{law}</div>'
-    form_of = f'<div class="options">{typed}</div>' if typed else ""
-    return f'<div class="cu-curve"><div class="cu-head">{head}</div>{form_of}{run}{_said(outcome, part.unit)}</div>'
+    return (f'<div class="options">{typed}</div>' if typed else "") + run
+
+
+def _summary(drawn: Drawn) -> str:
+    """Return the options of a curve that are not as they come, in a line."""
+    law = law_types()[drawn.law.key]
+    said = _given(form(kinds()[drawn.path.key]), drawn.path)
+    if drawn.law.key != "constant":
+        said += [f"law s(t): {lowered(law.title)}", *_given(law.fields, drawn.law)]
+    return f'<p class="dim">{escaped(capitalised("; ".join(said)))}</p>' if said else ""
+
+
+def _given(fields: tuple[Field, ...], chosen: Chosen) -> list[str]:
+    texts = []
+    for field in fields:
+        if field.key in chosen.options:
+            value = chosen.options[field.key]
+            words = dict(field.choices).get(value) if field.kind == "choice" else _numbers(value)
+            texts.append(f"{field.title.split(';')[0]}: {words}")
+    return texts
+
+
+def _numbers(value: Value) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, tuple):
+        return ("; " if value and isinstance(value[0], tuple) else " ").join(_numbers(each) for each in value)
+    return figures(float(value))
 
 
 def _kinds(part: Curves, drawn: Drawn) -> str:

@@ -18,7 +18,7 @@ from armlab.ui.panels._curves_words import COLOURS, SYMBOLS, unit
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.widgets import Gui
 
-HEIGHT = 112
+HEIGHT = 124
 
 ROOM = 0.08
 """Above and below the curves, in parts of what they span."""
@@ -39,8 +39,8 @@ class CurvePlot(Plot):
         self.order = order
         self._titles: tuple[str, ...] = ()
         curves = [Curve(f"curve {i + 1}", colour) for i, colour in enumerate(COLOURS)]
-        red = [Curve("beyond the limit", VERDICT["no"], 3.0) for _ in COLOURS] if QUANTITIES[order] else []
-        dots = [Curve("knots", GREY, dots=True)] if order == 0 else []
+        red = [Curve("beyond the limit", VERDICT["no"], 3.5, dots=True) for _ in COLOURS] if QUANTITIES[order] else []
+        dots = [Curve("knots", GREY, 6.0, dots=True)] if order == 0 else []
         super().__init__(
             gui,
             self._heading(of),
@@ -49,10 +49,11 @@ class CurvePlot(Plot):
             FILES[order],
             limits=2 if red else 0,
             height=HEIGHT,
+            legend=False,
         )
 
     def _heading(self, of: str) -> str:
-        return f'<span class="cu-plot">{SYMBOLS[self.order]}, {unit(self.order, of)}</span>'
+        return f"{SYMBOLS[self.order]}, {unit(self.order, of)}"
 
     def show_curves(self, part: Curves, t: Array, every: Sequence[tuple[Made, Array, Sequence[Violation]]]) -> None:
         """Show the curves there are.

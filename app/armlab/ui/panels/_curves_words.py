@@ -33,8 +33,8 @@ def figures(value: float, digits: int = 4) -> str:
 
 
 def typed_number(value: float) -> str:
-    """Return a number as it stands in a field: what is read back is the same to ten figures."""
-    return f"{value:.10g}".replace("-", MINUS)
+    """Return a number as it stands in a field; what is kept has all its figures until it is typed anew."""
+    return f"{value:.7g}".replace("-", MINUS)
 
 
 def read(text: str, where: str) -> float:

@@ -1,17 +1,140 @@
-"""Motion: waypoints, the moves between them, and what becomes of them."""
+"""Motion: waypoints, the moves between them, limits, and whether it can be run."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.plan import CLIP_KEY, Plan, last_planned, planned
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target
+from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.plan_examples import EXAMPLES, TakeExample
+from armlab.session.plan_words import judged
+from armlab.session.state import Command, State
+from armlab.ui.format import capitalised, escaped
+from armlab.ui.markup import button, options, select
+from armlab.ui.panels._motion_limits import limit_command, time_markup
+from armlab.ui.panels._motion_move import move_command, move_markup
+from armlab.ui.panels._motion_points import point_command, points_markup
 from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.widgets import Gui
+from armlab.ui.tried import tried
+from armlab.ui.verdicts import SIGNS
+from armlab.ui.widgets import Fields, Gui
+
+MOST_LINES = 6
+"""Sentences about a plan that are shown."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
-    """Make the list of waypoints."""
-    gui.html("")
-    return lambda state: None
+    """Make the list of waypoints, the choices of a move, time and limits."""
+    present = state
+
+    def typed(fields: Fields, cell: str, text: str) -> None:
+        if not tried(fields, cell, text, lambda: _commands(present, cell, text), present, post):
+            show(present)
+
+    # Each block is sent again only when it has changed: a slider in the hand must not cost the whole page.
+    head = gui.fields(lambda cell, text: typed(head, cell, text))
+    points = gui.fields(lambda cell, text: typed(points, cell, text))
+    move = gui.fields(lambda cell, text: typed(move, cell, text))
+    limits = gui.fields(lambda cell, text: typed(limits, cell, text))
+    blocks: tuple[tuple[Fields, Callable[[Fields, State], str]], ...] = (
+        (head, _head),
+        (points, points_markup),
+        (move, move_markup),
+        (limits, time_markup),
+    )
+
+    def show(state: State) -> None:
+        nonlocal present
+        present = state
+        for fields, markup in blocks:
+            fields.show(markup(fields, state))
+
+    return show
 
 
-PANEL = Panel("motion", "Motion", "ROUTE", 39, (Joints,), build, page="Plan")
+def _commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
+    """Return what a person asked for."""
+    if cell == "example":
+        return (TakeExample(text),) if text else ()
+    if cell == "play-motion":
+        return (OpenClip(CLIP_KEY, play=True),)
+    if cell == "pause-motion":
+        return (Play(False),)
+    for find in (point_command, move_command, limit_command):
+        if (found := find(state, cell, text)) is not None:
+            return found
+    return ()
+
+
+def _head(fields: Fields, state: State) -> str:
+    part, channel = state[Plan], fields.channel_id
+    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
+    example = EXAMPLES.get(part.example)
+    says = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
+    chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
+    timeline = state[Timeline]
+    playing = timeline.clip == CLIP_KEY and timeline.playing
+    runs = last_planned(state)
+    off = runs is None or runs.motion is None
+    play = (
+        button(channel, "pause-motion", "❚❚ Pause", "main")
+        if playing
+        else button(channel, "play-motion", "▶ Play", "main", off=off)
+    )
+    return (
+        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{says}'
+        f'<div class="bar">{play}{_held(state)}</div>{_verdict(state)}'
+    )
+
+
+def _held(state: State) -> str:
+    held = [str(i + 1) for i, locked in enumerate(state[Joints].locked) if locked]
+    return f'<span class="warn">◐ held, and not moved: joint {", ".join(held)}</span>' if held else ""
+
+
+def _verdict(state: State) -> str:
+    """Return what the plan is worth; while it is being worked out, that of the last one would be untrue."""
+    plan = planned(state)
+    if plan is None:
+        return '<div class="verdict dim"><b>… working it out</b></div>'
+    said = judged(plan)
+    lines = "".join(f"<p>{escaped(capitalised(line))}.</p>" for line in said.lines[:MOST_LINES])
+    more = len(said.lines) - MOST_LINES
+    lines += f"<p>… and {more} more.</p>" if more > 0 else ""
+    return f'<div class="verdict {said.kind}"><b>{SIGNS[said.kind]} {escaped(capitalised(said.head))}</b>{lines}</div>'
+
+
+def _in_the_way(state: State) -> tuple[str, ...]:
+    """Return the layers the motion hides: the arm's handle, while the motion or a waypoint is in the hand."""
+    return ("gizmo", "gap") if state[Timeline].clip == CLIP_KEY or state[Plan].handled else ()
+
+
+PANEL = Panel(
+    "motion",
+    "Motion",
+    "ROUTE",
+    39,
+    (Plan, Timeline, Joints, Target, Notation, RobotPart),
+    build,
+    page="Plan",
+    hides_then=_in_the_way,
+    about=(
+        "S6.0-planning",
+        "S6.0-corner",
+        "S6.0-checklist",
+        "S6.3-cartesian",
+        "S6.3.2-overfly",
+        "S6.3.2-circle-wrist",
+        "6",
+        "6.3",
+        "trajectory planning",
+        "waypoints",
+        "play a motion",
+        "joint move",
+        "Cartesian move",
+    ),
+)

@@ -1,0 +1,128 @@
+"""Which columns of a table are the time and the joints of an arm, and in which units."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+
+TIMES = {"": 1.0, "s": 1.0, "sec": 1.0, "seconds": 1.0, "ms": 1e-3}
+TURNS = {"": 1.0, "rad": 1.0, "deg": math.pi / 180.0, "degrees": math.pi / 180.0, "°": math.pi / 180.0}
+SLIDES = {"": 1.0, "m": 1.0, "mm": 1e-3, "cm": 1e-2}
+"""Units in a header, and what their numbers are multiplied by; none written: s, rad, m."""
+
+TIME = re.compile(r"(?:time|t)(?![a-z])(.*)")
+JOINT = re.compile(r"(?:q|joint|theta|θ|ϑ|d)[ _]?(\d{1,3})(.*)")
+AROUND = " _,()[]{}/"
+"""What stands around a unit, as in ``q1_rad``, ``q1 [deg]``, ``t, s``."""
+
+PLAIN = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+
+MOST_NAMES = 200
+"""Characters of a header that are shown when a column is missing from it."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column that is read.
+
+    Attributes
+    ----------
+    index : int
+        From 0.
+    name : str
+        As the header has it.
+    factor : float
+        To s, rad or m.
+    unit : str
+        As the header has it; empty for none.
+    """
+
+    index: int
+    name: str
+    factor: float
+    unit: str
+
+
+def columns_of(arm: Arm, names: Sequence[str], row: int = 1) -> list[Column]:
+    """Return the columns of the time and of joints 1 to n.
+
+    The time is called ``time`` or ``t``, joint 1 ``q1``, ``joint1``, ``theta1`` or ``d1``, with a unit behind it
+    (``q1_deg``, ``q1 [deg]``, ``q1, °``) or none for s, rad and m.
+
+    Parameters
+    ----------
+    arm : Arm
+    names : sequence of str
+    row : int
+        Where the header stands.
+
+    Raises
+    ------
+    InputError
+        A column is missing, there twice, of a joint the arm has not, or in a unit it cannot have.
+
+    Examples
+    --------
+    >>> import armlab
+    >>> found = columns_of(armlab.load("planar_2r"), ["q2_deg", "t", "q1"])
+    >>> [(column.name, round(column.factor, 4)) for column in found]
+    [('t', 1.0), ('q1', 1.0), ('q2_deg', 0.0175)]
+    """
+    found: dict[int, Column] = {}
+    for index, name in enumerate(names):
+        read = _read(arm, index, name, row)
+        if read is None:
+            continue
+        place, column = read
+        if place in found:
+            what = "the time" if place == 0 else f"joint {place}"
+            raise InputError(
+                f"table, row {row}: {what} is there twice, in columns {found[place].name[:30]} and {name[:30]}"
+            )
+        found[place] = column
+    missing = ["time" if place == 0 else f"q{place}" for place in range(arm.n + 1) if place not in found]
+    if missing:
+        there = ", ".join(names)
+        there = there if len(there) <= MOST_NAMES else there[:MOST_NAMES] + " ..."
+        raise InputError(f"table, row {row}: no column {', '.join(missing)}; there are: {there}")
+    return [found[place] for place in range(arm.n + 1)]
+
+
+def headless(arm: Arm, count: int, row: int = 1) -> list[Column]:
+    """Return the columns of a table without a header: time, joint 1, ..., in s, rad and m."""
+    if count != arm.n + 1:
+        raise InputError(
+            f"table, row {row}: expected the names time, q1 to q{arm.n}, or {arm.n + 1} numbers in this order, got "
+            f"{count} numbers"
+        )
+    return [Column(index, str(index + 1), 1.0, "") for index in range(count)]
+
+
+def _read(arm: Arm, index: int, name: str, row: int) -> tuple[int, Column] | None:
+    """Return which joint a column is, 0 for the time, and how it is read; None for another quantity."""
+    plain = name.strip().lower().translate(PLAIN)
+    where = f"table, row {row}, column {name[:30]}"
+    time = TIME.fullmatch(plain)
+    if time is not None:
+        return 0, Column(index, name, *_factor(time[1], TIMES, where, "the time"))
+    joint = JOINT.fullmatch(plain)
+    if joint is None or joint[2][:1].isalpha():
+        return None
+    number = int(joint[1])
+    if not 1 <= number <= arm.n:
+        raise InputError(f"{where}: there is no joint {number}; this arm has joints 1 to {arm.n}")
+    turns = bool(arm.revolute[number - 1])
+    what = f"joint {number}, which {'turns' if turns else 'slides'},"
+    return number, Column(index, name, *_factor(joint[2], TURNS if turns else SLIDES, where, what))
+
+
+def _factor(ending: str, units: dict[str, float], where: str, what: str) -> tuple[float, str]:
+    unit = ending.strip(AROUND)
+    if unit not in units:
+        raise InputError(f"{where}: expected {what} in {', '.join(filter(None, units))}, got {unit[:30]!r}")
+    return units[unit], unit

@@ -1,0 +1,112 @@
+"""Where in the scene a curve is drawn, and how large: in the world, or as a model beside an arm it would dwarf."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.space_curve import SpaceCurve
+from armlab.session.space_curve_laid import Point, Question, laid
+from armlab.session.state import State
+
+Floats = NDArray[np.float64]
+
+NEAR = 1.05
+"""Reaches of the arm from its base within which a curve is drawn where it is."""
+
+MODEL = 0.38
+"""Reaches of the arm that a model is across at most."""
+
+ASIDE = (-0.04, -0.32)
+"""Where the middle of a model, and of the sphere of the orientations, is beside the base: x and y, in reaches."""
+
+ABOVE = 0.06
+"""Height of the lowest point of a model over the base, in reaches."""
+
+SPHERE, SPHERE_HEIGHT = 0.13, 0.27
+"""Radius of the sphere on which the tips run, and height of its centre, in reaches."""
+
+ACROSS, SMALL, LARGE = 0.2, 0.07, 0.24
+"""Length of the drawn vectors: of the extent of the curve; at least and at most in reaches."""
+
+
+class Stage(NamedTuple):
+    """How points in metres are drawn: shift + factor p.
+
+    Attributes
+    ----------
+    factor : float
+        1 where a curve is drawn in its place.
+    shift : ndarray, shape (3,)
+        Metres.
+    length : float
+        Of unit vectors, metres in the scene.
+    reach : float
+        Of the arm, metres.
+    """
+
+    factor: float
+    shift: Floats
+    length: float
+    reach: float
+
+    def at(self, points: Floats) -> Floats:
+        """Return where points (..., 3) are drawn."""
+        return np.asarray(self.shift + self.factor * points)
+
+    @property
+    def ratio(self) -> float:
+        """How many metres are drawn as one."""
+        return 1.0 / self.factor
+
+
+def stage_of(state: State) -> Stage:
+    """Return where the curve of a state is drawn."""
+    base, reach = _arm(state)
+    x, y, z = base.tolist()
+    return _stage(state[SpaceCurve].question, (x, y, z), reach)
+
+
+@lru_cache(maxsize=64)
+def _stage(question: Question, centre: Point, reach: float) -> Stage:
+    base = np.array(centre)
+    points = np.concatenate([laid(question).frame.position, np.array(question.points).reshape(-1, 3)])
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = float(np.linalg.norm(high - low))
+    if np.linalg.norm(points - base, axis=1).max() <= NEAR * reach:
+        return Stage(1.0, np.zeros(3), _length(extent, reach), reach)
+    factor = 1.0 / _ratio(extent / (MODEL * reach))
+    middle = 0.5 * factor * (low + high)
+    x, y = ASIDE
+    place = base + reach * np.array([x, y, ABOVE])
+    shift = place - np.array([middle[0], middle[1], factor * low[2]])
+    return Stage(factor, shift, _length(factor * extent, reach), reach)
+
+
+def sphere_of(state: State) -> tuple[Floats, float]:
+    """Return centre (3,) and radius of the sphere on which the tips of the axes run, metres."""
+    base, reach = _arm(state)
+    x, y = ASIDE
+    return base + reach * np.array([x, y, SPHERE_HEIGHT]), SPHERE * reach
+
+
+def _arm(state: State) -> tuple[Floats, float]:
+    arm = state[RobotPart].robot.arm
+    return np.asarray(arm.base[:3, 3], dtype=np.float64), 2.0 * arm.length_scale
+
+
+def _length(extent: float, reach: float) -> float:
+    return min(max(ACROSS * extent, SMALL * reach), LARGE * reach)
+
+
+def _ratio(least: float) -> float:
+    """Return the next of 1, 2, 5, 10, 20, ... that is not below; 1 or more."""
+    if least <= 1.0:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(least))
+    return next(step * power for step in (1.0, 2.0, 5.0, 10.0) if step * power >= least * (1.0 - 1e-9))

@@ -1,0 +1,158 @@
+"""A handle to drag: one or two transform controls that act as one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.rotations import quaternion_from_rotation, rotation_from_quaternion
+from armlab.kin.transforms import transform
+from armlab.ui import adapter
+from armlab.ui.drawing import LayerCanvas
+
+SCALE = 0.14
+"""Length of the arrows, in sizes of the arm."""
+
+Floats = NDArray[np.floating]
+
+
+class Handle:
+    """Arrows and rings for exactly what the task of an arm controls.
+
+    Parameters
+    ----------
+    canvas : LayerCanvas
+    path : str
+        Name of its node; a second control has a 1 behind it.
+    on_drag : callable
+        ``on_drag(pose, drag, ends)`` with the pose (4, 4) in the world the hand asks for, an object that stands for the
+        drag, and whether the hand has let go. A mere click is no drag.
+    on_start : callable
+        Called when a hand takes hold.
+    scale : float
+        Length of the arrows in sizes of the arm.
+    """
+
+    def __init__(
+        self,
+        canvas: LayerCanvas,
+        path: str,
+        on_drag: Callable[[Floats, object, bool], None],
+        on_start: Callable[[], None] = lambda: None,
+        scale: float = SCALE,
+    ) -> None:
+        self._canvas, self._path, self._on_drag, self._on_start = canvas, path, on_drag, on_start
+        self._scale = scale
+        self._made_for: tuple[str, str, str] | None = None
+        self._controls: list[viser.TransformControlsHandle] = []
+        self._held: viser.TransformControlsHandle | None = None
+        self._drag: object = None
+        self._pulled = False
+        self._pose: Floats = np.eye(4)
+        self._start: tuple[Floats, Floats] = (np.eye(3), np.eye(3))
+
+    @property
+    def held(self) -> bool:
+        """Whether a hand holds it."""
+        return self._held is not None
+
+    @property
+    def drag(self) -> object:
+        """What stands for the present drag, or the last one."""
+        return self._drag
+
+    def show(self, pose: Floats, handle: str, axes: str) -> None:
+        """Put the handle to a pose (4, 4) in the world; never while and where a hand holds it.
+
+        ``handle`` is ``"move"`` or ``"turn"``, ``axes`` is ``"world"`` or ``"tool"``.
+        """
+        self._pose = pose
+        arm = self._canvas.drawn.figure.anatomy.arm
+        wanted = (arm.task.key, handle, axes)
+        if self._made_for != wanted and self._held is None:
+            self.remove()
+            self._controls = [self._control(i, options) for i, options in enumerate(handles_of(arm, handle))]
+            self._made_for = wanted
+        turned = pose[:3, :3] if _along_tool(arm, handle, axes) else arm.base[:3, :3]
+        for control in self._controls:
+            if control is not self._held:
+                _place(control, turned, pose[:3, 3])
+
+    def remove(self) -> None:
+        """Take it out of the scene."""
+        for control in self._controls:
+            control.remove()
+        self._controls, self._made_for, self._held = [], None, None
+
+    def _control(self, i: int, options: dict[str, Any]) -> viser.TransformControlsHandle:
+        control = self._canvas.scene.add_transform_controls(
+            f"{self._path}{i}" if i else self._path,
+            scale=self._scale * self._canvas.size,
+            line_width=3.0,
+            depth_test=False,
+            **options,
+        )
+        adapter.on_event(control, "on_update", lambda event: self._moved(control, event.phase))
+        # Written even where it is viser's default: the page would keep the pose of an earlier handle of this name.
+        adapter.set_wxyz(control, (1.0, 0.0, 0.0, 0.0))
+        adapter.set_position(control, (0.0, 0.0, 0.0))
+        return control
+
+    def _moved(self, control: viser.TransformControlsHandle, phase: str) -> None:
+        self._on_start()
+        if phase == "start":
+            self._held, self._drag, self._pulled = control, object(), False
+            self._start = rotation_from_quaternion(control.wxyz), self._pose[:3, :3]
+            return
+        if phase == "end" and not self._pulled:
+            self._held = None  # a mere click
+            return
+        self._pulled = True
+        turned, began = self._start
+        R = rotation_from_quaternion(control.wxyz) @ turned.T @ began
+        if phase == "end":
+            self._held = None
+        self._on_drag(transform(R, control.position), self._drag, phase == "end")
+
+
+def _along_tool(arm: Arm, handle: str, axes: str) -> bool:
+    """Whether a handle has the tool's axes; controls of part of the axes keep those of frame 0."""
+    if handle == "turn" and arm.task.rotation == "approach":
+        return True
+    whole = arm.task.position == "xyz" or arm.description.axes_parallel
+    return axes == "tool" and whole
+
+
+def handles_of(arm: Arm, handle: str) -> list[dict[str, Any]]:
+    """Return the options of the transform controls that offer just what the task controls.
+
+    A control has an arrow for each active axis, a square for each pair of them and a ring about each axis whose two
+    neighbours are active, so single rings need single controls.
+    """
+    task = arm.task
+    if handle == "turn":
+        rings = {"none": (), "phi": ("z",), "approach": ("x", "y"), "full": ("xyz",)}[task.rotation]
+        return [_ring(ring) for ring in rings]
+    axes = tuple(letter in task.position for letter in "xyz")
+    in_plane = sum(axes) == 2
+    return [{"active_axes": axes, "disable_rotations": True, "disable_sliders": not in_plane}] if any(axes) else []
+
+
+def _ring(about: str) -> dict[str, Any]:
+    neighbours = tuple(about == "xyz" or letter != about for letter in "xyz")
+    return {"active_axes": neighbours, "disable_axes": True, "disable_sliders": True}
+
+
+def _place(control: viser.TransformControlsHandle, axes: Floats, position: Floats) -> None:
+    wxyz = quaternion_from_rotation(axes)
+    if not np.array_equal(wxyz, control.wxyz):
+        w, x, y, z = wxyz.tolist()
+        adapter.set_wxyz(control, (w, x, y, z))
+    if not np.array_equal(position, control.position):
+        px, py, pz = position.tolist()
+        adapter.set_position(control, (px, py, pz))

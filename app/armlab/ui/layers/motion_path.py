@@ -1,0 +1,101 @@
+"""The way of the tool in the plan, coloured by what each place is worth, with words where it cannot be run."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from armlab.session.parts.plan import Plan, last_planned
+from armlab.session.parts.robot import RobotPart
+from armlab.session.plan_question import Feasible, Leg, Planned
+from armlab.session.state import State
+from armlab.ui.colours import BLUE, VERDICT, Rgb, line_colour
+from armlab.ui.drawing import LayerCanvas
+from armlab.ui.layers._nodes import move
+from armlab.ui.layers._strokes import add_name, polyline
+from armlab.ui.plugin import Layer, Show
+
+PANELS = ("motion", "motion_plots", "motion_files")
+
+THICKNESS, OTHER = 0.0065, 0.003
+"""Of the way, and of the one it is compared with, in sizes of the arm."""
+
+MARK = 0.013
+"""Radius of the mark where a way ends that cannot be run, in sizes of the arm."""
+
+COLOURS: dict[Feasible, Rgb] = {
+    Feasible.YES: BLUE,
+    Feasible.NEAR_SINGULAR: VERDICT["warn"],
+    Feasible.OVER_LIMIT: VERDICT["no"],
+    Feasible.NOT_REACHED: VERDICT["no"],
+}
+
+OTHER_COLOUR: Rgb = (150, 120, 190)
+
+WORDS = {"reach": "out of reach", "limit": "joint {} at its limit", "singularity": "singular", "branch": "branch ends"}
+
+
+class _Ways:
+    """The ways of a plan: nodes are made anew when the plan is another."""
+
+    def __init__(self, canvas: LayerCanvas) -> None:
+        self._canvas = canvas
+        self._nodes: list[viser.SceneNodeHandle] = []
+        self._shown: object = None
+
+    def show(self, state: State) -> None:
+        """Show the plan as it was worked out last, and the one it is compared with."""
+        part, plan = state[Plan], last_planned(state)
+        other = part.other if part.compared else None
+        if self._shown == (id(plan), id(other)):
+            return
+        self._shown = (id(plan), id(other))
+        for node in self._nodes:
+            node.remove()
+        self._nodes = []
+        if other is not None and plan is not None:
+            self._draw(other, "other", OTHER)
+        if plan is not None:
+            self._draw(plan, "way", THICKNESS)
+            self._mark(plan)
+
+    def _draw(self, plan: Planned, name: str, thickness: float) -> None:
+        legs = [leg for leg in plan.legs if len(leg.points) > 1]
+        if not legs:
+            return
+        segments = np.concatenate([polyline(leg.points) for leg in legs])
+        colours = np.concatenate([_colours(leg, name == "other") for leg in legs])
+        node = self._canvas.scene.add_line_segments(
+            self._canvas.path(f"motion/{name}"), segments, colours, thickness=thickness * self._canvas.size
+        )
+        self._nodes.append(node)
+
+    def _mark(self, plan: Planned) -> None:
+        """Say in words where the way ends: a colour alone says nothing."""
+        scene, size = self._canvas.scene, self._canvas.size
+        stops = [stop for leg in plan.legs if leg.followed is not None for stop in leg.followed.stops[:1]]
+        for k, stop in enumerate(stops):
+            path = self._canvas.path(f"motion/stop{k}")
+            node = scene.add_icosphere(path, MARK * size, VERDICT["no"], cast_shadow=False, receive_shadow=False)
+            move(node, stop.point)
+            self._nodes.append(node)
+            words = WORDS[stop.kind].format(stop.joint)
+            self._nodes.append(add_name(scene, f"{path}/words", f"✕ {words}", np.zeros(3), "bottom-left"))
+
+
+def _colours(leg: Leg, other: bool) -> NDArray[np.uint8]:
+    """Return the colours of the ends of the segments of a leg, (k, 2, 3)."""
+    if other:
+        return np.tile(np.array(line_colour(OTHER_COLOUR), dtype=np.uint8), (len(leg.points) - 1, 2, 1))
+    table = np.array([line_colour(COLOURS[worth]) for worth in Feasible], dtype=np.uint8)
+    worth = np.maximum(leg.worth[1:], leg.worth[:-1])
+    return np.repeat(table[worth][:, None], 2, axis=1)
+
+
+def build(canvas: LayerCanvas, state: State) -> Show:
+    """Draw the way while a page of the motion is open."""
+    return _Ways(canvas).show
+
+
+LAYER = Layer("motion_path", order=87, watches=(Plan, RobotPart), build=build, panel=PANELS)

@@ -1,0 +1,216 @@
+"""One plot of a planned motion: its curves, those it is compared with, limits, what is beyond them, and the legs."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.ui.colours import GREY, VERDICT, Rgb
+from armlab.ui.plot import NOTHING, TIME, Curve, Plot
+from armlab.ui.widgets import Gui
+
+HEIGHT = 124
+
+POINTS = 401
+"""Of a curve in the plot; the file has all samples."""
+
+ROOM = 0.08
+"""Above and below the curves, in parts of what they span."""
+
+IN_SIGHT = 0.6
+"""A limit of a rate is drawn while it is nearer to the curves than so many times what they span; else it would flatten
+them. Of joints in different positions, whose curves lie apart, it would with `NEAR` already."""
+
+NEAR = 0.1
+
+OTHER, LIMIT = (2, 3), (7, 4)
+"""Dashes of the curves compared with, and of limits."""
+
+Array = NDArray[np.float64]
+Spans = Sequence[tuple[float, float]]
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """One curve of a plot.
+
+    Attributes
+    ----------
+    name : str
+        With its unit.
+    colour : (int, int, int)
+    values : ndarray, shape (k,)
+        In the unit of the plot, at the samples of the motion.
+    other : ndarray, shape (m,), or None
+        The same of the motion it is compared with, at the samples of that.
+    limits : tuple of float
+    beyond : sequence of (float, float)
+        When it is beyond its limits, seconds.
+    """
+
+    name: str
+    colour: Rgb
+    values: Array
+    other: Array | None = None
+    limits: tuple[float, ...] = ()
+    beyond: Spans = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Times:
+    """The times of a picture.
+
+    Attributes
+    ----------
+    own : ndarray, shape (k,)
+        Samples of the motion, seconds.
+    other : ndarray, shape (m,), or None
+        Samples of the one it is compared with.
+    legs : tuple of float
+        When one leg ends and the next begins.
+    """
+
+    own: Array
+    other: Array | None = None
+    legs: tuple[float, ...] = ()
+
+    @property
+    def end(self) -> float:
+        """When the longer one ends."""
+        return float(max(self.own[-1], -np.inf if self.other is None else self.other[-1]))
+
+    def grid(self, count: int) -> Array:
+        """Return evenly spaced times, shape (count,)."""
+        return np.linspace(0.0, self.end, count)
+
+
+class MotionPlot(Plot):
+    """The plot of one quantity of a motion."""
+
+    def __init__(self, gui: Gui, title: str, file: str, from_zero: bool = False, sight: float = IN_SIGHT) -> None:
+        self._zero, self._sight, self._end = from_zero, sight, 0.0
+        self._rows: list[list[float]] = []
+        self._names: list[str] = []
+        super().__init__(gui, title, "t, s", [Curve(title, GREY)], file, height=HEIGHT, legend=False)
+
+    def draw(self, times: Times, lines: Sequence[Line], most: float | None = None) -> None:
+        """Show other curves.
+
+        Parameters
+        ----------
+        times : Times
+        lines : sequence of Line
+        most : float, optional
+            Where the ordinate ends although curves go on.
+        """
+        t, marks = _with_marks(times.grid(POINTS), times.legs)
+        own = [_on(t, times.own, line.values) for line in lines]
+        low, high = self._range_of(lines, most)
+        drawn: list[tuple[Curve, Array]] = []
+        if len(marks):
+            drawn.append((Curve("legs", GREY, 1.0, opacity=0.5), _uprights(t, marks, low, high)))
+        levels = _levels(lines, low, high)
+        drawn += [(Curve("limit", colour, 1.0, dash=LIMIT), np.full(len(t), level)) for level, colour in levels.items()]
+        for line in lines:
+            if line.other is not None and times.other is not None:
+                curve = Curve(line.name, line.colour, dash=OTHER, opacity=0.75)
+                drawn.append((curve, _on(t, times.other, line.other)))
+        drawn += [(Curve(line.name, line.colour), values) for line, values in zip(lines, own, strict=True)]
+        for line, values in zip(lines, own, strict=True):
+            if line.beyond:
+                drawn.append((Curve("beyond the limit", VERDICT["no"], 3.0), _within(t, values, line.beyond)))
+        self._note(times, lines)
+        self._end = times.end
+        scales = {"x": {"time": False, "range": (0.0, times.end)}, "y": {"range": (low, high)}}
+        self.announce([curve for curve, _ in drawn])
+        self.show(t, [values for _, values in drawn])
+        if self._handle.scales != scales:
+            self._handle.scales = scales
+
+    def _range_of(self, lines: Sequence[Line], most: float | None) -> tuple[float, float]:
+        """Return the ends of the ordinate; the page cannot choose them where curves have gaps."""
+        every = [line.values for line in lines] + [line.other for line in lines if line.other is not None]
+        values = np.concatenate(every) if every else np.zeros(1)
+        values = values[np.isfinite(values)]
+        low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
+        high = high if most is None else min(high, most)
+        low = 0.0 if self._zero else low
+        sight = self._sight * (high - low)
+        levels = [level for line in lines for level in line.limits if low - sight <= level <= high + sight]
+        low, high = min([low, *levels]), max([high, *levels])
+        flat = high - low <= NOTHING * max(1.0, abs(high))
+        room = 0.5 if flat else ROOM * (high - low)
+        return (0.0 if self._zero else low - room), high + room
+
+    def _note(self, times: Times, lines: Sequence[Line]) -> None:
+        """Keep what the file will hold: all samples, the motion it is compared with beside them."""
+        t = times.own if times.other is None else times.grid(len(times.own))
+        columns = [t]
+        self._names = [self._x]
+        for line in lines:
+            self._names.append(line.name)
+            columns.append(_on(t, times.own, line.values))
+        for line in lines:
+            if line.other is not None and times.other is not None:
+                self._names.append(f"{line.name}, compared")
+                columns.append(_on(t, times.other, line.other))
+        self._rows = np.column_stack(columns).tolist()
+
+    def csv(self) -> str:
+        """Return the curves with a name for each; nothing where a motion has ended."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(self._names)
+        writer.writerows([["" if np.isnan(value) else value for value in row] for row in self._rows])
+        return text.getvalue()
+
+    def at_time(self, time: float | None, end: float) -> None:
+        """Put the cursor at a time of a clip that lasts until ``end``, or take it away."""
+        # Where the clip is as long as the axis, the page moves the cursor by its own clock.
+        self.cursor(TIME if time is not None and abs(end - self._end) <= NOTHING * max(1.0, end) else time)
+
+
+def _with_marks(t: Array, legs: Sequence[float]) -> tuple[Array, Array]:
+    """Return times in which those nearest to ends of legs are there twice, and the places of the first of each two."""
+    nearest = np.unique(np.abs(t[:, None] - np.array(legs)[None, :]).argmin(axis=0)) if legs else np.zeros(0, dtype=int)
+    # Two uprights side by side would be joined by a line.
+    apart = nearest[np.diff(nearest, prepend=-2) > 1]
+    return np.insert(t, apart, t[apart]), apart + np.arange(len(apart))
+
+
+def _uprights(t: Array, marks: Array, low: float, high: float) -> Array:
+    """Return the column that draws upright lines: two values at one time."""
+    found = np.full(len(t), np.nan)
+    found[marks], found[marks + 1] = low, high
+    return found
+
+
+def _levels(lines: Sequence[Line], low: float, high: float) -> dict[float, Rgb]:
+    """Return the limits that are in sight, with their colours: grey where several joints share one."""
+    found: dict[float, Rgb] = {}
+    for line in lines:
+        for level in line.limits:
+            if low <= level <= high:
+                key = next((known for known in found if abs(known - level) <= 1e-9 * max(1.0, abs(level))), level)
+                found[key] = GREY if key in found else line.colour
+    return found
+
+
+def _on(t: Array, known: Array, values: Array) -> Array:
+    """Return values at other times; nothing after the end."""
+    return np.interp(t, known, values, right=np.nan)
+
+
+def _within(t: Array, values: Array, inside: Spans) -> Array:
+    """Return values inside of intervals, nothing elsewhere."""
+    found = np.full(len(t), np.nan)
+    step = float(t[-1] - t[0]) / POINTS
+    for start, end in inside:
+        # A moment that lies between two samples is seen, too.
+        found = np.where((t >= start - step) & (t <= end + step), values, found)
+    return found
