@@ -1,65 +1,199 @@
-"""Playback in a real browser: how many poses a second a student sees, and how true to the clock it is."""
+"""Playback in a real browser: how many poses of a moving arm a student sees a second, and how true its clock is."""
 
+import asyncio
+import contextlib
+import threading
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 
-from playwright.sync_api import Browser
+import numpy as np
+from playwright.sync_api import Browser, BrowserContext, Page
 
+import drag
 import servers
+from rounds import quantile
 from support.page import LabPage, chromium
 
-TITLE = "Playback of the film: poses shown in Chromium with a software renderer"
-WINDOWS = ((640, 420), (1400, 850))
-SECONDS = 4.0
-WATCH = """([name, seconds]) => new Promise(done => {
-  const node = window.__viserMutable.nodeRefFromName[name];
-  const began = performance.now();
-  let last = '', poses = -1, frames = 0;
+TITLE = "Playback of a moving arm: poses shown in Chromium with a software renderer"
+WINDOWS = {(640, 420): (0, 10), (1400, 850): (0,)}
+"""Each with the numbers of other students who drag meanwhile."""
+
+ROUNDS, SECONDS = 3, 5.0
+EASING = 4.0
+"""Seconds in which the page finds out how much it can draw."""
+
+SPEED = 0.08
+"""rad/s of joint 1, which so tells the time that is shown; the others swing."""
+
+MOVED = f"""
+def moved(time, joints):
+    swing = 0.9 * np.sin((0.5 + 0.1 * np.arange(joints)) * time + np.arange(joints))
+    swing[0] = {SPEED} * time - 2.4
+    return swing
+"""
+
+OURS = (
+    """
+import sys
+sys.path[:0] = {paths!r}
+from dataclasses import replace
+import numpy as np
+from armlab.session.clips.sweep import CLIP
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import clips
+
+def at(state, time):
+    joints = state[Joints]
+    there = joints.moved_to(moved(time, joints.arm.n))
+    return state if there is joints else state.replace(there)
+"""
+    + MOVED
+    + """
+# Opened with the button of the sweep, but every joint moves, for a minute.
+clips()["sweep"] = replace(CLIP, duration=lambda state: 60.0, stops=lambda state: (), at=at, closed=lambda state: state)
+"""
+    + servers.LAB
+)
+
+BARE = (
+    """
+import sys
+sys.path[:0] = {paths!r}
+import threading, time
+import numpy as np
+import bare_server
+"""
+    + MOVED
+    + """
+class Playing(bare_server.Student):
+    first = True
+
+    def __init__(self, client, wake, waiting):
+        super().__init__(client, wake, waiting)
+        if Playing.first:
+            Playing.first = False
+            threading.Thread(target=self.play, args=(client._viser_server.get_event_loop(),), daemon=True).start()
+
+    def play(self, loop):
+        began = time.perf_counter()
+        while True:
+            now = time.perf_counter() - began
+            loop.call_soon_threadsafe(self.write, np.array([0.5, 0.0, 0.5]), moved(now, 6))
+            time.sleep(max(0.0, began + now + 1 / 60 - time.perf_counter()))
+
+bare_server.Student = Playing
+bare_server.main()
+"""
+)
+
+COUNT = """(() => {
+  const kind = WebGL2RenderingContext.prototype, draw = kind.drawElements;
+  kind.drawElements = function (...all) { window.__drawn = true; return draw.apply(this, all); };
+})()"""
+WATCH = """([name, seconds, axis]) => new Promise(done => {
+  const page = window.__viserMutable, node = page.nodeRefFromName[name], began = performance.now(), seen = [];
+  let pictures = 0;
   const look = now => {
-    frames += 1;
-    const pose = [...node.position.toArray(), ...node.quaternion.toArray()].join();
-    if (pose !== last) { poses += 1; last = pose; }
+    pictures += Number(window.__drawn ?? 0);
+    window.__drawn = false;
+    const angle = 2 * Math.atan2(node.quaternion[axis], node.quaternion.w);
+    if (angle !== seen.at(-1)?.[1]) seen.push([now / 1000, angle]);
     if (now - began < 1000 * seconds) requestAnimationFrame(look);
-    else done([poses, frames, (now - began) / 1000]);
+    else done([seen, pictures, (now - began) / 1000, page.canvas.width / page.canvas.clientWidth]);
   };
   requestAnimationFrame(look);
 })"""
 
 
+@dataclass(frozen=True)
+class Seen:
+    """What a student saw: poses and pictures a second, pixel ratio, clock over the wall's; seconds of the others."""
+
+    poses: float
+    pictures: float
+    ratio: float
+    clock: float
+    others: float = float("nan")
+
+
 def measure() -> Iterator[str]:
-    yield "| window, shadows | poses a second shown | pictures a second drawn | clock: film ÷ wall |"
-    yield "| --- | --- | --- | --- |"
+    yield "Shadows on at rest; the median in brackets; p95 is that of the others, from their hand to the new pose."
+    yield ""
+    yield "| window | others dragging | server | pixel ratio | poses a second shown | drawn | clock ÷ wall | p95 |"
+    yield "| --- | --- | --- | --- | --- | --- | --- | --- |"
     with chromium() as browser:
-        for window in WINDOWS:
-            for shadows in (True, False):
-                with servers.lab() as server:
-                    poses, frames, clock = played(browser, server.url, window, shadows)
-                size = f"{window[0]} x {window[1]}, {'on' if shadows else 'off'}"
-                yield f"| {size} | {poses:.0f} | {frames:.0f} | {clock:.3f} |"
+        for window, classes in WINDOWS.items():
+            for others in classes:
+                found: dict[str, list[Seen]] = {"Armlab": [], "bare viser": []}
+                for _ in range(ROUNDS):
+                    for name, seen in found.items():
+                        seen.append(played(browser, window, others, name == "Armlab"))
+                for name, seen in found.items():
+                    yield f"| {window[0]} x {window[1]} | {others} | {name} | {row(seen)} |"
 
 
-def played(browser: Browser, url: str, window: tuple[int, int], shadows: bool) -> tuple[float, float, float]:
-    """Play the film; return poses and pictures a second, and how much faster than the wall's its clock runs."""
-    with browser.new_context() as context:
-        lab = LabPage(context, url, window)
-        if not shadows:
-            lab.open_tab("View")
-            lab.page.get_by_label("Shadows").click()
-        lab.open_tab("Robot")
-        lab.press("film")
-        lab.page.locator(".al-time").wait_for()
-        lab.rest()
-        lab.page.locator(".al-time button[data-cell=play]").click()
-        lab.page.wait_for_timeout(500)
-        before, poses, frames, seconds, after = (
-            shown_time(lab),
-            *lab.page.evaluate(WATCH, [lab.node("/film/moving"), SECONDS]),
-            shown_time(lab),
-        )
-        return poses / seconds, frames / seconds, (after - before) / seconds
+def row(seen: list[Seen]) -> str:
+    best = max(seen, key=lambda each: each.poses)
+    median = np.median([each.poses for each in seen])
+    p95 = "–" if np.isnan(best.others) else f"{1e3 * best.others:.0f} ms"
+    rates = f"{best.poses:.0f} ({median:.0f}) | {best.pictures:.0f}"
+    return f"{best.ratio:.2f} | {rates} | {best.clock:.3f} | {p95}"
 
 
-def shown_time(lab: LabPage) -> float:
-    """Return the seconds on the bar; when it is made anew they are missing for a moment."""
-    lab.page.wait_for_function("() => document.querySelector('.al-time .now')?.textContent")
-    text: str = lab.page.locator(".al-time .now").inner_text()
-    return float(text.split("/")[0])
+def played(browser: Browser, window: tuple[int, int], others: int, ours: bool) -> Seen:
+    """Show one student a clip while others drag."""
+    paths = [str(servers.HERE), str(servers.HERE.parent / "app"), str(servers.HERE.parent / "tests")]
+    code = (OURS if ours else BARE).format(paths=paths, labs=0)
+    with servers._started(["-c", code], has_front=ours) as server, browser.new_context() as context:
+        context.add_init_script(COUNT)
+        page, node = (open_ours if ours else open_bare)(context, server.url, window)
+        page.wait_for_timeout(1000 * EASING)
+        with dragging(server, others, ours) as latencies:
+            seen, pictures, seconds, ratio = page.evaluate(WATCH, [node, SECONDS, "z" if ours else "y"])
+        times, angles = np.array(seen).T
+        clock = np.polyfit(times, np.unwrap(angles, period=4.0 * np.pi), 1)[0] / SPEED
+        p95 = quantile(latencies, 0.95) if others else float("nan")
+        return Seen(len(seen) / seconds, pictures / seconds, ratio, float(clock), p95)
+
+
+def open_ours(context: BrowserContext, url: str, window: tuple[int, int]) -> tuple[Page, str]:
+    """Play the clip and turn to the joints; return the page, and the node of joint 1."""
+    lab = LabPage(context, url, window)
+    lab.open_tab("Ellipsoid")
+    lab.page.get_by_role("button", name="Sweep").click()
+    lab.page.locator(".al-time").wait_for()
+    lab.open_tab("Joints")
+    return lab.page, lab.node("/arm/1")
+
+
+def open_bare(context: BrowserContext, url: str, window: tuple[int, int]) -> tuple[Page, str]:
+    page = context.new_page()
+    page.set_viewport_size({"width": window[0], "height": window[1]})
+    page.goto(url)
+    page.wait_for_function("() => window.__viserMutable?.nodeRefFromName?.['/arm/0/1/2/3/4/5/body']")
+    return page, "/arm/0"
+
+
+@contextlib.contextmanager
+def dragging(server: servers.Server, others: int, ours: bool) -> Iterator[list[float]]:
+    """Have other students drag at 20 events a second; their latencies are in the list afterwards."""
+    latencies: list[float] = []
+    if not others:
+        yield latencies
+        return
+    points, angles = drag.script()
+    ready = threading.Event()
+
+    async def prepare(_browser: object) -> None:
+        ready.set()
+
+    def reader(browser: drag.FakeBrowser) -> drag.Reader:
+        return drag.by_first_joint(browser, angles) if ours else drag.by_echo(points)
+
+    with ThreadPoolExecutor(1) as pool:
+        drags = pool.submit(lambda: asyncio.run(drag.drive(server, others, points, reader, prepare)))
+        ready.wait(30.0)
+        threading.Event().wait(drag.SETTLING + 0.5)
+        yield latencies
+        latencies += drags.result()[0]

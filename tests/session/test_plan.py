@@ -168,7 +168,7 @@ def test_waypoints_can_be_moved_removed_and_exchanged():
 
 
 def test_a_typed_waypoint_is_reached_and_one_out_of_reach_is_refused_by_name():
-    state = opened("puma560")
+    state = opened("ur10e")
     arm, part = state[Joints].arm, state[Plan]
     pose = part.waypoints[1].wanted(arm)
     pose[2, 3] += 0.05

@@ -15,7 +15,7 @@ from armlab.session.plan_commands import SetMove
 from armlab.session.plan_limits import SampleBy, UseShare
 from armlab.session.plan_points import AddWaypoint, SelectWaypoint, SetWaypointPose
 from armlab.session.plan_question import Feasible
-from armlab.session.plan_steps import BETWEEN, between, kept, length_of, nearest_on, steps
+from armlab.session.plan_steps import BETWEEN, DRAWN_APART, UNSEEN, between, kept, length_of, nearest_on, steps
 from armlab.session.state import State, apply
 
 ARMS = ["puma560", "planar_2r", "cartesian_3p", "scara", "panda", "planar_3r"]
@@ -213,3 +213,16 @@ def test_the_step_that_is_shown_is_kept_and_checked():
             PlanSteps.from_json(wrong, catalogue()["planar_2r"])
     assert not ShowStep.undoable
     assert PART.part is PlanSteps
+
+
+@pytest.mark.parametrize("key", ARMS)
+def test_small_distances_are_drawn_larger_but_never_large(key):
+    for count in (2, 4, 10, 201):
+        found = steps(planned(key, CARTESIAN, SampleBy(count)))
+        most = found.apart.distance.max() / found.arm.length_scale
+        assert found.larger >= 1.0
+        assert found.larger == 1.0 or UNSEEN <= most <= found.larger * most <= DRAWN_APART
+        if UNSEEN <= most <= 1e-3:
+            assert found.larger * most >= 0.01
+    assert steps(planned(key)).larger == 1.0
+    assert steps(out_of_reach()).larger == 1.0

@@ -143,6 +143,8 @@ class FakeBrowser:
             self.controls.pop(message["uuid"], None)
         elif "uuid" in message and "props" in message:
             self.controls[message["uuid"]] = message
+        elif "name" in message and "props" in message:
+            self.nodes.setdefault(message["name"], {}).update(message["props"])
 
     async def until(self, condition: Callable[[], bool], seconds: float = 10.0) -> None:
         """Wait until a condition on what was received holds."""

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from armlab.content import robots
 from armlab.content.check import JOINT_VALUES, configuration
 from armlab.content.lesson_fields import Fields
+from armlab.content.motion_actions import READERS as MOTION_READERS
+from armlab.content.motion_actions import MotionAction
 from armlab.content.reader import Table, shown
 from armlab.content.robots import Catalogue, Robot, read_pose
 from armlab.errors import ContentError, UnknownName, suggestion
@@ -69,7 +71,9 @@ class SetSwitch:
 
 @dataclass(frozen=True)
 class PlayFilm:
-    """Play the whole film of the table."""
+    """Play a whole film or run of the timeline; left out, the film of the table."""
+
+    name: str = "film"
 
 
 @dataclass(frozen=True)
@@ -86,7 +90,7 @@ class TypeAnswer:
     text: str
 
 
-Action = Move | MoveTarget | SetCell | TakeRobot | SetSwitch | PlayFilm | Wait | TypeAnswer
+Action = Move | MoveTarget | SetCell | TakeRobot | SetSwitch | PlayFilm | Wait | TypeAnswer | MotionAction
 
 
 def read_solution(table: Table, robot: Robot, catalogue: Catalogue | None = None) -> tuple[Action, ...]:
@@ -174,8 +178,8 @@ def _set_switch(entry: Fields, robot: Robot) -> SetSwitch:
 
 
 def _play_film(entry: Fields, robot: Robot) -> PlayFilm:
-    del entry, robot
-    return PlayFilm()
+    del robot
+    return PlayFilm(entry.text("name", "film"))
 
 
 def _wait(entry: Fields, robot: Robot) -> Wait:
@@ -205,4 +209,6 @@ _READERS: dict[str, Callable[[Fields, Robot], Action]] = {
     "film": _play_film,
     "wait": _wait,
     "answer": _type_answer,
+    "motion": lambda entry, robot: PlayFilm("motion"),
+    **MOTION_READERS,
 }

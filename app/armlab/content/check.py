@@ -155,6 +155,11 @@ class StateCheck:
         """Whether it is the table that is worked on: then an edited arm is still the lesson's."""
         return bool(getattr(self.check, "of_table", False))
 
+    @property
+    def of_motion(self) -> bool:
+        """Whether it or a mistake it knows is about the planned motion, which then has to be worked out."""
+        return any(getattr(check, "of_motion", False) for check in (self.check, *(each.check for each in self.wrong)))
+
     def is_met(self, observation: Observation) -> bool:
         """Whether the check is met."""
         return self.check.is_met(observation)

@@ -26,6 +26,10 @@ class Step:
     title : str
     line : int
         Of its heading in the file, from 1.
+    example : str
+        What is put in place when it is shown, as of a `Lesson`; empty where it goes on with what is there.
+    panel : str
+        The panel that is opened when it is shown; empty for none.
     html : str
     check : StateCheck or None
     question : Question or None
@@ -41,6 +45,8 @@ class Step:
 
     title: str
     line: int
+    example: str
+    panel: str
     html: str
     check: StateCheck | None
     question: Question | None
@@ -71,6 +77,8 @@ class Lesson:
         Where the arm stands at first; radians and metres, read-only.
     panel : str
         The panel that is opened; empty for none.
+    example : str
+        The example of a bench that is put in place, such as ``"motion/corner_fly"``; empty for none.
     overlays : tuple of str
         What is drawn besides the arm.
     target : ndarray, shape (4, 4), or None
@@ -105,6 +113,7 @@ class Lesson:
     robot_used: Robot
     start: NDArray[np.float64]
     panel: str
+    example: str
     overlays: tuple[str, ...]
     target: NDArray[np.float64] | None
     camera: Camera | None

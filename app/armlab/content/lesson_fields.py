@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import Any, Self
 
 from armlab.content.reader import Table, shown
 from armlab.errors import suggestion
+
+_EXAMPLE = re.compile(r"[a-z0-9_]+/[a-z0-9_]+")
 
 
 class Fields(Table):
@@ -67,3 +70,11 @@ class Fields(Table):
         if value != int(value) or not least <= value <= most:
             raise self.fail(key, f"expected a whole number from {least} to {most}, got {value:g}")
         return int(value)
+
+
+def example_name(table: Table, key: str) -> str:
+    """Take the name of an example of a bench, ``"motion/corner_fly"``; which there are is known to the lab only."""
+    name = table.text(key)
+    if not _EXAMPLE.fullmatch(name):
+        raise table.fail(key, f"expected BENCH/NAME such as 'motion/corner_fly', got {shown(name)}")
+    return name

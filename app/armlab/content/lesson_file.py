@@ -1,7 +1,8 @@
 """Lesson files: TOML between two lines ``+++``, then Markdown with LaTeX.
 
-Steps are the sections that begin with ``## Title``. A step may carry fenced blocks: ``check``, ``question`` and
-``solution`` in TOML, ``hint`` and ``reveal`` in Markdown. What is written before the first step introduces the lesson.
+Steps are the sections that begin with ``## Title``. A step may carry fenced blocks: ``start``, ``check``, ``question``
+and ``solution`` in TOML, ``hint`` and ``reveal`` in Markdown. What is written before the first step introduces the
+lesson.
 """
 
 from __future__ import annotations
@@ -86,6 +87,7 @@ def parse_lesson(
         robot_used=front.robot,
         start=front.start,
         panel=front.panel,
+        example=front.example,
         overlays=front.overlays,
         target=front.target,
         camera=front.camera,

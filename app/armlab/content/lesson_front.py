@@ -11,7 +11,7 @@ from armlab.content.actions import known_robot
 from armlab.content.check import JOINT_VALUES, configuration
 from armlab.content.lesson import LOCKS
 from armlab.content.lesson_arm import read_arm
-from armlab.content.lesson_fields import Fields
+from armlab.content.lesson_fields import Fields, example_name
 from armlab.content.reader import Table
 from armlab.content.robots import Camera, Catalogue, Robot, read_pose
 from armlab.content.rows import known, unknown
@@ -27,6 +27,7 @@ class Front:
     robot: Robot
     start: NDArray[np.float64]
     panel: str
+    example: str
     overlays: tuple[str, ...]
     target: NDArray[np.float64] | None
     camera: Camera | None
@@ -50,6 +51,7 @@ def read_front(top: Fields, catalogue: Catalogue) -> Front:
         robot=robot,
         start=_start(top, robot),
         panel=top.text("panel", ""),
+        example=example_name(top, "example") if top.has("example") else "",
         overlays=top.words("overlays"),
         target=_target(top.table("target")),
         camera=_camera(top.table("camera")),

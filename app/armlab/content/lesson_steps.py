@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from markdown_it.token import Token
 
 from armlab.content.actions import Action, read_solution
 from armlab.content.check import StateCheck, read_state_check
 from armlab.content.lesson import Step
-from armlab.content.lesson_fields import Fields
+from armlab.content.lesson_fields import Fields, example_name
 from armlab.content.lesson_lines import LessonError, located
 from armlab.content.lesson_text import Prose
 from armlab.content.lesson_values import filled_data
@@ -21,7 +22,7 @@ from armlab.content.robots import Catalogue, Robot
 from armlab.content.variants import Value
 from armlab.errors import suggestion
 
-TABLES = ("check", "question", "solution")
+TABLES = ("start", "check", "question", "solution")
 """Blocks in TOML; at most one of each in a step."""
 
 TEXTS = ("hint", "reveal")
@@ -59,6 +60,13 @@ class Setting:
         return self.before + (token.map[0] if token.map else 0) + 1
 
 
+class Start(NamedTuple):
+    """How a step begins: the example that is put in place, and the panel that is opened; empty for none."""
+
+    example: str = ""
+    panel: str = ""
+
+
 def sections_of(tokens: list[Token]) -> list[list[Token]]:
     """Return the blocks before the first heading of level 2, then those from each such heading on."""
     sections: list[list[Token]] = [[]]
@@ -93,7 +101,7 @@ def read_step(setting: Setting, number: int, section: list[Token]) -> Step:
     if any(child.type == "live" for child in title.children or ()):
         raise LessonError(setting.file, where, "expected a title without live values", line)
     reader = _Blocks(setting, where, prose, found)
-    check, question = reader.check(), reader.question()
+    start, check, question = reader.start(), reader.check(), reader.question()
     if found["reveal"] and check is None and question is None:
         block = found["reveal"][0]
         problem = "expected a check or a question in the step, after which it is shown"
@@ -101,6 +109,8 @@ def read_step(setting: Setting, number: int, section: list[Token]) -> Step:
     return Step(
         title=title.content,
         line=line,
+        example=start.example,
+        panel=start.panel,
         html=prose.html(text, where, setting.before),
         check=check,
         question=question,
@@ -130,6 +140,16 @@ def _sorted(setting: Setting, where: str, blocks: list[Token]) -> tuple[list[Tok
     return text, found
 
 
+def _read_start(table: Table) -> Start:
+    """Take ``example`` and ``panel``, at least one of them."""
+    example = example_name(table, "example") if table.has("example") else ""
+    start = Start(example, table.text("panel", ""))
+    if start == Start():
+        raise table.fail("example", "missing; expected example, panel or both")
+    table.done()
+    return start
+
+
 @dataclass(frozen=True)
 class _Blocks:
     """The blocks of one step."""
@@ -138,6 +158,12 @@ class _Blocks:
     where: str
     prose: Prose
     found: dict[str, list[Token]]
+
+    def start(self) -> Start:
+        if not self.found["start"]:
+            return Start()
+        with self._located("start"):
+            return _read_start(self._table("start"))
 
     def check(self) -> StateCheck | None:
         if not self.found["check"]:

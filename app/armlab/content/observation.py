@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from armlab.content import evidence
 from armlab.content.robots import Robot
+from armlab.content.seen_motion import SeenMotion
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS, Arm
 from armlab.kin.checks import wrong
 from armlab.kin.dh import CONVENTIONS, FIELDS, Convention
 from armlab.kin.task import task_named
-from armlab.kin.transforms import as_pose
-
-LONGEST_NAME, MOST_NAMES = 64, 200
-"""Characters of a name of a switch, panel or film in evidence, and how many names there may be."""
-
-LARGEST = 1e6
-"""Largest size of a number in evidence: metres, radians or seconds."""
 
 BEYOND = 1e-6
 """Radians or metres by which a joint value in evidence may be outside of the limits, from rounding."""
@@ -50,6 +45,8 @@ class Observation:
         The panel that is open; empty for none.
     films : frozenset of str
         What was played to its end.
+    motion : SeenMotion or None
+        The planned motion; None where nothing in the step asks for it, for planning takes time.
     """
 
     arm: Arm
@@ -60,6 +57,7 @@ class Observation:
     switches: frozenset[str] = frozenset()
     panel: str = ""
     films: frozenset[str] = frozenset()
+    motion: SeenMotion | None = None
 
     @classmethod
     def of(cls, arm: Arm, q: ArrayLike, **more: Any) -> Observation:
@@ -69,6 +67,7 @@ class Observation:
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain data. The pose of the tool is left out: it follows from arm and joint values."""
+        motion = {} if self.motion is None else {"motion": self.motion.to_json()}
         return {
             "q": self.q.tolist(),
             "arm": _written(self.arm),
@@ -77,6 +76,7 @@ class Observation:
             "switches": sorted(self.switches),
             "panel": self.panel,
             "films": sorted(self.films),
+            **motion,
         }
 
     @classmethod
@@ -97,23 +97,24 @@ class Observation:
             A missing or unknown field, a wrong type or size, a number that is not finite, a joint value outside of
             its limits, a matrix that is no pose.
         """
-        fields = _mapping(data, "observation", _KEYS)
+        fields = evidence.mapping(data, "observation", _KEYS, ("motion",))
         arm = _arm(fields["arm"], robot)
-        q = _numbers(fields["q"], "observation.q", arm.n)
+        q = evidence.numbers(fields["q"], "observation.q", arm.n)
         if not arm.within_limits(q, BEYOND):
             raise InputError("observation.q: outside the joint limits")
         target = fields["target"]
-        seconds = _number(fields["seconds"], "observation.seconds")
+        seconds = evidence.number(fields["seconds"], "observation.seconds")
         if seconds < 0.0:
             raise InputError(f"observation.seconds: expected a number not below zero, got {seconds:g}")
         return cls.of(
             arm,
             q,
-            target=None if target is None else _pose(target, "observation.target"),
+            target=None if target is None else evidence.pose(target, "observation.target"),
             seconds=seconds,
-            switches=_names(fields["switches"], "observation.switches"),
-            panel=_name(fields["panel"], "observation.panel"),
-            films=_names(fields["films"], "observation.films"),
+            switches=evidence.names(fields["switches"], "observation.switches"),
+            panel=evidence.name(fields["panel"], "observation.panel"),
+            films=evidence.names(fields["films"], "observation.films"),
+            motion=SeenMotion.from_json(fields["motion"], "observation.motion") if "motion" in fields else None,
         )
 
 
@@ -130,7 +131,7 @@ def _written(arm: Arm) -> dict[str, Any]:
 
 def _arm(data: object, robot: Robot) -> Arm:
     """Return the robot's arm where the data is its table, else an arm made of the data."""
-    fields = _mapping(data, "observation.arm", tuple(_written(robot.arm)))
+    fields = evidence.mapping(data, "observation.arm", tuple(_written(robot.arm)))
     if fields == _written(robot.arm):
         return robot.arm
     rows = fields["rows"]
@@ -139,10 +140,10 @@ def _arm(data: object, robot: Robot) -> Arm:
     return Arm.from_dh(
         [_row(row, f"observation.arm.rows[{i}]") for i, row in enumerate(rows, start=1)],
         _convention(fields["convention"], "observation.arm.convention"),
-        _pose(fields["base"], "observation.arm.base"),
-        _pose(fields["tool"], "observation.arm.tool"),
-        _matrix(fields["limits"], "observation.arm.limits", (len(rows), 2)),
-        task=task_named(_name(fields["task"], "observation.arm.task")),
+        evidence.pose(fields["base"], "observation.arm.base"),
+        evidence.pose(fields["tool"], "observation.arm.tool"),
+        evidence.matrix(fields["limits"], "observation.arm.limits", (len(rows), 2)),
+        task=task_named(evidence.name(fields["task"], "observation.arm.task")),
         name=robot.arm.name,
     )
 
@@ -157,44 +158,4 @@ def _convention(value: object, where: str) -> Convention:
 def _row(data: object, where: str) -> Sequence[object]:
     if not isinstance(data, list) or len(data) != len(FIELDS):
         raise wrong(where, f"a list of {', '.join(FIELDS)}", data)
-    return [_name(data[0], where), *(_number(value, where) for value in data[1:])]
-
-
-def _mapping(data: object, where: str, keys: tuple[str, ...]) -> Mapping[str, Any]:
-    if not isinstance(data, dict) or set(data) != set(keys):
-        raise wrong(where, f"exactly the fields {', '.join(keys)}", data)
-    return data
-
-
-def _number(value: object, where: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) <= LARGEST:
-        raise wrong(where, f"a number up to {LARGEST:g}", value)
-    return float(value)
-
-
-def _numbers(value: object, where: str, count: int) -> NDArray[np.float64]:
-    if not isinstance(value, list) or len(value) != count:
-        raise wrong(where, f"{count} numbers", value)
-    return np.array([_number(entry, where) for entry in value])
-
-
-def _matrix(value: object, where: str, shape: tuple[int, int]) -> NDArray[np.float64]:
-    if not isinstance(value, list) or len(value) != shape[0]:
-        raise wrong(where, f"{shape[0]} rows", value)
-    return np.array([_numbers(row, where, shape[1]) for row in value])
-
-
-def _pose(value: object, where: str) -> NDArray[np.float64]:
-    return as_pose(_matrix(value, where, (4, 4)), where)
-
-
-def _names(value: object, where: str) -> frozenset[str]:
-    if not isinstance(value, list) or len(value) > MOST_NAMES:
-        raise wrong(where, f"a list of at most {MOST_NAMES} names", value)
-    return frozenset(_name(name, where) for name in value)
-
-
-def _name(value: object, where: str) -> str:
-    if not isinstance(value, str) or len(value) > LONGEST_NAME:
-        raise wrong(where, f"a name of at most {LONGEST_NAME} characters", value)
-    return value
+    return [evidence.name(data[0], where), *(evidence.number(value, where) for value in data[1:])]

@@ -111,7 +111,7 @@ EXAMPLES: dict[str, Example] = {
         ),
         Example(
             "same_limits",
-            "Bang-bang, cubic and quintic within the same limits",
+            "Trapezoid, cubic and quintic within the same limits",
             (("trapezoidal", {}), *_REST),
             Timing(True, 2.0, 1.0, 1.0, 2.0, None),
             "Within the same V and A the trapezoid arrives first; the polynomials meet one limit only for a moment.",

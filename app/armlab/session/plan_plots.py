@@ -22,8 +22,8 @@ Kind = Literal["joint", "cartesian", "mixed"]
 TOOL = 0
 """Stands for the tool where joints are counted from 1."""
 
-TOOL_SLACK = 1e-3
-"""Part of its limit by which the speed of the tool, known at samples only, may seem to be above."""
+TOOL_SLACK = 3e-3
+"""Part of its limit by which the tool may be faster: a plan knows the largest of its speeds from 400 samples only."""
 
 AT_LIMIT = 0.995
 """A share from which on a limit is what keeps a motion from being faster; the bounds of the tool are met at samples."""

@@ -19,6 +19,9 @@ DRAWN = 161
 PLOTTED = 601
 """Samples of a whole motion in the plots."""
 
+DIFFERENCE = 1e-5
+"""Seconds to either side of the change of the Jacobian."""
+
 STANDS = 1e-6
 """Of the largest speed of the tool: below, the tool stands and its way has no curvature."""
 
@@ -43,7 +46,7 @@ def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED)
     t = np.linspace(0.0, motion.duration, count)
     q, qdot, qddot, qdddot = motion.derivatives(t)
     tool = np.asarray(arm.position(q))
-    v, a = _tool_rates(arm, motion, t, q, qdot)
+    v, a = tool_rates(arm, q, qdot, qddot)
     speed = np.linalg.norm(v, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):
         bend = np.linalg.norm(np.cross(v, a), axis=1) / speed**3
@@ -51,13 +54,17 @@ def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED)
     return Samples(t, q, qdot, qddot, qdddot, tool, speed, _parameter(legs, t), curvature)
 
 
-def _tool_rates(arm: Arm, motion: Motion, t: Floats, q: Floats, qdot: Floats) -> tuple[Floats, Floats]:
-    """Return velocity and acceleration of the tool point, (k, 3) each; the change of J by a central difference."""
+def tool_rates(arm: Arm, q: Floats, qdot: Floats, qddot: Floats) -> tuple[Floats, Floats]:
+    """Return velocity and acceleration of the tool point in the world, (k, 3) each, from (k, n) joint rates.
+
+    J-dot times q-dot is the change of J along q-dot, by a central difference.
+    """
     J = arm.jacobian(q)[:, :3]
     v = (J @ qdot[:, :, None])[:, :, 0]
-    step = 1e-5
-    turned = (arm.jacobian(q + step * qdot)[:, :3] - arm.jacobian(q - step * qdot)[:, :3]) / (2.0 * step)
-    a = (J @ motion.at(t, 2)[:, :, None] + turned @ qdot[:, :, None])[:, :, 0]
+    turned = (arm.jacobian(q + DIFFERENCE * qdot)[:, :3] - arm.jacobian(q - DIFFERENCE * qdot)[:, :3]) / (
+        2.0 * DIFFERENCE
+    )
+    a = (J @ qddot[:, :, None] + turned @ qdot[:, :, None])[:, :, 0]
     return np.asarray(v), np.asarray(a)
 
 

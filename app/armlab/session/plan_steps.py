@@ -35,6 +35,12 @@ BETWEEN = 240
 FINE = 2001
 """Points by which the length of the way of a tool is measured; of an arc it is then exact to 1e-6 of itself."""
 
+LARGER = (100.0, 50.0, 20.0, 10.0, 5.0, 2.0)
+"""Times as large as they are distances from the path may be drawn."""
+
+DRAWN_APART, UNSEEN = 0.08, 1e-4
+"""Length scales of the arm: the largest distance that is drawn larger, and the smallest that is worth it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Apart:
@@ -219,6 +225,14 @@ class Steps:
         if self.way is None or self.followed is None:
             return _beside_lines(self.arm, self.path, self.knot_places, self.knot_poses[:, :3, 3])
         return _beside_way(self.arm, self.path, self.way, between(self.followed.s))
+
+    @cached_property
+    def larger(self) -> float:
+        """How many times as large as it is the distance from the path is to be drawn, so that it is seen."""
+        if self.apart is None or not self.in_space:
+            return 1.0
+        most = float(self.apart.distance.max()) / self.arm.length_scale
+        return 1.0 if most < UNSEEN else next((k for k in LARGER if k * most <= DRAWN_APART), 1.0)
 
     @cached_property
     def tool_length(self) -> float:

@@ -6,7 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from armlab.kin.motion.peaks import QUANTITIES
 from armlab.session.plan_question import Leg, Planned
+
+BRIEF = 5e-3
+"""Seconds that are told as one moment."""
 
 SLACK = 1.0 + 1e-6
 """By which the tool may be faster than its limit: rounding."""
@@ -38,11 +42,16 @@ def judged(plan: Planned) -> Said:
 
 
 def exceeded_words(plan: Planned) -> tuple[str, ...]:
-    """Return a sentence for each joint and quantity that exceeds its limit, and for the tool."""
-    spans: dict[tuple[int, str], list[tuple[float, float]]] = {}
-    for violation in plan.violations:
-        spans.setdefault((violation.joint, violation.quantity), []).append((violation.start, violation.end))
-    said = [f"joint {joint} exceeds its limit of {what} {_when(times)}" for (joint, what), times in spans.items()]
+    """Return a sentence for each quantity that exceeds limits, with the joints, and one for the tool."""
+    said = []
+    for quantity in QUANTITIES:
+        of = [violation for violation in plan.violations if violation.quantity == quantity]
+        if of:
+            joints = sorted({violation.joint for violation in of})
+            many = len(joints) > 1
+            names = f"{'joints' if many else 'joint'} {', '.join(map(str, joints))}"
+            what = f"{'exceed their limits' if many else 'exceeds its limit'} of {quantity}"
+            said.append(f"{names} {what} {_when([(violation.start, violation.end) for violation in of])}")
     speed = plan.question.limits.tool_speed
     if speed is not None and plan.samples is not None and plan.samples.tool_speed.max() > speed * SLACK:
         t = plan.samples.t[plan.samples.tool_speed > speed * SLACK]
@@ -55,8 +64,5 @@ def _with_move(leg: Leg, remark: str) -> str:
 
 
 def _when(times: list[tuple[float, float]]) -> str:
-    first, last = times[0][0], times[-1][1]
-    if last - first < 5e-3:
-        return f"at {first:.2f} s"
-    often = f", {len(times)} times" if len(times) > 1 else ""
-    return f"from {first:.2f} to {last:.2f} s{often}"
+    first, last = min(start for start, _ in times), max(end for _, end in times)
+    return f"at {first:.2f} s" if last - first < BRIEF else f"between {first:.2f} and {last:.2f} s"

@@ -19,16 +19,17 @@ Floats = NDArray[np.float64]
 NEAR = 1.05
 """Reaches of the arm from its base within which a curve is drawn where it is."""
 
-MODEL = 0.38
+MODEL = 0.34
 """Reaches of the arm that a model is across at most."""
 
-ASIDE = (-0.04, -0.32)
-"""Where the middle of a model, and of the sphere of the orientations, is beside the base: x and y, in reaches."""
+ASIDE = 0.27
+"""How far beside the base the middle of a model, and of the sphere of the orientations, is: to the left as the arm is
+looked at from its home view, where no arm has its tool. In reaches."""
 
 ABOVE = 0.06
 """Height of the lowest point of a model over the base, in reaches."""
 
-SPHERE, SPHERE_HEIGHT = 0.13, 0.27
+SPHERE, SPHERE_HEIGHT = 0.14, 0.26
 """Radius of the sphere on which the tips run, and height of its centre, in reaches."""
 
 ACROSS, SMALL, LARGE = 0.2, 0.07, 0.24
@@ -67,13 +68,12 @@ class Stage(NamedTuple):
 
 def stage_of(state: State) -> Stage:
     """Return where the curve of a state is drawn."""
-    base, reach = _arm(state)
-    x, y, z = base.tolist()
-    return _stage(state[SpaceCurve].question, (x, y, z), reach)
+    base, beside, reach = _arm(state)
+    return _stage(state[SpaceCurve].question, _tuple(base), _tuple(beside), reach)
 
 
 @lru_cache(maxsize=64)
-def _stage(question: Question, centre: Point, reach: float) -> Stage:
+def _stage(question: Question, centre: Point, beside: Point, reach: float) -> Stage:
     base = np.array(centre)
     points = np.concatenate([laid(question).frame.position, np.array(question.points).reshape(-1, 3)])
     low, high = points.min(axis=0), points.max(axis=0)
@@ -82,22 +82,29 @@ def _stage(question: Question, centre: Point, reach: float) -> Stage:
         return Stage(1.0, np.zeros(3), _length(extent, reach), reach)
     factor = 1.0 / _ratio(extent / (MODEL * reach))
     middle = 0.5 * factor * (low + high)
-    x, y = ASIDE
-    place = base + reach * np.array([x, y, ABOVE])
+    place = np.array(beside) + np.array([0.0, 0.0, ABOVE * reach])
     shift = place - np.array([middle[0], middle[1], factor * low[2]])
     return Stage(factor, shift, _length(factor * extent, reach), reach)
 
 
 def sphere_of(state: State) -> tuple[Floats, float]:
     """Return centre (3,) and radius of the sphere on which the tips of the axes run, metres."""
-    base, reach = _arm(state)
-    x, y = ASIDE
-    return base + reach * np.array([x, y, SPHERE_HEIGHT]), SPHERE * reach
+    _, beside, reach = _arm(state)
+    return beside + np.array([0.0, 0.0, SPHERE_HEIGHT * reach]), SPHERE * reach
 
 
-def _arm(state: State) -> tuple[Floats, float]:
-    arm = state[RobotPart].robot.arm
-    return np.asarray(arm.base[:3, 3], dtype=np.float64), 2.0 * arm.length_scale
+def _arm(state: State) -> tuple[Floats, Floats, float]:
+    """Return the base of the arm, the place beside it, and its reach, metres."""
+    robot = state[RobotPart].robot
+    base, reach = np.asarray(robot.arm.base[:3, 3], dtype=np.float64), 2.0 * robot.arm.length_scale
+    azimuth = math.radians(robot.camera.azimuth_deg)
+    left = np.array([math.sin(azimuth), -math.cos(azimuth), 0.0])
+    return base, base + ASIDE * reach * left, reach
+
+
+def _tuple(point: Floats) -> Point:
+    x, y, z = point.tolist()
+    return x, y, z
 
 
 def _length(extent: float, reach: float) -> float:

@@ -46,6 +46,9 @@ class Player:
         self._posted: float | None = None
         self._before: float | None = None
         self._sent = 0.0
+        # When the next picture is due, and whether it waits for the one before.
+        self._due = 0.0
+        self._late = False
 
     def follow(self) -> None:
         """Begin or go on to play if the session wants it; call this whenever its state has been shown."""
@@ -58,7 +61,18 @@ class Player:
             self._anchor = (self._loop.time(), timeline.time, timeline.speed)
             self._posted = self._before = timeline.time
         if self._timer is None:
-            self._timer = self._loop.call_later(INTERVAL, self._next)
+            self._due = self._loop.time()
+            self._wait()
+        elif self._late and timeline.time == self._posted and self._watched():
+            self._send_next()
+
+    def _wait(self) -> None:
+        """Come back when the next picture is due: times of pictures are counted on, so that delays do not add up."""
+        now = self._loop.time()
+        self._due += INTERVAL
+        if self._due <= now:
+            self._due = now + INTERVAL
+        self._timer = self._loop.call_later(self._due - now, self._next)
 
     def _next(self) -> None:
         self._timer = None
@@ -67,12 +81,18 @@ class Player:
             self._stop()
             return
         now = self._loop.time()
-        self._timer = self._loop.call_later(INTERVAL, self._next)
-        if timeline.time != self._posted:
-            if now - self._sent > PATIENCE:
-                self._sent = now
-                self._post(Play(False))
-            return  # the last picture is still on its way
+        self._wait()
+        if timeline.time == self._posted:
+            self._send_next()
+            return
+        self._late = True  # the last picture is still on its way
+        if now - self._sent > PATIENCE:
+            self._sent = now
+            self._post(Play(False))
+
+    def _send_next(self) -> None:
+        timeline, now = self._session.state[Timeline], self._loop.time()
+        self._late = False
         began, start, speed = self._anchor
         time, end = start + speed * (now - began), duration(self._session.state)
         if time < end:
@@ -89,6 +109,7 @@ class Player:
 
     def _stop(self) -> None:
         self._posted = self._before = None
+        self._late = False
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None

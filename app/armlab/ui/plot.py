@@ -189,7 +189,8 @@ class Plot:
         series, before = self._series(), tuple(self._handle.series)
         if len(series) < len(before):
             self._handle.series = series
-        self._handle.data = data
+        # A list, in which the columns stay as they are; viser makes arrays of what it finds in a tuple.
+        self._handle.data = [_with_gaps(column) for column in data]
         if series != before and len(series) >= len(before):
             self._handle.series = series
 
@@ -214,3 +215,11 @@ class Plot:
         writer.writerow([self._x, *(curve.name for curve in self._curves)])
         writer.writerows(zip(*(column.tolist() for column in self._table), strict=True))
         return text.getvalue()
+
+
+def _with_gaps(column: NDArray[np.float64]) -> NDArray[np.float64] | list[float | None]:
+    """Return a column so that the page leaves its gaps open: it draws a line across what is not a number."""
+    there = np.flatnonzero(np.isfinite(column))
+    if len(there) == 0 or there[-1] - there[0] + 1 == len(there):
+        return column
+    return [value if finite else None for value, finite in zip(column.tolist(), np.isfinite(column), strict=True)]

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from typing import Literal, cast
 
 import numpy as np
@@ -14,7 +16,6 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.kin.motion import Motion
-from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
@@ -42,8 +43,8 @@ LONGEST = 120.0
 TUBE = 0.006
 """Thickness of the path of the tool, in sizes of the arm."""
 
-ROOM = 1.05
-"""How much farther away the eye is than the motion needs."""
+ROOM = 0.85
+"""Distance of the eye, in parts of that from which the ball around the motion is seen: its corners are empty."""
 
 SKY = {
     False: "linear-gradient(#d9e2ec, #eef2f6 50%, #fbfcfd)",
@@ -69,6 +70,12 @@ class Scenario:
     motion: Motion
     azimuth: float
     elevation: float
+
+
+@cache
+def maker() -> ThreadPoolExecutor:
+    """Return the thread that makes files: one after the other, so that a class leaves the lab its time."""
+    return ThreadPoolExecutor(1, "armlab-files")
 
 
 def refuse_long(duration: float) -> None:
@@ -121,7 +128,7 @@ def _frames(scenario: Scenario, server: viser.ViserServer) -> Iterator[float]:
     """Draw the first pose, and return what draws those that follow and yields the seconds before each."""
     state, motion = scenario.state, scenario.motion
     arm = state[RobotPart].robot.arm
-    count = max(int(math.ceil(motion.duration * POSES_PER_SECOND)), 1)
+    count = max(math.ceil(motion.duration * POSES_PER_SECOND), 1)
     t = np.linspace(0.0, motion.duration, count + 1)
     poses = np.asarray(arm.clip(motion.at(t)), dtype=np.float64)
     figure = build_figure(arm)

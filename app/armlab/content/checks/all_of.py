@@ -21,6 +21,11 @@ class AllOf:
         """Whether one of them is about the table."""
         return any(getattr(check, "of_table", False) for check in self.checks)
 
+    @property
+    def of_motion(self) -> bool:
+        """Whether one of them is about the planned motion."""
+        return any(getattr(check, "of_motion", False) for check in self.checks)
+
     def is_met(self, observation: Observation) -> bool:
         """Whether all are met."""
         return all(check.is_met(observation) for check in self.checks)

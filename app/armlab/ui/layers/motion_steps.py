@@ -12,7 +12,7 @@ from armlab.session.parts.plan import Plan
 from armlab.session.parts.plan_steps import INVERSE, JOINTS, PATH, SAMPLING, PlanSteps
 from armlab.session.parts.robot import RobotPart
 from armlab.session.plan_question import Feasible
-from armlab.session.plan_steps import Steps, kept, steps
+from armlab.session.plan_steps import UNSEEN, Steps, kept, steps
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, GREY, PURPLE, SKY, VERDICT, Rgb
 from armlab.ui.drawing import LayerCanvas
@@ -40,9 +40,6 @@ DENSE = 40
 
 DASHES = 24
 """Of each straight line between two knots of a joint move."""
-
-TELLING = 1e-4
-"""Metres the tool must be apart for its distance to be written in the scene."""
 
 Floats = NDArray[np.float64]
 
@@ -107,14 +104,18 @@ class _Steps:
     def _show_result(self, found: Steps | None, state: State) -> None:
         """Show the way of the tool, and where it is farthest from the path."""
         apart = None if found is None else found.apart
-        self._result.show(None if apart is None else polyline(apart.tool))
-        if apart is None or apart.distance[apart.worst] < TELLING:
+        if found is None or apart is None:
+            self._result.show(None)
             self._gap.show(None)
             self._worst.show(None)
             return
-        k = apart.worst
-        self._gap.show(polyline(np.stack([apart.wanted[k], apart.tool[k]])))
-        self._worst.show(apart.tool[k], f"{units_of(state).length(float(apart.distance[k]))} apart")
+        k, way = apart.worst, apart.wanted + found.larger * (apart.tool - apart.wanted)
+        self._result.show(polyline(way if found.in_space else apart.tool))
+        told = apart.distance[k] >= UNSEEN * found.arm.length_scale
+        self._gap.show(polyline(np.stack([apart.wanted[k], way[k]])) if told else None)
+        much = f", drawn × {found.larger:g}" if found.larger > 1.0 else ""
+        distance = units_of(state).length(float(apart.distance[k]))
+        self._worst.show(way[k] if told else None, f"{distance} apart{much}")
 
 
 def _path(found: Steps, step: int) -> Segments | None:

@@ -30,6 +30,9 @@ BESIDE = 1e-9
 ROOM = 0.08
 """Above and below the curves, in parts of what they span."""
 
+NUMBER = 0.32
+"""Of the height of a plot: the room of a number beside its axis."""
+
 SEEN = 1.6
 """A limit up to so many times as large as the peaks is drawn; a larger one would press the curves flat."""
 
@@ -54,7 +57,7 @@ class LawPlot(Plot):
     def __init__(self, gui: Gui, order: int) -> None:
         title, self._name, self._unit = TITLES[order]
         self.order, self._laws = order, 0
-        heading = f"{title}{f', {self._unit}' if self._unit else ''}"
+        heading = f"<span>{title}{f', {self._unit}' if self._unit else ''}</span>"
         # The page wants a curve from the start; the laws take its place.
         first = [Curve(self._name, LAW_COLOURS[0])]
         super().__init__(gui, heading, "t, s", first, f"law_{self._name}", 2 if order else 0, legend=False)
@@ -83,10 +86,8 @@ class LawPlot(Plot):
             lines = [limit] if low > -NOTHING - 0.01 * high else [limit, -limit]
             low, high = min(low, *lines), max(high, *lines)
         room = ROOM * (high - low) if high - low > NOTHING else 0.5
-        scales = {
-            "x": {"time": False, "range": (0.0, float(t[-1]))},
-            "y": {"range": (low - room, high + room)},
-        }
+        y = with_numbers(low - room, high + room)
+        scales = {"x": {"time": False, "range": (0.0, float(t[-1]))}, "y": {"range": y}}
         if self._handle.scales != scales:
             self._handle.scales = scales
         return tuple(lines)
@@ -128,6 +129,22 @@ def grid(part: Laws) -> Array:
     found += [law.edges + side for law in part.every for side in (-beside, beside)]
     times = np.unique(np.concatenate(found))
     return times[times >= 0.0]
+
+
+def with_numbers(low: float, high: float) -> tuple[float, float]:
+    """Return a range, widened where fewer than two round numbers would stand beside the axis.
+
+    Examples
+    --------
+    >>> with_numbers(-0.4, 0.4), with_numbers(-0.1, 1.1)
+    ((-0.5, 0.5), (-0.1, 1.1))
+    """
+    least = NUMBER * (high - low)
+    power = 10.0 ** np.floor(np.log10(least))
+    step = next(float(power * digit) for digit in (1.0, 2.0, 2.5, 5.0, 10.0) if power * digit >= least)
+    if np.floor(high / step) - np.ceil(low / step) >= 1.0:
+        return low, high
+    return float(np.floor(low / step) * step), float(np.ceil(high / step) * step)
 
 
 def _curve(law: Law, t: Array, order: int, rests: bool) -> Array:

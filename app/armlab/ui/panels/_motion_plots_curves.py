@@ -28,6 +28,9 @@ them. Of joints in different positions, whose curves lie apart, it would with `N
 
 NEAR = 0.1
 
+ORDINATE = {"size": 52, "space": 16, "gap": 3, "ticks": {"size": 4}}
+"""Room for accelerations in mm/s², and marks close to each other in low plots."""
+
 OTHER, LIMIT = (2, 3), (7, 4)
 """Dashes of the curves compared with, and of limits."""
 
@@ -97,6 +100,8 @@ class MotionPlot(Plot):
         self._rows: list[list[float]] = []
         self._names: list[str] = []
         super().__init__(gui, title, "t, s", [Curve(title, GREY)], file, height=HEIGHT, legend=False)
+        x, y = self._handle.axes
+        self._handle.axes = (x, {**y, **ORDINATE})
 
     def draw(self, times: Times, lines: Sequence[Line], most: float | None = None) -> None:
         """Show other curves.
@@ -120,10 +125,11 @@ class MotionPlot(Plot):
             if line.other is not None and times.other is not None:
                 curve = Curve(line.name, line.colour, dash=OTHER, opacity=0.75)
                 drawn.append((curve, _on(t, times.other, line.other)))
-        drawn += [(Curve(line.name, line.colour), values) for line, values in zip(lines, own, strict=True)]
+        # Red behind a curve, so that its colour still tells which joint it is.
         for line, values in zip(lines, own, strict=True):
             if line.beyond:
-                drawn.append((Curve("beyond the limit", VERDICT["no"], 3.0), _within(t, values, line.beyond)))
+                drawn.append((Curve("beyond the limit", VERDICT["no"], 6.0), _within(t, values, line.beyond)))
+        drawn += [(Curve(line.name, line.colour), values) for line, values in zip(lines, own, strict=True)]
         self._note(times, lines)
         self._end = times.end
         scales = {"x": {"time": False, "range": (0.0, times.end)}, "y": {"range": (low, high)}}

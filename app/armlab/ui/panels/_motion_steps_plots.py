@@ -72,7 +72,7 @@ class JointPlot(StepPlot):
             f"<span>{dot(css(rgb))}{name}</span>" for name, rgb in zip(self._names, self._colours, strict=True)
         )
         kind = "Turning" if turns else "Sliding"
-        title = f'{kind} joints, {self._unit}<span class="ms-legend">{legend}</span>'
+        title = f'<span>{kind} joints, {self._unit}</span><span class="ms-legend">{legend}</span>'
         super().__init__(gui, title, self._lines(), f"{kind.lower()}_joints_over_s", TALL, False)
 
     def _lines(self) -> list[Curve]:
@@ -121,7 +121,7 @@ class Plots:
         self._apart = StepPlot(gui, "", [Curve(f"apart, {unit}", PURPLE)], "apart_over_s", HEIGHT, True)
         revolute = state[Joints].arm.revolute
         self._joints = [JointPlot(gui, state, turns) for turns in (True, False) if bool(np.any(revolute == turns))]
-        title = "σ<sub>min</sub>/σ<sub>max</sub> of the task Jacobian"
+        title = "<span>σ<sub>min</sub>/σ<sub>max</sub> of the task Jacobian</span>"
         self._sigma = StepPlot(gui, title, [_sigma(0)], "singular_values_over_s", HEIGHT, True)
         self._shown: object = None
 

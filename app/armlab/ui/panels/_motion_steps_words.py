@@ -12,7 +12,7 @@ from armlab.kin.rotations import euler_zyx
 from armlab.session.parts.plan_steps import INVERSE, JOINTS, KNOTS, PATH, SAMPLING
 from armlab.session.plan_moves import TURNINGS
 from armlab.session.plan_question import Feasible
-from armlab.session.plan_steps import Steps
+from armlab.session.plan_steps import Steps, length_of
 from armlab.session.planning import NEARLY_SINGULAR
 from armlab.ui.format import capitalised, dot, escaped, lowered, mathml, number, pairs
 from armlab.ui.panels._iteration_words import NO_BREAK, with_unit
@@ -29,6 +29,9 @@ SKIPPED = (PATH, SAMPLING)
 
 EXACT = 1e-12
 """Metres: what is less is rounding."""
+
+BENT = 1e-6
+"""Length scales by which a way is longer than the straight lines, below which it is not told."""
 
 STOPS = 5
 """Places where the path cannot be followed that are told."""
@@ -125,8 +128,10 @@ def path(found: Steps, units: Units) -> str:
     rows = [
         ("kind", escaped(lowered(kind.title))),
         ("length of the way", units.length(found.length)),
-        ("straight between knots", units.length(float(_chords(found)))),
     ]
+    straight = length_of(found.knot_poses[:, :3, 3])
+    if found.length - straight > BENT * found.arm.length_scale:
+        rows.append(("straight between knots", units.length(straight)))
     if found.arm.task.rotation != "none":
         rows.append(("orientation", TURNINGS[found.stretch.move.turning]))
         rows.append(("turns through", units.angle(found.turn)))
@@ -137,10 +142,6 @@ def path(found: Steps, units: Units) -> str:
         + f'<p class="dim">{escaped(says_of(kind, found.way.position))}</p>'
         + pairs(rows)
     )
-
-
-def _chords(found: Steps) -> float:
-    return float(np.linalg.norm(np.diff(found.knot_poses[:, :3, 3], axis=0), axis=1).sum())
 
 
 # -- 3 ----------------------------------------------------------------------------------------------------------------
@@ -206,7 +207,9 @@ def _followed(found: Steps) -> str:
     stops = found.followed.stops
     said = [stop.sentence for stop in stops[:STOPS]] or [found.followed.reason]
     more = f'<p class="dim">… and {len(stops) - STOPS} more places.</p>' if len(stops) > STOPS else ""
-    return "".join(f'<p class="no">✕ {escaped(capitalised(each))}</p>' for each in said) + more
+    behind = '<p class="dim">What is solved behind that is not one motion with what is before.</p>'
+    parts = behind if len(found.followed.parts) > 1 else ""
+    return "".join(f'<p class="no">✕ {escaped(capitalised(each))}</p>' for each in said) + more + parts
 
 
 # -- 5 ----------------------------------------------------------------------------------------------------------------
@@ -229,7 +232,8 @@ def joints(found: Steps, units: Units, colours: tuple[str, str]) -> str:
     ]
     if found.in_space and found.arm.task.rotation != "none":
         rows.append(("turned away at most", with_unit(float(apart.turn.max()), True, units)))
-    return said + pairs(rows) + _timing(found)
+    larger = f"In the scene the distance is drawn {found.larger:g} times as large. " if found.larger > 1.0 else ""
+    return f'{said}{pairs(rows)}<p class="dim">{larger}{_timing(found)}</p>{_untimed(found)}'
 
 
 def _spline(found: Steps) -> str:
@@ -252,12 +256,21 @@ def _laid(found: Steps) -> str:
 
 
 def _timing(found: Steps) -> str:
-    """Return what is left: the timing law, and why it cannot be had."""
-    if found.leg.trouble:
-        return f'<p class="no">✕ The timing law: {escaped(found.leg.trouble)}.</p>'
+    """Return what is left to do: the timing law."""
     motion = found.leg.motion
-    took = "" if motion is None else f", and takes {number(motion.duration, 2)}{NO_BREAK}s"
-    return f'<p class="dim">With the timing law s(t) this is the motion q(s(t)){took}.</p>'
+    return (
+        ""
+        if motion is None
+        else (
+            f"With the timing law s(t) this is the motion q(s(t)), and takes {number(motion.duration, 2)}{NO_BREAK}s."
+        )
+    )
+
+
+def _untimed(found: Steps) -> str:
+    """Return why there is no timing law."""
+    text = found.leg.trouble
+    return f'<p class="no">✕ The timing law: {escaped(text)}.</p>' if text else ""
 
 
 def _small(value: float, units: Units) -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from armlab.session.parts.display import Display
+from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.plan import CLIP_KEY, Plan, last_planned, planned
@@ -11,10 +13,12 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
 from armlab.session.plan_examples import EXAMPLES, TakeExample
+from armlab.session.plan_limits import CompareMoves
 from armlab.session.plan_words import judged
 from armlab.session.state import Command, State
 from armlab.ui.format import capitalised, escaped
-from armlab.ui.markup import button, options, select
+from armlab.ui.layers.motion_frame import SWITCH as FRAME
+from armlab.ui.markup import button, chip, options, select
 from armlab.ui.panels._motion_limits import limit_command, time_markup
 from armlab.ui.panels._motion_move import move_command, move_markup
 from armlab.ui.panels._motion_points import point_command, points_markup
@@ -64,6 +68,10 @@ def _commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
         return (OpenClip(CLIP_KEY, play=True),)
     if cell == "pause-motion":
         return (Play(False),)
+    if cell == "compare":
+        return (CompareMoves(not state[Plan].compared),)
+    if cell == "frame":
+        return (SetSwitch(FRAME.name, not FRAME.on(state)),)
     for find in (point_command, move_command, limit_command):
         if (found := find(state, cell, text)) is not None:
             return found
@@ -87,13 +95,22 @@ def _head(fields: Fields, state: State) -> str:
     )
     return (
         f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{says}'
-        f'<div class="bar">{play}{_held(state)}</div>{_verdict(state)}'
+        f'<div class="bar">{play}{_shown(state, channel)}</div>{_held(state)}{_verdict(state)}'
+    )
+
+
+def _shown(state: State, channel: str) -> str:
+    """Return what can be drawn besides the way."""
+    compared = state[Plan].compared
+    hint = "Plan the same waypoints by joint moves instead of Cartesian ones, or the other way round: the thin way"
+    return chip(channel, "compare", "Compare", hint, pressed=compared) + chip(
+        channel, "frame", FRAME.title, FRAME.hint, pressed=FRAME.on(state)
     )
 
 
 def _held(state: State) -> str:
     held = [str(i + 1) for i, locked in enumerate(state[Joints].locked) if locked]
-    return f'<span class="warn">◐ held, and not moved: joint {", ".join(held)}</span>' if held else ""
+    return f'<p class="warn">◐ held, and not moved: joint {", ".join(held)}</p>' if held else ""
 
 
 def _verdict(state: State) -> str:
@@ -118,7 +135,7 @@ PANEL = Panel(
     "Motion",
     "ROUTE",
     39,
-    (Plan, Timeline, Joints, Target, Notation, RobotPart),
+    (Plan, Timeline, Joints, Target, Display, Notation, RobotPart),
     build,
     page="Plan",
     hides_then=_in_the_way,

@@ -1,0 +1,45 @@
+"""The planned motion was played to its end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from armlab.content.check import PLAIN, CheckType, Words
+from armlab.content.checks._motion import NOT_PLANNED, seconds
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+
+
+@dataclass(frozen=True)
+class MotionPlayed:
+    """As it is planned at the moment: a change of the plan asks for another playback."""
+
+    of_motion: ClassVar[bool] = True
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether it runs to its end and was played so far."""
+        motion = observation.motion
+        return motion is not None and motion.planned and motion.whole and motion.played
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return how far the playback is."""
+        motion = observation.motion
+        if motion is None or not motion.planned:
+            return NOT_PLANNED
+        if not motion.whole:
+            return f"The motion cannot be run to its end{f': {motion.trouble}' if motion.trouble else ''}."
+        if motion.played:
+            return "You have played the motion to its end."
+        if motion.time is None:
+            return "Play the motion to its end."
+        return f"Play the motion to its end: it is at {seconds(motion.time)} of {seconds(motion.duration)}."
+
+
+def read(table: Table, robot: Robot) -> MotionPlayed:
+    """Read nothing: it has no fields."""
+    return MotionPlayed()
+
+
+CHECK = CheckType("motion_played", 74, read)

@@ -1,0 +1,110 @@
+"""The planned motion runs to its end within its limits, perhaps in a given time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from armlab.content.check import PLAIN, CheckType, Words, tolerance
+from armlab.content.checks._motion import NOT_PLANNED, percent, seconds
+from armlab.content.lesson_fields import Fields
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import Robot
+from armlab.content.seen_motion import MOST_WAYPOINTS, SeenMotion
+
+ROUNDING_S = 5e-3
+"""Seconds by which a motion may be slower or faster than it should: what is shown has two decimals."""
+
+ROUNDING = 5e-4
+"""By which a share of a limit may be more than it should: the motion is looked at in samples."""
+
+
+@dataclass(frozen=True)
+class MotionRuns:
+    """To its end; ``most`` and ``least`` in seconds, ``deviation`` in metres, shares from 0 to 1; None: any."""
+
+    of_motion: ClassVar[bool] = True
+
+    most: float | None = None
+    least: float | None = None
+    waypoints: int = 0
+    deviation: float | None = None
+    velocity: float | None = None
+    acceleration: float | None = None
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether all of it is so."""
+        motion = observation.motion
+        return motion is not None and not self._missing(motion)
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return the first thing that is missing."""
+        if observation.motion is None:
+            return NOT_PLANNED
+        return self._missing(observation.motion, words) or (
+            f"The motion runs to its end in {seconds(observation.motion.duration)}, within all limits."
+        )
+
+    def _missing(self, motion: SeenMotion, words: Words = PLAIN) -> str:
+        if not motion.planned:
+            return NOT_PLANNED
+        if not motion.whole:
+            return f"The motion cannot be run to its end{f': {motion.trouble}' if motion.trouble else ''}."
+        if not motion.within:
+            return f"The motion exceeds a limit; within all limits it takes at least {seconds(motion.fastest)}."
+        if motion.waypoints < self.waypoints:
+            return f"The motion has {motion.waypoints} waypoints; at least {self.waypoints} are wanted."
+        return self._wrong_time(motion) or self._too_much(motion, words)
+
+    def _wrong_time(self, motion: SeenMotion) -> str:
+        takes = f"The motion takes {seconds(motion.duration)};"
+        if self.most is not None and motion.duration > self.most + ROUNDING_S:
+            return f"{takes} at most {seconds(self.most)} is wanted."
+        if self.least is not None and motion.duration < self.least - ROUNDING_S:
+            return f"{takes} at least {seconds(self.least)} is wanted."
+        return ""
+
+    def _too_much(self, motion: SeenMotion, words: Words) -> str:
+        if self.deviation is not None and motion.deviation > self.deviation:
+            return (
+                f"The tool leaves its path by {words.length(motion.deviation)}; at most "
+                f"{words.length(self.deviation)} is wanted."
+            )
+        shares = (
+            ("velocity", motion.velocity, self.velocity),
+            ("acceleration", motion.acceleration, self.acceleration),
+        )
+        for name, share, most in shares:
+            if most is not None and share > most + ROUNDING:
+                return f"A joint uses {percent(share)} of its limit of {name}; at most {percent(most)} is wanted."
+        return ""
+
+
+def read(table: Table, robot: Robot) -> MotionRuns:
+    """Read what is optional: ``at_most_s``, ``at_least_s``, ``waypoints`` (at least), ``deviation_m`` (at most).
+
+    Then ``velocity_percent`` and ``acceleration_percent``, the largest share of the limits of the joints.
+    """
+    fields = Fields.of(table)
+    most, least = _optional(table, "at_most_s"), _optional(table, "at_least_s")
+    if most is not None and least is not None and least > most:
+        raise table.fail("at_least_s", f"expected at most {most:g} s as in at_most_s, got {least:g}")
+    count = fields.whole("waypoints", 2, MOST_WAYPOINTS) if table.has("waypoints") else 0
+    return MotionRuns(
+        most, least, count, _optional(table, "deviation_m"), _share(table, "velocity"), _share(table, "acceleration")
+    )
+
+
+def _optional(table: Table, key: str) -> float | None:
+    return tolerance(table, key) if table.has(key) else None
+
+
+def _share(table: Table, of: str) -> float | None:
+    value = _optional(table, f"{of}_percent")
+    if value is not None and value > 100.0:
+        raise table.fail(f"{of}_percent", f"expected at most 100, got {value:g}")
+    return None if value is None else value / 100.0
+
+
+CHECK = CheckType("motion_runs", 70, read)

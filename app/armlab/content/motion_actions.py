@@ -1,0 +1,162 @@
+"""What solutions of lessons do to benches and to the plan of a motion, as lesson files write it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import get_args
+
+from armlab.content.lesson_fields import Fields, example_name
+from armlab.content.robots import Robot
+from armlab.content.seen_motion import MOST_WAYPOINTS
+from armlab.kin.motion import law_types, path_types
+from armlab.kin.motion.path_types import Space
+
+
+@dataclass(frozen=True)
+class TakeExample:
+    """Put an example of a bench in place, such as ``"motion/corner_fly"``."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class EditWaypoint:
+    """Do something to the list of waypoints.
+
+    Attributes
+    ----------
+    how : "add", "set" or "remove"
+        Add the configuration of the arm, put a waypoint there, or take one out.
+    k : int or None
+        Which waypoint, from 0; with "add" the one behind which it is put, None for the selected one.
+    """
+
+    how: str
+    k: int | None
+
+
+@dataclass(frozen=True)
+class SetMoveKind:
+    """Choose how the arm comes to a waypoint; None leaves as it is.
+
+    Attributes
+    ----------
+    to : int or None
+        The waypoint, from 0; None: all moves.
+    space, path, law, turning : str or None
+        Keys.
+    stop : bool or None
+        Whether the arm rests there although its path could go through.
+    """
+
+    to: int | None
+    space: str | None = None
+    path: str | None = None
+    law: str | None = None
+    turning: str | None = None
+    stop: bool | None = None
+
+
+@dataclass(frozen=True)
+class SetDuration:
+    """Give the motion so many seconds; None: as fast as allowed."""
+
+    seconds: float | None
+
+
+@dataclass(frozen=True)
+class SetLimits:
+    """Set limits of the motion; None leaves as it is.
+
+    Attributes
+    ----------
+    velocity, acceleration : float or None
+        Shares of the limits of the joints that are used, more than 0 and at most 1.
+    tool_speed : float or None
+        m/s.
+    jerk_time : float or None
+        Seconds in which the full acceleration is built up.
+    """
+
+    velocity: float | None = None
+    acceleration: float | None = None
+    tool_speed: float | None = None
+    jerk_time: float | None = None
+
+
+MotionAction = TakeExample | EditWaypoint | SetMoveKind | SetDuration | SetLimits
+
+
+def _take_example(entry: Fields, robot: Robot) -> TakeExample:
+    del robot
+    return TakeExample(example_name(entry, "name"))
+
+
+def _edit_waypoint(entry: Fields, robot: Robot) -> EditWaypoint:
+    del robot
+    given = [key for key in ("after", "set", "remove") if entry.has(key)]
+    if len(given) > 1:
+        raise entry.fail(given[1], f"expected one of {' and '.join(given)}")
+    if not given:
+        return EditWaypoint("add", None)
+    return EditWaypoint({"after": "add"}.get(given[0], given[0]), entry.whole(given[0], 1, MOST_WAYPOINTS) - 1)
+
+
+def _set_move_kind(entry: Fields, robot: Robot) -> SetMoveKind:
+    del robot
+    to = entry.whole("to", 2, MOST_WAYPOINTS) - 1 if entry.has("to") else None
+    kinds = {"space": get_args(Space), "path": path_types(), "law": law_types()}
+    chosen = {key: entry.choice(key, options) for key, options in kinds.items() if entry.has(key)}
+    if entry.has("turning"):
+        chosen["turning"] = entry.text("turning")
+    stop = entry.boolean("stop", True) if entry.has("stop") else None
+    if not chosen and stop is None:
+        raise entry.fail("space", "missing; expected some of space, path, law, turning, stop")
+    if stop is not None and to is None:
+        raise entry.fail("to", "missing; expected the waypoint at which the arm stops or does not")
+    return SetMoveKind(to, stop=stop, **chosen)
+
+
+def _set_duration(entry: Fields, robot: Robot) -> SetDuration:
+    del robot
+    return SetDuration(_positive(entry, "seconds"))
+
+
+def _set_limits(entry: Fields, robot: Robot) -> SetLimits:
+    del robot
+    found = SetLimits(
+        _share(entry, "velocity_percent"),
+        _share(entry, "acceleration_percent"),
+        _positive(entry, "tool_speed_m_s"),
+        _positive(entry, "jerk_time_s"),
+    )
+    if found == SetLimits():
+        raise entry.fail("velocity_percent", "missing; expected some limit")
+    return found
+
+
+def _share(entry: Fields, key: str) -> float | None:
+    percent = _positive(entry, key)
+    if percent is not None and percent > 100.0:
+        raise entry.fail(key, f"expected at most 100, got {percent:g}")
+    return None if percent is None else percent / 100.0
+
+
+def _positive(entry: Fields, key: str) -> float | None:
+    if not entry.has(key):
+        return None
+    value = entry.number(key)
+    if value <= 0.0:
+        raise entry.fail(key, f"expected a positive number, got {value:g}")
+    return value
+
+
+READERS: dict[str, Callable[[Fields, Robot], MotionAction]] = {
+    "example": _take_example,
+    "waypoint": _edit_waypoint,
+    "move_kind": _set_move_kind,
+    "duration": _set_duration,
+    "limits": _set_limits,
+}
+"""By the kind that lesson files write."""

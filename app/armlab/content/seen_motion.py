@@ -1,0 +1,129 @@
+"""What the check of a lesson sees of the planned motion, and how it is kept as evidence."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any, Self
+
+from armlab.content import evidence
+from armlab.errors import InputError
+from armlab.kin.checks import wrong
+
+MOST_WAYPOINTS = 100
+"""Waypoints of a motion that lessons speak of."""
+
+_TRUTHS = ("planned", "whole", "within", "played")
+_SIZES = ("duration", "fastest", "velocity", "acceleration", "deviation")
+
+
+@dataclass(frozen=True)
+class SeenMove:
+    """How the arm comes from one waypoint to the next.
+
+    Attributes
+    ----------
+    space : str
+        ``"joint"`` or ``"cartesian"``.
+    path, law : str
+        Keys of `armlab.kin.motion.path_types` and `armlab.kin.motion.law_types`.
+    """
+
+    space: str
+    path: str
+    law: str
+
+
+@dataclass(frozen=True)
+class SeenMotion:
+    """The plan of a motion as it is at the moment, and what has become of it.
+
+    Attributes
+    ----------
+    waypoints : int
+        0 for a motion from a file.
+    moves : tuple of SeenMove
+        moves[k] comes to waypoint k + 1, both from 0.
+    planned : bool
+        Whether it is worked out; before that the following are as of a motion that cannot be run.
+    whole : bool
+        Whether it runs to its end.
+    within : bool
+        Whether it keeps to all limits that are set.
+    duration : float
+        Seconds of what can be run.
+    fastest : float
+        Seconds within the limits; 0 when it cannot be run.
+    velocity, acceleration : float
+        Largest share of the limits of the joints, 1 for all of one, among closely spaced samples.
+    deviation : float
+        Metres by which the tool leaves its Cartesian path between the samples of the inverse kinematics, at most.
+    played : bool
+        Whether it was played to its end, as it is at the moment, since the step was shown.
+    time : float or None
+        Seconds at which its playback stands; None while it is not on.
+    trouble : str
+        Why it cannot be run; empty when it can. Not kept as evidence.
+    """
+
+    waypoints: int = 0
+    moves: tuple[SeenMove, ...] = ()
+    planned: bool = False
+    whole: bool = False
+    within: bool = False
+    duration: float = 0.0
+    fastest: float = 0.0
+    velocity: float = 0.0
+    acceleration: float = 0.0
+    deviation: float = 0.0
+    played: bool = False
+    time: float | None = None
+    trouble: str = ""
+
+    @property
+    def runs(self) -> bool:
+        """Whether it runs to its end within all limits."""
+        return self.planned and self.whole and self.within
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as plain data."""
+        data = {key: value for key, value in asdict(self).items() if key != "trouble"}
+        return {**data, "moves": [[move.space, move.path, move.law] for move in self.moves]}
+
+    @classmethod
+    def from_json(cls, data: object, where: str) -> Self:
+        """Read evidence back.
+
+        Raises
+        ------
+        InputError
+            A missing or unknown field, a wrong type or size.
+        """
+        fields = evidence.mapping(data, where, tuple(cls().to_json()))
+        moves, time, waypoints = fields["moves"], fields["time"], _positive(fields["waypoints"], f"{where}.waypoints")
+        if not isinstance(moves, list) or len(moves) > MOST_WAYPOINTS:
+            raise wrong(f"{where}.moves", f"a list of at most {MOST_WAYPOINTS} moves", moves)
+        if waypoints != int(waypoints):
+            raise wrong(f"{where}.waypoints", "a whole number", waypoints)
+        truths = {key: evidence.truth(fields[key], f"{where}.{key}") for key in _TRUTHS}
+        sizes = {key: _positive(fields[key], f"{where}.{key}") for key in _SIZES}
+        given: dict[str, Any] = {**truths, **sizes}
+        return cls(
+            waypoints=int(waypoints),
+            moves=tuple(_move(move, f"{where}.moves[{k}]") for k, move in enumerate(moves, start=1)),
+            time=None if time is None else _positive(time, f"{where}.time"),
+            **given,
+        )
+
+
+def _positive(value: object, where: str) -> float:
+    found = evidence.number(value, where)
+    if found < 0.0:
+        raise InputError(f"{where}: expected a number not below zero, got {found:g}")
+    return found
+
+
+def _move(data: object, where: str) -> SeenMove:
+    if not isinstance(data, list) or len(data) != 3:
+        raise wrong(where, "a list of space, path and law", data)
+    space, path, law = (evidence.name(entry, where) for entry in data)
+    return SeenMove(space, path, law)

@@ -1,0 +1,192 @@
+"""The page of the five planning steps, as a browser gets it, and what it says."""
+
+import csv
+import io
+import re
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.kin.motion import path_types
+from armlab.session.jobs.plan import with_plan
+from armlab.session.parts.notation import Label, Notation
+from armlab.session.parts.plan import Plan
+from armlab.session.plan_commands import SetMove
+from armlab.session.plan_limits import SampleBy
+from armlab.session.plan_points import AddWaypoint, SetWaypointPose
+from armlab.session.plan_steps import steps
+from armlab.session.state import State, apply
+from armlab.ui.format import mathml
+from armlab.ui.panels import _motion_steps_words as words
+from armlab.ui.panels._motion_steps_formulas import formula_of, says_of
+from armlab.ui.panels._motion_steps_plots import JointPlot
+from armlab.ui.units import Units, units_of
+from support.student import run, student
+
+UNITS = Units(Notation())
+COLOURS = ("rgb(1,2,3)", "rgb(4,5,6)")
+
+
+def looked(key, *commands):
+    state = State.initial(catalogue()[key])
+    for command in commands:
+        state = apply(state, command)
+    return steps(with_plan(state))
+
+
+def broken():
+    arm = catalogue()["planar_2r_unequal"].arm
+    ends = np.radians([[20.0, 120.0], [150.0, 120.0]])
+    poses = (SetWaypointPose(k, arm.fk(q)) for k, q in enumerate(ends))
+    return looked("planar_2r_unequal", *poses, SetMove(1, space="cartesian"))
+
+
+def texts(markup):
+    """Return what a person reads."""
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", markup)).replace("\N{NO-BREAK SPACE}", " ")
+
+
+def everything(found, units=UNITS):
+    return [
+        words.knots(found, units),
+        words.path(found, units),
+        words.sampling(found, "", units),
+        words.inverse(found, units),
+        words.joints(found, units, COLOURS),
+    ]
+
+
+def test_each_kind_of_path_has_a_formula_and_a_sentence():
+    for kind in path_types().values():
+        for letter in "pq":
+            latex = formula_of(kind, letter)
+            assert latex, kind.key
+            assert "X" not in latex
+            assert mathml(latex, True).startswith("<math")
+        assert says_of(kind, None).endswith((".", "length."))
+
+
+def test_the_numbers_of_the_steps_are_those_of_the_plan():
+    found = looked("puma560", SetMove(1, space="cartesian"), SampleBy(4))
+    knots, path, sampling, inverse, joints = (texts(each) for each in everything(found))
+    x, y, z = (1e3 * found.knot_poses[1, :3, 3]).tolist()
+    assert f"{x:.1f} {y:.1f} {z:.1f}".replace("-", "−") in knots
+    assert " ".join(f"{q:.1f}" for q in np.degrees(found.knot_q[0])).replace("-", "−") in knots
+    assert "point to point" in knots
+    length = np.linalg.norm(found.knot_poses[1, :3, 3] - found.knot_poses[0, :3, 3])
+    assert f"length of the way {1e3 * length:.1f} mm" in path
+    assert "straight between" not in path
+    assert f"turns through {np.degrees(found.turn):.1f}°" in path
+    assert f"farthest neighbours {1e3 * length / 3:.1f} mm" in sampling
+    assert "Δs 0.3333" in sampling
+    assert "✓ The whole path is followed" in inverse
+    assert "solved 4 of 4 samples" in inverse
+    assert found.branch in inverse
+    k = found.apart.worst
+    assert f"farthest apart {1e3 * found.apart.distance[k]:.1f} mm at s = {found.apart.s[k]:.2f}" in joints
+    assert f"drawn {found.larger:g} times as large" in joints
+    assert f"takes {found.leg.motion.duration:.2f} s" in joints
+
+
+def test_what_is_drawn_larger_or_exact_is_said_so():
+    exact = texts(words.joints(looked("cartesian_3p", SetMove(1, space="cartesian")), UNITS, COLOURS))
+    assert "farthest apart 0 mm but for rounding" in exact
+    assert "times as large" not in exact
+    dense = texts(words.joints(looked("planar_2r", SetMove(1, space="cartesian")), UNITS, COLOURS))
+    assert re.search(r"farthest apart \d\.\d·10⁻\d mm at s", dense)
+    assert "times as large" not in dense
+
+
+def test_a_joint_move_says_what_it_leaves_out():
+    found = looked("panda")
+    _, path, sampling, inverse, joints = (texts(each) for each in everything(found))
+    assert "nothing is interpolated in space" in path
+    assert "nothing to sample" in sampling
+    assert "solved 2 times" in inverse
+    assert f"farthest apart {1e3 * found.apart.distance.max():.1f} mm" in joints
+    heads = [texts(words.head_of(k, found)) for k in (1, 2, 3, 4, 5)]
+    assert ["left out" in head for head in heads] == [False, True, True, False, False]
+
+
+def test_a_path_that_cannot_be_followed_says_where_and_why():
+    found = broken()
+    *_, inverse, joints = (texts(each) for each in everything(found))
+    assert f"✕ {found.followed.stops[0].sentence}" in inverse
+    assert f"solved {found.followed.reached.sum()} of 201 samples" in inverse
+    assert "not one motion" in inverse
+    assert "There is no motion of the joints." in joints
+    assert "out of reach" in joints
+
+
+@pytest.mark.parametrize("key", sorted(catalogue().robots))
+def test_every_arm_has_words_for_every_step(key):
+    state = State.initial(catalogue()[key])
+    for space in ("joint", "cartesian"):
+        state = apply(state, SetMove(1, space=space))
+        state = apply(state, Label("length", "m"))
+        found = steps(with_plan(state))
+        for markup in everything(found, units_of(state)):
+            assert "nan" not in markup
+            assert "None" not in markup
+            assert " mm" not in texts(markup)
+            assert "-" not in re.sub(r"<[^>]*>", "", markup).replace("point-to", "").replace("-coast-", "").replace(
+                "bang-bang", ""
+            ).replace("multi-", "")
+
+
+class _Handle:
+    visible = True
+
+
+def test_the_table_of_a_plot_has_the_values_once():
+    """The dots that mark samples are no columns of their own."""
+    found = looked("scara", SetMove(1, space="cartesian"), SampleBy(4))
+
+    class Bare(JointPlot):
+        def __init__(self):
+            self._x, self._which, self._table = "s", np.array([0, 1, 3]), ()
+            self._names, self._colours, self._unit, self._factor = ["q₁", "q₂", "q₄"], [(0, 0, 0)] * 3, "°", 1.0
+
+        def show_over(self, s, curves):
+            self._table = (s, *curves)
+
+    plot = Bare()
+    plot.show_path(found.apart.s, found.apart.q, found.followed.s)
+    assert len(plot._curves) == len(plot._table) - 1 == 6
+    marked = np.isfinite(plot._table[4])
+    np.testing.assert_allclose(found.apart.s[marked], found.followed.s)
+    np.testing.assert_allclose(plot._table[4][marked], plot._table[1][marked])
+    rows = list(csv.reader(io.StringIO(plot.csv())))
+    assert rows[0] == ["s", "q₁, °", "q₂, °", "q₄, °"]
+    np.testing.assert_allclose(np.array(rows[1:], dtype=float)[:, 1], found.apart.q[:, 0])
+    plot.show_samples(found.followed.s, found.followed.q)
+    assert len(list(csv.reader(io.StringIO(plot.csv())))) == 1 + 4
+
+
+def chips(browser):
+    """Return which step is pressed."""
+    return re.findall(r'data-cell="(step \d)"[^>]*aria-pressed="true"', browser.html())
+
+
+async def at_steps(url, path="/"):
+    browser = await student(url, path=path)
+    await browser.open("motion_steps")
+    await browser.until(lambda: chips(browser) == ["step 1"])
+    await browser.until(lambda: "What was decided" in browser.html())
+    return browser
+
+
+def test_a_student_goes_through_the_steps(url):
+    async def main():
+        browser = await at_steps(url, "/robot/planar_2r")
+        assert "Add another" not in browser.html()
+        await browser.press("step 2")
+        await browser.until(lambda: "left out" in browser.html())
+        await browser.press("step 5")
+        await browser.until(lambda: "straight lines" in browser.html())
+        assert chips(browser) == ["step 5"]
+        await browser.press("step 9")
+        await browser.close()
+
+    run(main())
