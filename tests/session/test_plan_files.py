@@ -100,7 +100,9 @@ def test_a_motion_at_its_limits_read_again_exceeds_them_only_where_its_accelerat
     fast = opened()
     jumps = planned(fast).motion.edges
     over = planned(with_plan(apply(fast, ReadMotion(table(fast))))).violations
+    assert over
     assert all(np.abs(jumps - 0.5 * (each.start + each.end)).min() < 0.06 for each in over)
+    assert max(each.end - each.start for each in over) < 0.1
 
 
 @pytest.mark.parametrize("key", ROBOTS)

@@ -156,11 +156,13 @@ class LabPage:
         """Return the page as pixels."""
         return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")).astype(int)
 
-    def drag_handle(self, axis: int, size: float, pixels: Sequence[float], steps: int = 12) -> None:
-        """Grab an arrow of the handle and drag it by so many pixels; ``size`` is that of the arm."""
+    def drag_handle(
+        self, axis: int, size: float, pixels: Sequence[float], steps: int = 12, node: str = "/target"
+    ) -> None:
+        """Grab an arrow of a handle and drag it by so many pixels; ``size`` is that of the arm."""
         tip = [0.0, 0.0, 0.0]
         tip[axis] = 0.75 * HANDLE * size
-        start = self.on_screen("/target", tip)
+        start = self.on_screen(node, tip)
         self.page.mouse.move(*start)
         self.frames(3)  # the page looks for what is under the pointer in the frame after it moved
         self.page.mouse.down()

@@ -240,13 +240,22 @@ def test_the_page_says_what_keeps_a_motion_from_being_run_or_from_being_faster()
     fast = said(state_of("puma560", None, LastFor(0.5)))
     assert "✕ Joints 1, 2, 3, 4, 5 and 6 exceed their acceleration limits from 0.00 to" in fast
     assert "Within the limits this way takes" in fast
-    # A straight line from one side of the base to the other passes through the hole of the workspace.
-    through = [[0.0, 2.6], [np.pi - 0.2, 2.6]]
-    blocked = state_of("planar_2r", [through[0], [0.3, 2.5], *through], space="cartesian")
-    plan = blocked[Plan].planned
-    assert plan.trouble
-    assert "✕" in said(blocked)
-    assert "move" in said(blocked).lower()
+    for reached, head in ((0, "✕ There is nothing to plot."), (1, "✕ Only the moves before can be run")):
+        blocked = out_of_reach(reached)
+        assert head in said(blocked)
+        assert f"Move {reached + 1} → {reached + 2}: " in said(blocked)
+        assert (blocked[Plan].planned.samples is None) == (reached == 0)
+
+
+def out_of_reach(k):
+    """Return a plan of Cartesian moves whose waypoint behind move k (from 0) is three times as far as it may be."""
+    state = state_of("planar_2r", [[0.0, 1.0], [0.3, 1.2], [0.5, 1.0]], space="cartesian")
+    part, arm = state[Plan], catalogue()["planar_2r"].arm
+    far = np.array(arm.fk(part.waypoints[k + 1].q))
+    far[:2, 3] *= 3.0 * 2.0 / np.linalg.norm(far[:2, 3])
+    points = list(part.waypoints)
+    points[k + 1] = replace(points[k + 1], pose=tuple(far.reshape(16).tolist()))
+    return with_plan(state.replace(replace(part, waypoints=tuple(points))))
 
 
 def test_the_comparison_says_who_is_faster_and_why():

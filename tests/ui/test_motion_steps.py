@@ -11,10 +11,9 @@ from armlab.content.robots import catalogue
 from armlab.kin.motion import path_types
 from armlab.session.jobs.plan import with_plan
 from armlab.session.parts.notation import Label, Notation
-from armlab.session.parts.plan import Plan
 from armlab.session.plan_commands import SetMove
 from armlab.session.plan_limits import SampleBy
-from armlab.session.plan_points import AddWaypoint, SetWaypointPose
+from armlab.session.plan_points import SetWaypointPose
 from armlab.session.plan_steps import steps
 from armlab.session.state import State, apply
 from armlab.ui.format import mathml
@@ -94,7 +93,7 @@ def test_what_is_drawn_larger_or_exact_is_said_so():
     assert "farthest apart 0 mm but for rounding" in exact
     assert "times as large" not in exact
     dense = texts(words.joints(looked("planar_2r", SetMove(1, space="cartesian")), UNITS, COLOURS))
-    assert re.search(r"farthest apart \d\.\d·10⁻\d mm at s", dense)
+    assert re.search(r"farthest apart \d\.\d·10⁻. mm at s", dense)
     assert "times as large" not in dense
 
 
@@ -135,10 +134,6 @@ def test_every_arm_has_words_for_every_step(key):
             ).replace("multi-", "")
 
 
-class _Handle:
-    visible = True
-
-
 def test_the_table_of_a_plot_has_the_values_once():
     """The dots that mark samples are no columns of their own."""
     found = looked("scara", SetMove(1, space="cartesian"), SampleBy(4))
@@ -164,29 +159,104 @@ def test_the_table_of_a_plot_has_the_values_once():
     assert len(list(csv.reader(io.StringIO(plot.csv())))) == 1 + 4
 
 
-def chips(browser):
+def pressed(browser):
     """Return which step is pressed."""
     return re.findall(r'data-cell="(step \d)"[^>]*aria-pressed="true"', browser.html())
 
 
-async def at_steps(url, path="/"):
-    browser = await student(url, path=path)
+async def at_steps(url, robot, cartesian):
+    browser = await student(url, path=f"/robot/{robot}")
+    await browser.open("motion")
+    if cartesian:
+        await browser.press("space-cartesian")
     await browser.open("motion_steps")
-    await browser.until(lambda: chips(browser) == ["step 1"])
-    await browser.until(lambda: "What was decided" in browser.html())
+    await browser.until(lambda: f"space</span><span>{'Cartesian' if cartesian else 'joint'}" in browser.html())
     return browser
 
 
-def test_a_student_goes_through_the_steps(url):
+class Scene:
+    """What a browser has been told of the nodes of the steps."""
+
+    def __init__(self, browser):
+        self.texts, self.seen = set(), {}
+        browser.on_message = self.note
+
+    def note(self, message, _at):
+        name = message.get("name", "")
+        if "/motion_steps/" not in name:
+            return
+        if "props" in message:
+            self.seen[name.rsplit("/", 1)[1]] = True
+        if message["type"] == "SetSceneNodeVisibilityMessage":
+            self.seen[name.rsplit("/", 1)[1]] = message["visible"]
+        told = message.get("props") or message.get("updates") or {}
+        self.texts |= {told["text"]} if "text" in told else set()
+
+    def shown(self):
+        """Return the names of nodes that are there and visible."""
+        return {name for name, on in self.seen.items() if on}
+
+
+def test_a_student_goes_through_the_steps_and_types_samples(url):
     async def main():
-        browser = await at_steps(url, "/robot/planar_2r")
-        assert "Add another" not in browser.html()
-        await browser.press("step 2")
-        await browser.until(lambda: "left out" in browser.html())
+        browser = await at_steps(url, "planar_2r", True)
+        scene = Scene(browser)
+        assert pressed(browser) == ["step 1"]
+        for k, said in {2: "Interpolation in task space", 3: "evenly spaced in s", 4: "solved</span><span>201"}.items():
+            await browser.press(f"step {k}")
+            await browser.until(lambda said=said: said in browser.html())
+            assert pressed(browser) == [f"step {k}"]
+        await browser.press("step 3")
+        await browser.until(lambda: 'data-cell="samples"' in browser.html())
+        for wrong in ("1", "2.5", "1002", "many", ""):
+            await browser.press("samples", wrong)
+            await browser.until(
+                lambda wrong=wrong: f'value="{wrong}"' in browser.html() and "expected a" in browser.html()
+            )
+        await browser.press("samples", "4")
+        await browser.until(lambda: "poses</span><span>4<" in browser.html())
         await browser.press("step 5")
-        await browser.until(lambda: "straight lines" in browser.html())
-        assert chips(browser) == ["step 5"]
-        await browser.press("step 9")
+        found = looked("planar_2r", SetMove(1, space="cartesian"), SampleBy(4))
+        most = 1e3 * found.apart.distance.max()
+        far = f"{most:.1f} mm at s = {found.apart.s[found.apart.worst]:.2f}"
+        await browser.until(lambda: far in texts(browser.html()))
+        await browser.until(lambda: scene.shown() >= {"path", "arms", "result", "gap", "yes"})
+        assert f"{most:.1f} mm apart, drawn × {found.larger:g}" in scene.texts
+        await browser.press("step 2")
+        await browser.until(lambda: scene.shown() & {"samples", "arms", "result", "gap", "yes"} == set())
+        assert "path" in scene.shown()
+        await browser.close()
+
+    run(main())
+
+
+def test_a_joint_move_leaves_steps_out_and_draws_straight_lines(url):
+    async def main():
+        browser = await at_steps(url, "scara", False)
+        scene = Scene(browser)
+        assert len(re.findall('class="ms-skipped"', browser.html())) == 2
+        for k in (2, 3):
+            await browser.press(f"step {k}")
+            await browser.until(lambda k=k: pressed(browser) == [f"step {k}"] and "left out" in browser.html())
+        assert scene.shown() & {"path", "samples", "arms"} == set()
+        await browser.press("step 5")
+        await browser.until(lambda: scene.shown() >= {"path", "arms", "result", "gap"})
+        found = looked("scara")
+        assert f"{1e3 * found.apart.distance.max():.1f} mm apart" in scene.texts
+        assert "Turning joints, °" in browser.html()
+        assert "Sliding joints, mm" in browser.html()
+        await browser.close()
+
+    run(main())
+
+
+def test_one_waypoint_makes_no_motion(url):
+    async def main():
+        browser = await at_steps(url, "planar_2r", False)
+        await browser.open("motion")
+        await browser.press("remove-1")
+        await browser.open("motion_steps")
+        await browser.until(lambda: "One waypoint makes no motion" in browser.html())
         await browser.close()
 
     run(main())

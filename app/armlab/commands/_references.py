@@ -7,15 +7,18 @@ from collections.abc import Iterable, Iterator
 from urllib.parse import unquote
 
 from armlab.content import rows
-from armlab.content.actions import SetSwitch
+from armlab.content.actions import Action, PlayFilm, SetSwitch
 from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.looked_at import LookedAt
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lessons
+from armlab.content.motion_actions import SetMoveKind, TakeExample
 from armlab.content.robots import catalogue
-from armlab.errors import suggestion
+from armlab.errors import InputError, suggestion
+from armlab.session.bench import refuse_other_arm
 from armlab.session.parts.timeline import clips
+from armlab.session.plan_moves import TURNINGS
 
 _LINK = re.compile(r'href="/(?P<kind>lesson|robot)/(?P<key>[^/"?#]*)')
 
@@ -27,6 +30,7 @@ def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
     yield from (("panel", text) for text in _unknown("panel", [lesson.panel], panels))
     yield from (("hidden", text) for text in _unknown("panel", lesson.hidden, panels))
     yield from (("overlays", text) for text in _unknown("switch", lesson.overlays, switches))
+    yield from (("example", text) for text in _of_example(lesson, lesson.example))
     if lesson.panel and lesson.panel in lesson.hidden:
         yield "hidden", f"the panel {lesson.panel!r} is to be opened, and it is hidden"
 
@@ -34,8 +38,12 @@ def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
 def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
     """Yield what is wrong with the names in a step."""
     panels, switches = _panels(), _switches()
-    set_by_solution = [action.name for action in step.solution if isinstance(action, SetSwitch)]
-    yield from (f"solution: {text}" for text in _unknown("switch", set_by_solution, switches))
+    yield from (f"start: {text}" for text in _of_example(lesson, step.example))
+    yield from (f"start: {text}" for text in _unknown("panel", [step.panel], panels))
+    if step.panel and step.panel in lesson.hidden:
+        yield f"start: the panel {step.panel!r} is to be opened, and the lesson hides it"
+    for action in step.solution:
+        yield from (f"solution: {text}" for text in _of_action(lesson, action))
     yield from of_text(_texts(step))
     checks = [] if step.check is None else [step.check.check, *(wrong.check for wrong in step.check.wrong)]
     for looked in (found for check in checks for found in _looked_at(check)):
@@ -44,6 +52,27 @@ def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
         yield from (f"check: {text}" for text in _unknown("film", [looked.film], clips()))
         if looked.panel and looked.panel in lesson.hidden:
             yield f"check: the panel {looked.panel!r} is to be opened, and the lesson hides it"
+
+
+def _of_action(lesson: Lesson, action: Action) -> Iterator[str]:
+    if isinstance(action, SetSwitch):
+        yield from _unknown("switch", [action.name], _switches())
+    elif isinstance(action, PlayFilm):
+        yield from _unknown("film", [action.name], clips())
+    elif isinstance(action, TakeExample):
+        yield from _of_example(lesson, action.name)
+    elif isinstance(action, SetMoveKind) and action.turning is not None:
+        yield from _unknown("turning", [action.turning], TURNINGS)
+
+
+def _of_example(lesson: Lesson, name: str) -> Iterator[str]:
+    """Yield why an example cannot be put in place."""
+    if not name:
+        return
+    try:
+        refuse_other_arm(name, lesson.robot)
+    except InputError as error:
+        yield str(error)
 
 
 def of_text(html: str) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Live values: quantities of the arm as it stands, which the text of a lesson shows with ``{{name}}``."""
+"""Live values: quantities of the arm as it stands and of its planned motion, for texts of lessons as ``{{name}}``."""
 
 from __future__ import annotations
 
@@ -183,6 +183,25 @@ def _rank(observation: Observation, words: Words) -> str:
     return str(int(np.sum(sigma > SINGULAR * max(float(sigma[0]), 1.0))))
 
 
+def _duration(observation: Observation, words: Words) -> str:
+    """Return how long the planned motion takes, if it can be run to its end."""
+    del words
+    motion = observation.motion
+    return f"{signed(motion.duration, 2)} s" if motion is not None and motion.whole else NONE
+
+
+def _fastest(observation: Observation, words: Words) -> str:
+    """Return the least time of the planned motion within its limits."""
+    del words
+    motion = observation.motion
+    return f"{signed(motion.fastest, 2)} s" if motion is not None and motion.whole else NONE
+
+
+_MOTION = {"duration": LiveValue(_always, _duration), "fastest": LiveValue(_always, _fastest)}
+
+OF_MOTION = frozenset(_MOTION)
+"""Names of the live values for which the planned motion has to be worked out."""
+
 _OTHERS = {
     "phi": LiveValue(_not_planar, _phi),
     "roll": _angle(2),
@@ -194,4 +213,5 @@ _OTHERS = {
     "sigma_min": LiveValue(_mixed, _smallest),
     "condition": LiveValue(_mixed, _condition),
     "rank": LiveValue(_always, _rank),
+    **_MOTION,
 }

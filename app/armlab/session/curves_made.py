@@ -9,11 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
+from armlab.kin.motion.breaks import ORDERS
+from armlab.kin.motion.extremes import exceeding, extremes_of_series
 from armlab.kin.motion.field import Field
 from armlab.kin.motion.law_types import law_type
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import PathType, path_type, path_types
-from armlab.kin.motion.peaks import Violation, motion_series, peaks, violations
+from armlab.kin.motion.peaks import QUANTITIES, Violation
+from armlab.kin.motion.series import COUNT, Series, series_of
 from armlab.kin.motion.trajectory import Trajectory
 from armlab.session.chosen import Chosen
 from armlab.session.curves_knots import Knot
@@ -24,6 +27,15 @@ FROM_KNOTS = ("times", "duration", "spacing")
 """Options of a path that the times of the knots take the place of."""
 
 CONSTANT = Chosen("constant")
+
+LEAST_CUTS, MOST_CUTS = 2, 24
+"""Of a piece that is no polynomial of low degree."""
+
+CUTS = 8
+"""Of all pieces together, where they are no polynomials."""
+
+CUT_DEGREE = 10
+"""Of a polynomial of high degree, for each cut."""
 
 LARGEST = 1e15
 """Of a derivative: beyond it the options are not meant, and digits are lost."""
@@ -116,15 +128,20 @@ class Made:
         return [values[:, 0] for values in self.trajectory.derivatives(t - self.start)]
 
     @cached_property
+    def series(self) -> tuple[Series, ...]:
+        """Position and derivatives 1 to 3 as Chebyshev series over the time since the first knot."""
+        return tuple(_series(self.trajectory, order) for order in ORDERS)
+
+    @cached_property
     def peaks(self) -> tuple[float, float, float]:
         """The largest absolute values of q', q'' and q''' (between its jumps), exact."""
-        first, second, third = (float(peaks(self.trajectory, order).peak[0]) for order in (1, 2, 3))
+        first, second, third = (float(extremes_of_series(each).peak[0]) for each in self.series[1:])
         return first, second, third
 
     @cached_property
     def overshoot(self) -> float:
         """How far the curve goes beyond the range of the knots, at most (notes, figure 6.1: wandering)."""
-        found, values = peaks(self.trajectory, 0), [q for _, q in self.knots]
+        found, values = extremes_of_series(self.series[0]), [q for _, q in self.knots]
         beyond = max(float(found.highest[0]) - max(values), min(values) - float(found.lowest[0]))
         # What is rounding at the ends of the range is none.
         return beyond if beyond > 1e-9 * max(max(values) - min(values), 1e-9) else 0.0
@@ -132,7 +149,7 @@ class Made:
     @cached_property
     def bending(self) -> float:
         """The integral of q'' squared over time, which a natural spline makes smallest (notes, end of 6.2.2)."""
-        series = motion_series(self.trajectory, 2)
+        series = self.series[2]
         nodes, weights = np.polynomial.legendre.leggauss(series.coefficients.shape[1])
         values = np.polynomial.chebyshev.chebval(nodes, np.moveaxis(series.coefficients[:, :, 0], 1, 0))
         return float(0.5 * np.diff(series.edges, axis=1)[:, 0] @ (values**2 @ weights))
@@ -144,7 +161,30 @@ class Made:
 
     def beyond(self, v_max: float | None, a_max: float | None) -> list[Violation]:
         """Return when limits are exceeded; times are counted from the first knot."""
-        return violations(self.trajectory, velocity=v_max, acceleration=a_max)
+        found = []
+        for order, limit in ((1, v_max), (2, a_max)):
+            if limit is not None:
+                (intervals,) = exceeding(self.series[order], np.array([limit]))
+                found += [Violation(1, QUANTITIES[order], start, end) for start, end in intervals]
+        return found
+
+
+def _series(trajectory: Trajectory, order: int) -> Series:
+    """Return a derivative as series of a few terms.
+
+    Of a polynomial of low degree they are exact. Otherwise each piece, in which the motion is smooth, is cut into so
+    many that terms of degree `COUNT` - 1 resolve it: halving until rounding is reached, as the core does, takes seconds
+    where short intervals follow long ones, because their derivatives carry more rounding than it waits for.
+    """
+    degree, edges = trajectory.degree, trajectory.edges
+    most = COUNT - 1
+    if degree is None or degree - order > most:
+        wanted = CUTS // (len(edges) - 1) if degree is None else degree // CUT_DEGREE
+        cuts = min(max(wanted, LEAST_CUTS), MOST_CUTS)
+        shares = np.arange(cuts) / cuts
+        edges = np.append((edges[:-1, None] + np.diff(edges)[:, None] * shares).ravel(), edges[-1])
+        degree = most + order
+    return series_of(lambda t: trajectory.at(t, order), edges, max(degree - order, 0))
 
 
 def made(knots: tuple[Knot, ...], drawn: Drawn) -> Made:

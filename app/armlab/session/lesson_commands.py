@@ -12,10 +12,12 @@ from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
 from armlab.kin.ik.target import feasible
+from armlab.session.bench import with_example
 from armlab.session.lesson_progress import MOST_TYPED, Progress, step_names
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
+from armlab.session.parts.plan import Plan
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
@@ -50,7 +52,8 @@ class OpenLesson(Command):
             return state
         opened = replace(part, open=place, set_up=part.set_up + 1)
         kept = Progress() if self.anew else replace(opened.progress, since=None, films=frozenset())
-        return _set_up(state, at_place(place)).replace(opened.with_progress(kept))
+        lesson = at_place(place)
+        return _set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept))
 
     def _place(self, part: LessonPart) -> str:
         if self.variant is not None and not 0 <= self.variant <= MOST_VARIANT:
@@ -63,14 +66,14 @@ class OpenLesson(Command):
 
 @dataclass(frozen=True)
 class TakeLessonArm(Command):
-    """Put the arm of the open lesson back on the table, in its start pose; the progress stays."""
+    """Put arm and example of the open lesson back as they are at the start of the step; the progress stays."""
 
     label: ClassVar[str] = "arm of the lesson"
 
     def apply(self, state: State) -> State:
         """Return the state with the arm of the lesson."""
         part = state[LessonPart]
-        return _set_up(state, _lesson(state)).replace(replace(part, set_up=part.set_up + 1))
+        return _set_up(state, _lesson(state), part.index).replace(replace(part, set_up=part.set_up + 1))
 
 
 @dataclass(frozen=True)
@@ -134,7 +137,9 @@ class SignAs(Command):
 
 @dataclass(frozen=True)
 class GoToStep(Command):
-    """Show a step of the open lesson, done or not.
+    """Show a step of the open lesson, done or not, with the example that it works on.
+
+    One that works on the example of the step shown before it goes on with what has become of that.
 
     Parameters
     ----------
@@ -153,7 +158,12 @@ class GoToStep(Command):
         if self.step == part.index:
             return state
         shown = replace(part.progress, step=step_names(lesson)[self.step], since=None, films=frozenset())
-        return state.replace(part.with_progress(shown))
+        gone = state.replace(part.with_progress(shown))
+        before, (stage, example) = _stage(lesson, part.index), _stage(lesson, self.step)
+        if not example or before == (stage, example):
+            return gone
+        put = with_example(gone, example, lesson.robot)
+        return put.replace(replace(put[LessonPart], set_up=part.set_up + 1))
 
 
 @dataclass(frozen=True)
@@ -212,19 +222,32 @@ def _lesson(state: State) -> Lesson:
     return lesson
 
 
-def _set_up(state: State, lesson: Lesson) -> State:
-    """Return the state with arm, pose, target and switches as a lesson begins; nothing plays."""
+def _stage(lesson: Lesson, i: int) -> tuple[int, str]:
+    """Return which step, at or before step i, last puts an example in place, and which; -1 is the lesson itself."""
+    return next(
+        ((k, lesson.steps[k].example) for k in range(i, -1, -1) if lesson.steps[k].example), (-1, lesson.example)
+    )
+
+
+def _set_up(state: State, lesson: Lesson, i: int) -> State:
+    """Return the state with arm, pose, target, switches and example as step i finds them; nothing plays."""
     robot = lesson.robot_used
     if robot is not state[RobotPart].robot:
         state = state.with_robot(robot)
     joints = _held(Joints.initial(robot).moved_to(lesson.start), lesson, True)
     on = {**state[Display].switches, **dict.fromkeys(lesson.overlays, True)}
-    return state.replace(
+    plan = state[Plan]
+    if any(step.check is not None and step.check.of_motion for step in lesson.steps):
+        plan = Plan.initial(robot)  # not what the student has planned before
+    ready = state.replace(
         joints,
         _target(lesson, joints, state[Target]),
         Display(MappingProxyType(on)),
         replace(state[Timeline], clip="", time=0.0, playing=False),
+        plan,
     )
+    _, example = _stage(lesson, i)
+    return with_example(ready, example, lesson.robot) if example else ready
 
 
 def _held(joints: Joints, lesson: Lesson, on: bool) -> Joints:

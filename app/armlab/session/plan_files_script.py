@@ -34,7 +34,7 @@ RATE = {rate!r}  # samples a second, at least
 '''
 
 FOOT = """
-# -- the samples --
+# The samples.
 samples = motion.sample(rate=RATE)
 table = np.column_stack([samples.t, samples.q, samples.qdot, samples.qddot])
 header = (
@@ -103,19 +103,16 @@ def _arm(part: RobotPart) -> str:
     """Return the line that loads the arm of a file, or those that make one of the student's own."""
     arm = part.robot.arm
     if not part.own:
-        return f"arm = armlab.load({part.robot.key!r})"
-    rows = [f"    armlab.Row({row.kind!r}, {row.a!r}, {row.alpha!r}, {row.d!r}, {row.theta!r})," for row in arm.rows]
-    given = {
-        "convention": repr(arm.convention),
-        "base": _array(arm.base),
-        "tool": _array(arm.tool),
-        "limits": _array(arm.limits),
-        "task": repr(arm.task.key),
-        "name": repr(arm.name),
-    }
-    options = [f"    {name}={value}," for name, value in given.items()]
-    table = ["rows = [  # kind, a, alpha, d, theta: m and rad", *rows, "]"]
-    return "\n".join([*table, "arm = armlab.Arm.from_dh(", "    rows,", *options, ")"])
+        return f'arm = armlab.load("{part.robot.key}")'
+    rows = [f'    armlab.Row("{row.kind}", {row.a!r}, {row.alpha!r}, {row.d!r}, {row.theta!r}),' for row in arm.rows]
+    lines = ["rows = [  # kind, a, alpha, d, theta: m and rad", *rows, "]"]
+    options = [f'"{arm.convention}"', "limits=limits", f'task="{arm.task.key}"']
+    lines.append(f"limits = {_array(arm.limits)}")
+    for name, pose in (("base", arm.base), ("tool", arm.tool)):
+        if not np.array_equal(pose, np.eye(4)):
+            lines.append(f"{name} = {_array(pose)}")
+            options.append(f"{name}={name}")
+    return "\n".join([*lines, f"arm = armlab.Arm.from_dh(rows, {', '.join(options)})"])
 
 
 # -- the legs --------------------------------------------------------------------------------------------------------
@@ -194,7 +191,7 @@ def _orientation(arm: Arm, leg: Leg, at: Floats | None) -> str:
     if arm.task.rotation == "none" or turning == "kept":
         return "held(R[0])"
     if turning == "euler":
-        return f"by_euler_angles(R[0], R[1], {EULER_AXES!r})"
+        return f'by_euler_angles(R[0], R[1], "{EULER_AXES}")'
     return "about_one_axis(R[0], R[1])" if at is None else f"Through(R, {_list(at)})"
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.content import actions
+from armlab.content import actions, motion_actions
 from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.looked_at import LookedAt
@@ -18,17 +19,21 @@ from armlab.content.lessons import lesson as find_lesson
 from armlab.content.observation import Observation
 from armlab.errors import InputError
 from armlab.kin.checks import finite_floats, whole_number
-from armlab.session import edits
+from armlab.session import edits, plan_commands, plan_limits, plan_points
+from armlab.session.bench import choosing
 from armlab.session.hand_in import plain
+from armlab.session.job import Deliver
+from armlab.session.jobs.plan import JOB as PLANNING
 from armlab.session.lesson_commands import Answer, GoToStep, LookAt, OpenLesson
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart, check_line, observed
+from armlab.session.parts.plan import Plan
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, duration
 from armlab.session.session import Session
-from armlab.session.state import Command
+from armlab.session.state import Command, State
 
 RANDOM_STATES = 100
 MOST_BY_CHANCE = 4
@@ -54,14 +59,33 @@ class Problem:
 
 
 class Player:
-    """A student who does exactly what the solutions say."""
+    """A student who does exactly what the solutions say.
 
-    def __init__(self, lesson: Lesson) -> None:
+    Parameters
+    ----------
+    lesson : Lesson
+    planning : bool, optional
+        Whether plans of motions are worked out, which takes time.
+
+    Attributes
+    ----------
+    refused : str
+        Why the lesson could not be opened; empty when it is.
+    """
+
+    def __init__(self, lesson: Lesson, planning: bool = True) -> None:
         self.lesson = lesson
         self.session = Session.fresh("solution", lesson.robot_used)
-        self.time = 0.0
-        self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None))
-        self.do(LookAt(lesson.panel))
+        self.time, self._planning = 0.0, planning
+        self.refused = self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None))
+        self.do(LookAt(self.part.bench))
+
+    def go_to(self, i: int) -> str:
+        """Go to a step, from 0, and look at the panel it opens; return why it was refused, or nothing."""
+        refused = self.do(GoToStep(i))
+        if not refused and self.lesson.steps[i].panel:
+            self.do(LookAt(self.lesson.steps[i].panel))
+        return refused
 
     @property
     def part(self) -> LessonPart:
@@ -69,10 +93,20 @@ class Player:
         return self.session.state[LessonPart]
 
     def do(self, command: Command) -> str:
-        """Apply a command; return why it was refused, or nothing."""
+        """Apply a command, and wait for the plan it asks for; return why it was refused, or nothing."""
         told = self.session.notice
         self.session.apply(command, self.time)
+        self._plan()
         return "" if self.session.notice is told or self.session.notice is None else self.session.notice.text
+
+    def _plan(self) -> None:
+        """Work out the plan of the motion where the lab would."""
+        wanted = PLANNING.wanted(self.session.state, frozenset())
+        if wanted is None or not self._planning:
+            return
+        for found in PLANNING.run(wanted.inputs):
+            if found is not None:
+                self.session.apply(Deliver(PLANNING, wanted.inputs, found), self.time)
 
     def act(self, action: actions.Action) -> str:
         """Do what a solution says; return why it was refused, or nothing."""
@@ -93,11 +127,40 @@ class Player:
         elif isinstance(action, actions.SetSwitch):
             yield Show(action.name, action.on)
         elif isinstance(action, actions.PlayFilm):
-            yield OpenClip("film")
+            yield OpenClip(action.name)
             yield Seek(0.0)
             yield Seek(duration(self.session.state))
+        elif isinstance(action, motion_actions.TakeExample):
+            yield choosing(action.name)
+        elif isinstance(action, motion_actions.MotionAction):
+            yield from _plan_commands(action, self.session.state)
         elif isinstance(action, actions.TypeAnswer):
             yield Answer(action.text)
+
+
+def _plan_commands(action: motion_actions.MotionAction, state: State) -> Iterator[Command]:
+    """Yield what a solution does to the plan of the motion."""
+    if isinstance(action, motion_actions.EditWaypoint):
+        k = state[Plan].selected if action.k is None else action.k
+        if action.how == "add":
+            yield plan_points.SelectWaypoint(k, handled=False)
+            yield plan_points.AddWaypoint()
+        else:
+            yield plan_points.TakePresent(k) if action.how == "set" else plan_points.RemoveWaypoint(k)
+    elif isinstance(action, motion_actions.SetMoveKind):
+        k = 1 if action.to is None else action.to
+        yield plan_commands.SetMove(k, action.space, action.path, action.law, action.turning, action.stop)
+        if action.to is None:
+            yield plan_commands.AllMovesLike(k)
+    elif isinstance(action, motion_actions.SetDuration):
+        yield plan_limits.LastFor(action.seconds)
+    elif isinstance(action, motion_actions.SetLimits):
+        if action.velocity is not None or action.acceleration is not None:
+            yield plan_limits.UseShare(action.velocity, action.acceleration)
+        if action.tool_speed is not None:
+            yield plan_limits.LimitTool(action.tool_speed)
+        if action.jerk_time is not None:
+            yield plan_limits.LimitJerk(action.jerk_time)
 
 
 def problems(key: str, variant: int = 0) -> list[Problem]:
@@ -115,9 +178,13 @@ def problems(key: str, variant: int = 0) -> list[Problem]:
     """
     lesson = find_lesson(key, variant)
     player = Player(lesson)
+    if player.refused:
+        return [Problem(1, lesson.steps[0].line, f"the lesson cannot be opened: {player.refused}")]
     found = []
     for i, step in enumerate(lesson.steps):
-        player.do(GoToStep(i))
+        if refused := player.go_to(i):
+            found.append(Problem(i + 1, step.line, f"it cannot be shown: {refused}"))
+            continue
         says = (*_before(player), *_played(player, i), *_wrong_answers(lesson, i), *_wrong_states(lesson, i))
         found += [Problem(i + 1, step.line, text) for text in (*says, *_by_chance(lesson, i))]
     return found
@@ -154,8 +221,14 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
     values = finite_floats(q, "q", (arm.n,), f"{arm.n} joint values in radians and metres")
     if not arm.within_limits(values):
         raise InputError(f"q: outside the joint limits of {lesson.robot_used.name}")
-    met, says = check.judge(_seen_at(observed(Player(lesson).session.state), values))
+    met, says = check.judge(_seen_at(_at_start(lesson), values))
     return met, plain(says)
+
+
+@lru_cache(maxsize=8)
+def _at_start(lesson: Lesson) -> Observation:
+    """Return what is seen when a lesson begins, without any plan of a motion."""
+    return observed(Player(lesson, planning=False).session.state)
 
 
 def _before(player: Player) -> Iterator[str]:
@@ -206,7 +279,7 @@ def _wrong_states(lesson: Lesson, i: int) -> Iterator[str]:
             if _of_configuration(wrong.check):
                 yield f"check.wrong[{number}] needs q_deg, q_m or q_deg_m: a configuration that gets its verdict"
             continue
-        met, says = check.judge(_seen_at(observed(Player(lesson).session.state), wrong.q))
+        met, says = check.judge(_seen_at(_at_start(lesson), wrong.q))
         if met or says != wrong.says:
             yield f"check.wrong[{number}] gets another verdict at its own configuration: {plain(says)}"
 
@@ -215,7 +288,8 @@ def _of_configuration(check: Check) -> bool:
     """Return whether joint values alone can meet a check."""
     if isinstance(check, AllOf):
         return all(_of_configuration(each) for each in check.checks)
-    return not getattr(check, "of_table", False) and not isinstance(check, TargetAt | LookedAt)
+    of_more = getattr(check, "of_table", False) or getattr(check, "of_motion", False)
+    return not of_more and not isinstance(check, TargetAt | LookedAt)
 
 
 def panels_asked(check: Check) -> Iterator[str]:
@@ -238,7 +312,7 @@ def _by_chance(lesson: Lesson, i: int) -> Iterator[str]:
 
 def random_states(lesson: Lesson, count: int = RANDOM_STATES) -> Iterator[Observation]:
     """Yield seeded random states of the lesson's arm, inside its limits, with everything else as at its start."""
-    start = observed(Player(lesson).session.state)
+    start = _at_start(lesson)
     limits, rng = start.arm.limits, np.random.default_rng(0)
     for _ in range(count):
         yield _seen_at(start, rng.uniform(limits[:, 0], limits[:, 1]))

@@ -74,7 +74,7 @@ _SQUARE: tuple[Point, ...] = (
     (-0.7, -0.3, 0.2),
 )
 _CORNER: tuple[Point, ...] = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 2.0, 0.0))
-_RING: tuple[Point, ...] = ((-0.25, -0.2, 0.3), (-0.45, 0.0, 0.4), (-0.65, -0.2, 0.5))
+_RING: tuple[Point, ...] = ((-0.2, -0.08, 0.3), (-0.38, 0.1, 0.4), (-0.56, -0.08, 0.5))
 
 EXAMPLES: dict[str, Example] = {
     example.key: example
@@ -97,7 +97,7 @@ EXAMPLES: dict[str, Example] = {
             "helix",
             "Helix: constant curvature and torsion",
             "Curvature and torsion are the same everywhere, and n always points to the axis.",
-            _through("helix", ((-0.45, -0.2, 0.2), (-0.45, -0.2, 0.7)), radius=0.18, turns=2.0),
+            _through("helix", ((-0.2, -0.08, 0.15), (-0.2, -0.08, 0.65)), radius=0.18, turns=2.0),
         ),
         Example(
             "twisted",
@@ -122,7 +122,7 @@ EXAMPLES: dict[str, Example] = {
             "Clothoid: from straight to curved",
             "The curvature grows from zero in proportion to the distance gone, so the centripetal acceleration begins "
             "without a jump; at s = 0 there is no normal.",
-            _through("clothoid", ((-0.7, -0.3, 0.4), (-0.3, -0.1, 0.4)), "constant", turn=math.pi),
+            _through("clothoid", ((-0.6, -0.2, 0.4), (-0.2, 0.0, 0.4)), "constant", turn=math.pi),
         ),
         Example(
             "square",
@@ -135,7 +135,7 @@ EXAMPLES: dict[str, Example] = {
             "Square: fly over the corners",
             "The same square without a stop: each corner is cut by a parabola, between whose ends the curvature is not "
             "zero.",
-            {**_through("overfly", _SQUARE, "constant", by="d1", amount=0.12, speed=0.5), "duration": 4.0},
+            {**_through("overfly", _SQUARE, "constant", by="d1", amount=0.1, speed=0.4)},
         ),
         Example(
             "overfly",
@@ -153,13 +153,13 @@ EXAMPLES: dict[str, Example] = {
             "Straight, and not regular (6.12)",
             "The curvature is 0 everywhere it exists, hence bounded, and yet p′ = 0 at s = 0.5: there the curve has no "
             "tangent and no parametrisation by its length.",
-            _typed("-0.45+(2s-1)^3/4", "-0.2", "0.5"),
+            _typed("-0.4+(2s-1)^3/4", "-0.1", "0.5"),
         ),
         Example(
             "cusp",
             "Cusp: it turns back in a point",
             "At s = 0.5 the curve stands still and t turns round at once; beside it the curvature grows beyond bounds.",
-            _typed("-0.45+(2s-1)^3/4", "-0.2", "0.3+(2s-1)^2/3"),
+            _typed("-0.4+(2s-1)^3/4", "-0.1", "0.3+(2s-1)^2/3"),
         ),
         Example(
             "spline",
@@ -167,7 +167,7 @@ EXAMPLES: dict[str, Example] = {
             "Position, direction and curvature are continuous at the points, the torsion jumps.",
             _through(
                 "spline",
-                ((-0.75, -0.2, 0.3), (-0.6, -0.35, 0.6), (-0.4, 0.0, 0.45), (-0.2, -0.25, 0.35)),
+                ((-0.6, -0.1, 0.3), (-0.5, -0.25, 0.6), (-0.3, 0.1, 0.45), (-0.15, -0.15, 0.3)),
                 ends="natural",
             ),
         ),

@@ -190,14 +190,25 @@ class View:
             self.client.flush()
             if lesson_changed:
                 self._lesson_changed(state)
+            elif before is not None:
+                self._step_changed(before[LessonPart], state)
         self._refresh_soon()
 
     def _lesson_changed(self, state: State) -> None:
         """Make room in the picture, and bring the bench of the lesson to the front."""
         lesson = state[LessonPart].lesson
         self.camera.make_room(lesson is not None, None if lesson is None else lesson.camera)
-        if lesson is not None and (front := self._front_of(lesson.panel, state)):
+        if lesson is not None and (front := self._front_of(state[LessonPart].bench, state)):
             self.open_tab(front)
+
+    def _step_changed(self, before: LessonPart, state: State) -> None:
+        """Bring the bench of another step to the front, if the step names it or it is another one."""
+        part = state[LessonPart]
+        step = part.step
+        if step is None or part.name == before.name:
+            return
+        if part.bench in panels() and (step.panel or part.bench != before.bench):
+            self.open_tab(part.bench)
 
     def _front_of(self, wanted: str, state: State) -> str:
         """Return the panel to bring to the front: the lesson's, or another one for one that it hides."""

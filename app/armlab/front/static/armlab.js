@@ -306,7 +306,8 @@
       if (state.viewport.dpr !== ours) rest = state.viewport.dpr; // set by viser
       ours = playing ? Math.min(rest, STEPS[step][0] * devicePixelRatio) : rest;
       if (state.viewport.dpr !== ours) state.setDpr(ours);
-      let made = 0;
+      const patience = performance.now() + 15; // ms: bodies are made rough over several pictures
+      let done = true;
       scene.traverse(object => {
         if (rough && object.isLight && object.castShadow) {
           object.castShadow = false;
@@ -314,7 +315,10 @@
         }
         const geometry = object.isMesh && object.material?.isMeshStandardMaterial && object.geometry;
         if (!geometry || !geometry.index || !geometry.attributes.normal) return;
-        if (rough && !indices.has(geometry) && !made++) indices.set(geometry, [geometry.index, fewer(geometry)]);
+        if (rough && !indices.has(geometry)) {
+          if (performance.now() < patience) indices.set(geometry, [geometry.index, fewer(geometry)]);
+          else done = false;
+        }
         const index = indices.get(geometry)?.[Number(rough)];
         if (index && geometry.index !== index) geometry.setIndex(index);
       });
@@ -322,7 +326,7 @@
         for (const lamp of dim) lamp.castShadow = true;
         dim.clear();
       }
-      return !made;
+      return done;
     };
 
     const tick = now => {
@@ -347,7 +351,7 @@
         step = 0;
       } else {
         if (step === 0) whole = rate;
-        step = Math.min(LAST, step + (rate < ENOUGH / 2 ? 2 : 1));
+        step = Math.min(LAST, step + (rate < ENOUGH / 4 ? 3 : rate < ENOUGH / 2 ? 2 : 1));
       }
       settling = true; // shaders are made for it
     };
@@ -371,76 +375,82 @@
   // The index of a body with fewer triangles on the same vertices: edges are collapsed where the surface bends least
   // (Garland and Heckbert 1997, without new vertices). A corner takes the normal nearest to its own, so creases stay.
   const fewer = geometry => {
-    const LEFT = 0.36, LEAST = 150; // part of the triangles that is left; with fewer it stays as it is
-    const { position, normal } = geometry.attributes;
-    const wanted = LEFT * geometry.index.count / 3;
-    if (geometry.index.count / 3 < LEAST) return geometry.index;
-    const named = new Map(), points = [], corners = []; // vertices in one place are one point with several corners
-    const of = Array.from({ length: position.count }, (_, i) => {
-      const p = [position.getX(i), position.getY(i), position.getZ(i)];
-      const k = named.get(p.join()) ?? points.length;
-      if (k === points.length) {
-        named.set(p.join(), k);
-        points.push(p);
+    const LEFT = 0.36, LEAST = 150; // part of the triangles that is left; a body with fewer stays as it is
+    const { index, attributes: { position: { array: at }, normal: { array: n } } } = geometry;
+    if (index.count < 3 * LEAST) return index;
+    const names = new Map(), place = [], corners = []; // vertices in one place are one point with several corners
+    const of = new Int32Array(at.length / 3);
+    for (let i = 0; i < of.length; i++) {
+      const name = `${at[3 * i]},${at[3 * i + 1]},${at[3 * i + 2]}`;
+      const point = names.get(name) ?? place.length;
+      if (point === place.length) {
+        names.set(name, point);
+        place.push(3 * i);
         corners.push([]);
       }
-      corners[k].push(i);
-      return k;
-    });
-    const cross = (a, b, c) => {
-      const [x, y, z] = [0, 1, 2].map(k => b[k] - a[k]), [u, v, w] = [0, 1, 2].map(k => c[k] - a[k]);
+      corners[point].push(i);
+      of[i] = point;
+    }
+    const normalOf = (a, b, c) => {
+      const x = at[b] - at[a], y = at[b + 1] - at[a + 1], z = at[b + 2] - at[a + 2];
+      const u = at[c] - at[a], v = at[c + 1] - at[a + 1], w = at[c + 2] - at[a + 2];
       return [y * w - z * v, z * u - x * w, x * v - y * u];
     };
-    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let faces = [];
-    for (let i = 0; i < geometry.index.count; i += 3) faces.push([0, 1, 2].map(k => geometry.index.getX(i + k)));
-    const planes = points.map(() => []); // of a point: those it should stay in, each with an area
-    for (const face of faces) {
-      const n = cross(...face.map(i => points[of[i]])), area = Math.hypot(...n);
-      if (!area) continue;
-      const unit = n.map(x => x / area);
-      for (const i of face) planes[of[i]].push([unit, -dot(unit, points[of[i]]), area]);
+    const bends = new Float64Array(10 * place.length); // of a point: the sum of squared distances from its planes
+    let faces = Array.from(index.array);
+    for (let f = 0; f < faces.length; f += 3) {
+      const a = place[of[faces[f]]];
+      const m = normalOf(a, place[of[faces[f + 1]]], place[of[faces[f + 2]]]);
+      const area = Math.hypot(...m) || 1;
+      const plane = [m[0], m[1], m[2], -(m[0] * at[a] + m[1] * at[a + 1] + m[2] * at[a + 2])];
+      for (let k = f; k < f + 3; k++) {
+        let q = 10 * of[faces[k]];
+        for (let i = 0; i < 4; i++) for (let j = i; j < 4; j++) bends[q++] += plane[i] * plane[j] / area;
+      }
     }
-    const cost = (from, to) => planes[from].reduce((sum, [n, d, area]) => sum + area * (dot(n, points[to]) + d) ** 2, 0);
+    const cost = (from, to) => {
+      const q = 10 * from, x = at[place[to]], y = at[place[to] + 1], z = at[place[to] + 2];
+      return x * (bends[q] * x + 2 * (bends[q + 1] * y + bends[q + 2] * z + bends[q + 3])) + y * (bends[q + 4] * y
+        + 2 * (bends[q + 5] * z + bends[q + 6])) + z * (bends[q + 7] * z + 2 * bends[q + 8]) + bends[q + 9];
+    };
+    const turns = (ring, from, to) => ring.some(f => { // whether a triangle would turn by more than 60 degrees
+      const p = [of[faces[f]], of[faces[f + 1]], of[faces[f + 2]]];
+      if (p.includes(to)) return false;
+      const was = normalOf(...p.map(i => place[i])), is = normalOf(...p.map(i => place[i === from ? to : i]));
+      return was[0] * is[0] + was[1] * is[1] + was[2] * is[2] < 0.5 * Math.hypot(...was) * Math.hypot(...is);
+    });
     const nearest = (i, to) => {
-      const n = [normal.getX(i), normal.getY(i), normal.getZ(i)];
-      const like = k => dot(n, [normal.getX(k), normal.getY(k), normal.getZ(k)]);
+      const like = k => n[3 * i] * n[3 * k] + n[3 * i + 1] * n[3 * k + 1] + n[3 * i + 2] * n[3 * k + 2];
       return corners[to].reduce((best, k) => (like(k) > like(best) ? k : best));
     };
+    const wanted = LEFT * faces.length;
     for (let pass = 0; pass < 20 && faces.length > wanted; pass++) {
-      const around = points.map(() => []);
-      for (const face of faces) for (const i of face) around[of[i]].push(face);
-      const moves = [];
-      const first = new Set();
-      for (const face of faces) {
-        for (let k = 0; k < 3; k++) {
-          const from = of[face[k]], to = of[face[(k + 1) % 3]];
-          moves.push([cost(from, to), from, to]);
-        }
+      const rings = place.map(() => []), best = new Int32Array(place.length).fill(-1);
+      const least = new Float64Array(place.length).fill(Infinity);
+      for (let i = 0; i < faces.length; i++) {
+        const from = of[faces[i]], to = of[faces[i % 3 === 2 ? i - 2 : i + 1]], price = cost(from, to);
+        rings[from].push(i - i % 3);
+        if (price < least[from]) [least[from], best[from]] = [price, to];
       }
-      moves.sort((a, b) => a[0] - b[0]);
-      const moved = new Map();
-      for (const [, from, to] of moves) {
-        if (faces.length - 2 * moved.size <= wanted) break;
-        const ring = around[from].flat().map(i => of[i]);
-        if (ring.some(point => first.has(point))) continue;
-        const turns = around[from].some(face => {
-          const before = face.map(i => of[i]);
-          if (before.includes(to)) return false;
-          const n = cross(...before.map(p => points[p])), m = cross(...before.map(p => points[p === from ? to : p]));
-          return dot(n, m) < 0.5 * Math.hypot(...n) * Math.hypot(...m);
-        });
-        if (turns) continue;
-        moved.set(from, to);
-        planes[to] = planes[to].concat(planes[from]);
-        for (const point of ring) first.add(point);
+      const queue = [...best.keys()].filter(point => best[point] >= 0).sort((a, b) => least[a] - least[b]);
+      const held = new Uint8Array(place.length), moved = new Map();
+      for (const from of queue) {
+        if (faces.length - 6 * moved.size <= wanted) break;
+        const ring = rings[from], round = ring.flatMap(f => [of[faces[f]], of[faces[f + 1]], of[faces[f + 2]]]);
+        if (round.some(point => held[point]) || turns(ring, from, best[from])) continue;
+        for (const point of round) held[point] = 1;
+        moved.set(from, best[from]);
+        for (let k = 0; k < 10; k++) bends[10 * best[from] + k] += bends[10 * from + k];
       }
       if (!moved.size) break;
-      faces = faces.map(face => face.map(i => (moved.has(of[i]) ? nearest(i, moved.get(of[i])) : i)));
-      faces = faces.filter(([a, b, c]) => of[a] !== of[b] && of[b] !== of[c] && of[c] !== of[a]);
+      const left = [];
+      for (let f = 0; f < faces.length; f += 3) {
+        const [a, b, c] = faces.slice(f, f + 3).map(i => (moved.has(of[i]) ? nearest(i, moved.get(of[i])) : i));
+        if (of[a] !== of[b] && of[b] !== of[c] && of[c] !== of[a]) left.push(a, b, c);
+      }
+      faces = left;
     }
-    const { constructor: Index, array } = geometry.index;
-    return new Index(array.constructor.from(faces.flat()), 1);
+    return new index.constructor(index.array.constructor.from(faces), 1);
   };
 
   // The timeline: between two marks of the lab its thumb and the cursors of plots follow the page's own clock.

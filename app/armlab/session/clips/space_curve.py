@@ -15,11 +15,11 @@ MOST_PIECES = 24
 
 
 def _duration(state: State) -> float:
-    return state[SpaceCurve].duration
+    return state.derived(curve_of).law.duration
 
 
 def _stops(state: State) -> tuple[float, ...]:
-    end = state[SpaceCurve].duration
+    end = _duration(state)
     even = np.linspace(0.0, end, PARTS + 1)[1:-1]
     if state[SpaceCurve].shown == "turn":
         return tuple(even.tolist())

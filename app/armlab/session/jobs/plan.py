@@ -1,4 +1,4 @@
-"""Works out the plan of the motion, while somebody looks at it or it is on."""
+"""Works out the plan of the motion, while somebody looks at it, a lesson asks for it, or it is on."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from armlab.session.clips.motion import on_motion, untouched
 from armlab.session.job import Job, Wanted
+from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.plan import CLIP_KEY, Plan, question
 from armlab.session.parts.timeline import Timeline
 from armlab.session.plan_other import other_way
@@ -44,8 +45,8 @@ def asked(state: State) -> Asked:
 
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
-    """Return what to work out while it is seen."""
-    if not (panels & PANELS) and state[Timeline].clip != CLIP_KEY:
+    """Return what to work out while it is seen, is on, or a lesson asks for it."""
+    if not (panels & PANELS or state[Timeline].clip == CLIP_KEY or state[LessonPart].asks_for_motion):
         return None
     missing = state.derived(asked)
     if missing == Asked(None, None):

@@ -20,9 +20,11 @@ from armlab.kin.arm import Arm
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.plan import CLIP_KEY, Plan, planned
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline, duration
+from armlab.session.seen_plan import asks_for_motion, plan_changed, seen_plan
 from armlab.session.state import Json, Part, PartType, State
 
 SAME_TABLE = 1e-12
@@ -96,10 +98,24 @@ class LessonPart(Part):
         return None if found is None else found.steps[self.progress.shown(found)]
 
     @property
+    def bench(self) -> str:
+        """The panel that the shown step, or the last one before it that names any, or the lesson opens."""
+        found = self.lesson
+        if found is None:
+            return ""
+        return next((step.panel for step in found.steps[self.index :: -1] if step.panel), found.panel)
+
+    @property
     def verdict(self) -> Verdict | None:
         """What the last answer to the question of the shown step is worth; None before one is given."""
         step, typed = self.step, self.progress.answers.get(self.name)
         return None if step is None or step.question is None or typed is None else step.question.judge(typed)
+
+    @property
+    def asks_for_motion(self) -> bool:
+        """Whether the shown step looks at the planned motion."""
+        found, step = self.lesson, self.step
+        return found is not None and step is not None and asks_for_motion(found, step, self.name in self.progress.met)
 
     @property
     def hides(self) -> tuple[str, ...]:
@@ -133,7 +149,7 @@ class LessonPart(Part):
         watched = replace(
             progress,
             since=now.at if progress.since is None else progress.since,
-            films=progress.films | (_played(now) if now[Timeline] is not before[Timeline] else frozenset()),
+            films=_still_played(progress.films, before, now) | _played(before, now),
         )
         name = self.name
         if name not in watched.met and (step.check is None or has_its_arm(now)):
@@ -229,6 +245,7 @@ def observed(state: State) -> Observation:
         switches=frozenset(name for name, on in state[Display].switches.items() if on),
         panel=state[LessonPart].panel,
         films=progress.films,
+        motion=seen_plan(state, CLIP_KEY in progress.films) if state[LessonPart].asks_for_motion else None,
     )
 
 
@@ -254,9 +271,20 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
     return replace(progress, met=progress.met | {name}, evidence=evidence)
 
 
-def _played(state: State) -> frozenset[str]:
-    timeline = state[Timeline]
-    return frozenset({timeline.clip}) if timeline.clip and timeline.time >= duration(state) else frozenset()
+def _played(before: State, now: State) -> frozenset[str]:
+    """Return the clip that has come to its end."""
+    was, timeline = before[Timeline], now[Timeline]
+    if timeline is was or not timeline.clip or timeline.time < duration(now):
+        return frozenset()
+    if timeline.clip == CLIP_KEY and (planned(now) is None or timeline.time <= was.time):
+        # What has moved is the motion before the last change; or a shorter one has come to where the old one stood.
+        return frozenset()
+    return frozenset({timeline.clip})
+
+
+def _still_played(films: frozenset[str], before: State, now: State) -> frozenset[str]:
+    """Return what counts as played: of the motion only the one that is planned at the moment."""
+    return films - {CLIP_KEY} if CLIP_KEY in films and plan_changed(before, now) else films
 
 
 def refuse_locked(found: Lesson, before: State, now: State) -> None:
@@ -272,7 +300,8 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
     if any(joints.locked[j] < stood.locked[j] or joints.q[j] != stood.q[j] for j in held):
         joint, they = ("joints", "they stand") if len(held) > 1 else ("joint", "it stands")
         raise _kept(f"{joint} {', '.join(str(j + 1) for j in held)} where {they}")
-    by_hand = now[Target] is before[Target] and not before[Target].catching_up
+    # Neither what follows the handle nor what is played is moved by hand.
+    by_hand = all(now[kind] is before[kind] for kind in (Target, Timeline, Plan)) and not before[Target].catching_up
     if "joints" in found.locked and by_hand and joints.q is not stood.q:
         raise _kept("the joints as they are; drag the handle")
     moved = now[Target].pose is not before[Target].pose and now[Target].pose is not None

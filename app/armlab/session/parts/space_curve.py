@@ -28,7 +28,7 @@ Shown = Literal["curve", "turn"]
 MOST_POINTS = 24
 """Of a curve: what can be typed and read in a panel."""
 
-POINTS: tuple[Point, ...] = ((-0.7, -0.2, 0.25), (-0.5, -0.4, 0.65), (-0.25, -0.2, 0.35), (-0.3, 0.1, 0.6))
+POINTS: tuple[Point, ...] = ((-0.6, -0.1, 0.25), (-0.4, -0.25, 0.6), (-0.15, -0.1, 0.35), (-0.3, 0.15, 0.6))
 """Where points are put that nobody has typed."""
 
 NOTES: tuple[str, str, str] = ("6s+2", "5s^2", "-8s")

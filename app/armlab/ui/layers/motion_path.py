@@ -81,7 +81,7 @@ class _Ways:
             move(node, stop.point)
             self._nodes.append(node)
             words = WORDS[stop.kind].format(stop.joint)
-            self._nodes.append(add_name(scene, f"{path}/words", f"✕ {words}", np.zeros(3), "bottom-left"))
+            add_name(scene, f"{path}/words", f"✕ {words}", np.zeros(3), "bottom-left")  # goes with the mark
 
 
 def _colours(leg: Leg, other: bool) -> NDArray[np.uint8]:

@@ -31,8 +31,8 @@ SAMPLE_COLOURS: dict[Feasible, Rgb] = {
     Feasible.NOT_REACHED: VERDICT["no"],
 }
 
-PATH_THICK, RESULT_THICK, ARM_THICK, GAP_THICK = 0.0035, 0.0055, 0.0045, 0.004
-KNOT, FEW, MANY, STOP = 0.009, 0.011, 0.006, 0.018
+PATH_THICK, RESULT_THICK, ARM_THICK, GAP_THICK = 0.0035, 0.0065, 0.0045, 0.004
+KNOT, FEW, MANY, STOP = 0.009, 0.011, 0.0045, 0.018
 """Diameters of knots, of few and of many samples, and of a stop, in sizes of the arm."""
 
 DENSE = 40

@@ -140,7 +140,7 @@ class Plots:
         self._apart.visible(apart is not None)
         if apart is not None and found is not None:
             what = "the path" if found.in_space else "the straight lines"
-            self._apart.name(f"Distance of the tool from {what}, {units.length_unit}")
+            self._apart.name(f"Distance from {what}, {units.length_unit}")
             self._apart.show_over(apart.s, [apart.distance / units.factor(False)])
 
     def _show_sigma(self, found: Steps | None) -> None:

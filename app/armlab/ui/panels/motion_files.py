@@ -168,7 +168,7 @@ PANEL = Panel(
     "Files",
     "FILE_EXPORT",
     45,
-    (RobotPart, Joints, Plan),
+    (RobotPart, Plan),
     build,
     tab="motion",
     rebuilds=(),

@@ -42,13 +42,24 @@ COMPARE = "compare"
 
 
 class _Answer:
-    """What is known about the plan on screen; worked out once for each plan."""
+    """What is known about the plan on screen and the one beside it; each is worked out once."""
 
-    def __init__(self, plan: Planned | None, other: Planned | None) -> None:
+    def __init__(self) -> None:
+        self.plan: Planned | None = None
+        self.other: Planned | None = None
+        self.own: Figures | None = None
+        self.theirs: Figures | None = None
+        self.found: tuple[Overrun, ...] = ()
+
+    def of(self, plan: Planned | None, other: Planned | None) -> bool:
+        """Turn to these plans; return whether they are others."""
+        same = plan is self.plan and other is self.other
+        if plan is not self.plan:
+            self.own, self.found = (None, ()) if plan is None else (figures(plan), overruns(plan))
+        if other is not self.other:
+            self.theirs = None if other is None else figures(other)
         self.plan, self.other = plan, other
-        self.own: Figures | None = None if plan is None else figures(plan)
-        self.theirs: Figures | None = None if other is None else figures(other)
-        self.found: tuple[Overrun, ...] = () if plan is None else overruns(plan)
+        return not same
 
 
 def _plot(gui: Gui, slot: Slot) -> MotionPlot:
@@ -66,7 +77,7 @@ class _Page:
         self._slots = slots(state[Joints].arm, units)
         self._plots = [_plot(gui, slot) for slot in self._slots]
         self._peaks = gui.html()
-        self._answer = _Answer(None, None)
+        self._answer = _Answer()
         self._drawn: object = None
 
     def _pressed(self, cell: str, _: str) -> None:
@@ -80,11 +91,9 @@ class _Page:
         self._state = state
         plan = last_planned(state)
         other = None if plan is None else compared(state, plan)
-        if (plan, other) != (self._answer.plan, self._answer.other):
-            self._answer = _Answer(plan, other)
-        answer, part = self._answer, state[Plan]
-        drawn = (answer, state[MotionPlots], part.compared, can_compare(state))
-        if drawn != self._drawn:
+        new = self._answer.of(plan, other)
+        drawn = (state[MotionPlots], state[Plan].compared, can_compare(state))
+        if new or drawn != self._drawn:
             self._drawn = drawn
             self._choose(state)
             self._tell(state)

@@ -74,7 +74,7 @@ def _markup(fields: Fields, state: State, found: Steps | None) -> str:
     if found is None:
         return head + '<p class="dim">The plan is being worked out …</p>'
     busy = "" if planned(state) is not None else '<p class="dim">The plan is being worked out anew …</p>'
-    return head + busy + _step(fields, state, found)
+    return head + _step(fields, state, found) + busy
 
 
 def _stretches(channel: str, part: Plan) -> str:

@@ -1,0 +1,96 @@
+"""The benches whose examples a lesson can put in place, found by folder: ``"motion/corner_fly"``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from armlab.errors import InputError, UnknownName
+from armlab.plugins import discover
+from armlab.session.state import Command, State
+
+
+@dataclass(frozen=True)
+class Bench:
+    """The constant ``BENCH`` of a module in `armlab.session.benches`.
+
+    Parameters
+    ----------
+    key : str
+        What stands before the stroke in lesson files.
+    order : int
+        Place in lists.
+    examples : mapping of str to object
+        By key; where an example brings its arm, ``robot`` is the key of that.
+    choose : callable
+        ``choose(key) -> Command``, which puts the example in place.
+    """
+
+    key: str
+    order: int
+    examples: Mapping[str, Any]
+    choose: Callable[[str], Command]
+
+
+@cache
+def benches() -> dict[str, Bench]:
+    """Return all benches."""
+    from armlab.session import benches as folder
+
+    return discover(folder, "BENCH", Bench)
+
+
+def _found(name: str) -> tuple[Bench, str]:
+    bench, _, key = name.partition("/")
+    if bench not in benches():
+        raise UnknownName("bench", bench, benches())
+    if key not in benches()[bench].examples:
+        raise UnknownName(f"example of the bench {bench!r}", key, benches()[bench].examples)
+    return benches()[bench], key
+
+
+def choosing(name: str) -> Command:
+    """Return the command that puts an example in place.
+
+    Raises
+    ------
+    UnknownName
+        There is no such bench, or no such example of it; the text lists those there are.
+    """
+    bench, key = _found(name)
+    return bench.choose(key)
+
+
+def robot_of(name: str) -> str:
+    """Return the key of the arm that an example brings; empty where it brings none.
+
+    Raises
+    ------
+    UnknownName
+        As of `choosing`.
+    """
+    bench, key = _found(name)
+    return str(getattr(bench.examples[key], "robot", ""))
+
+
+def with_example(state: State, name: str, robot: str) -> State:
+    """Return the state with an example in place, on the arm that is there.
+
+    Raises
+    ------
+    UnknownName
+        As of `choosing`.
+    InputError
+        It is of another arm.
+    """
+    refuse_other_arm(name, robot)
+    return choosing(name).apply(state)
+
+
+def refuse_other_arm(name: str, robot: str) -> None:
+    """Raise `InputError` when an example brings another arm than this one; `UnknownName` when there is none such."""
+    brought = robot_of(name)
+    if brought not in ("", robot):
+        raise InputError(f"the example {name!r} is of the arm {brought!r}, not {robot!r}; write robot = {brought!r}")

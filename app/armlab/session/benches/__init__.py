@@ -1,0 +1,1 @@
+"""One file a bench with examples; each holds a constant ``BENCH``."""
