@@ -127,6 +127,15 @@ class MadeUp:
 QUESTION = QuestionType("made_up", 200, lambda table, asked, to_html: MadeUp(asked))
 '''
 
+BENCH = '''
+"""A made-up bench: one example, which moves joint 1."""
+from types import SimpleNamespace
+from armlab.session.bench import Bench
+from armlab.session.parts.joints import MoveJoint
+
+BENCH = Bench("made_up", 99, {"end": SimpleNamespace(title="The end")}, lambda key: MoveJoint(0, 1.0))
+'''
+
 COMMAND = '''
 """A made-up command."""
 from armlab.commands import CommandType
@@ -143,6 +152,7 @@ title = "Made up"
 chapter = "9"
 teaches = ["S4.0-2R"]
 robot = "planar_2r"
+example = "made_up/end"
 +++
 ## One step
 Turn.
@@ -209,7 +219,9 @@ from support.lab import running_lab
 import armlab
 from armlab.cli import main as main_of
 from armlab.session.parts.timeline import clips
-from armlab.session.play import problems
+from armlab.content.lessons import lesson
+from armlab.session.parts.joints import Joints
+from armlab.session.play import Player, problems
 from armlab.session.state import part_types
 
 async def main(url):
@@ -240,6 +252,7 @@ assert armlab.ik.solve_all(made_up, made_up.fk([0.4])).method == "made_up"
 assert "made_up" in [kind.key for kind in part_types()]
 assert "made_up" in clips()
 assert problems("made_up") == [], problems("made_up")
+assert Player(lesson("made_up")).session.state[Joints].q[0] == 1.0
 assert main_of(["made_up", "word"]) == 0
 print("grown")
 """
@@ -253,6 +266,7 @@ FILES = {
     "app/armlab/session/parts/made_up.py": PART,
     "app/armlab/session/jobs/made_up.py": JOB,
     "app/armlab/session/clips/made_up.py": CLIP,
+    "app/armlab/session/benches/made_up.py": BENCH,
     "app/armlab/content/checks/made_up.py": CHECK,
     "app/armlab/content/questions/made_up.py": QUESTION,
     "app/armlab/commands/made_up.py": COMMAND,

@@ -76,6 +76,6 @@ def test_a_way_out_of_reach_is_marked_in_words_before_it_is_run(visit):
     lab = at_plan(visit, "planar_2r")
     lab.page.locator('select[data-cell="example"]').select_option("out_of_reach")
     lab.page.locator(VERDICT, has_text="Cannot be run to its end").wait_for()
-    lab.until(lambda: any(name.endswith("/motion/stop0/words") for name in lab.nodes()))
+    lab.until(lambda: any(name.endswith("/motion/stop0") for name in lab.nodes()))
     assert lab.page.locator('.al button[data-cell="play-motion"]').is_disabled()
     assert lab.errors == []

@@ -135,6 +135,23 @@ def test_limits_of_tool_speed_and_jerk_are_kept():
     assert any("jerk cannot be kept" in remark for remark in jumps.legs[0].remarks)
 
 
+def test_joints_by_themselves_are_all_at_a_limit_and_those_there_first_wait():
+    together = opened("puma560")
+    alone = after(together, SetMove(1, apart=True))
+    one, other = worked_out(together), worked_out(alone)
+    # The slowest joint sets the time of both, if it is the slowest in every respect.
+    assert other.duration <= one.duration + 1e-9
+    loads = np.maximum(
+        peaks(other.motion, 1).peak / alone[Plan].velocity, peaks(other.motion, 2).peak / alone[Plan].acceleration
+    )
+    np.testing.assert_allclose(loads, 1.0, rtol=1e-6)
+    np.testing.assert_allclose(other.motion.at(other.duration), alone[Plan].waypoints[1].q, atol=1e-9)
+    assert judged(other).kind == "ok"
+    slow = worked_out(after(alone, LastFor(20.0), LimitTool(0.3)))
+    assert slow.duration == pytest.approx(20.0)
+    assert judged(slow).kind == "ok"
+
+
 def test_a_stretch_goes_through_equal_moves_and_a_stop_divides_it():
     state = after(with_points(opened(), 4), SetMove(1, path="spline"))
     assert [stretch.title for stretch in state[Plan].parts] == ["1 → 4"]

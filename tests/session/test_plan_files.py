@@ -447,6 +447,19 @@ def by_the_wrist():
     return apply(apply(opened(), SetMove(1, space="cartesian", turning="wrist")), LastFor(7.0))
 
 
+def aside():
+    """Return moves that begin elsewhere than their waypoints say: one typed out of its place, one on another branch."""
+    state = opened("planar_2r", points=4)
+    arm = state[Joints].arm
+    points = [Waypoint(q) for q in ((0.1, 0.6), (0.3, 0.9), (0.8, 1.2), (1.4, 0.7))]
+    shifted = arm.fk(points[1].q).copy()
+    shifted[0, 3] -= 0.2
+    points[1] = replace(points[1], pose=tuple(shifted.ravel().tolist()))
+    points[2] = Waypoint((0.8 + 1.2, -1.2))
+    state = state.replace(replace(state[Plan], waypoints=tuple(points)))
+    return apply(state, SetMove(2, space="cartesian"))
+
+
 def own_table():
     state = apply(State.initial(catalogue()["scara"]), SetLimits(0, -2.5, 2.5))
     return apply(state, SetMove(1, law="septic"))
@@ -457,7 +470,7 @@ def recorded():
     return apply(apply(state, ReadMotion(table(state, 30.0))), LastFor(5.0))
 
 
-@pytest.mark.parametrize("make", [through_joints, in_space, by_the_wrist, own_table, recorded])
+@pytest.mark.parametrize("make", [through_joints, in_space, by_the_wrist, aside, own_table, recorded])
 def test_a_script_makes_the_same_motion_and_says_nothing(make, tmp_path):
     state = with_plan(make())
     assert planned(state).whole

@@ -13,7 +13,10 @@ from armlab.session.curves_commands import AddKnot, SetLimit
 from armlab.session.curves_examples import EXAMPLES, ChooseExample
 from armlab.session.parts.curves import Curves
 from armlab.session.state import State, apply
+from armlab.ui.format import lowered
+from armlab.ui.option_form import Scale
 from armlab.ui.panels._curves_facts import facts, verdicts
+from armlab.ui.panels._curves_list import _summary
 from armlab.ui.panels._curves_solved import solved_markup
 from armlab.ui.panels._curves_words import figures, polynomial, read_rows
 from support.student import run, student
@@ -205,3 +208,15 @@ def test_the_curves_are_plotted_with_their_knots_and_saved(url):
         await browser.close()
 
     run(main())
+
+
+def test_what_was_given_to_a_curve_is_said_with_units():
+    scale = Scale("rad")
+    blends, law = part_of("blends").curves[1], part_of("degree_15").curves[0]
+    assert "blend time: 1.6 s; at the first and last knot: already moving, as in the notes" in lowered(
+        text_of(_summary(blends, scale)).strip()
+    )
+    assert "Velocity at the start: 0.7 rad/s; velocity at the end: −0.4 rad/s" in _summary(
+        part_of("hermite").curves[1], scale
+    )
+    assert "Law s(t): quintic" in _summary(law, scale)

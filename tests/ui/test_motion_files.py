@@ -94,7 +94,7 @@ def test_a_motion_that_is_too_long_is_refused_and_no_server_is_left():
     with pytest.raises(InputError, match="lasts 121 s; at most 120 s can be recorded"):
         record(Scenario(state, slow, 0.0, 0.3), "viser")
     record(scenario(state), "viser")
-    left = [thread for thread in threading.enumerate() if thread.ident not in before and not thread.daemon]
+    left = [thread for thread in threading.enumerate() if thread.ident not in before]
     for thread in left:
         thread.join(5.0)
     assert not any(thread.is_alive() for thread in left)

@@ -108,6 +108,14 @@ def test_a_joint_move_says_what_it_leaves_out():
     assert ["left out" in head for head in heads] == [False, True, True, False, False]
 
 
+def test_a_knot_that_is_reached_in_another_way_than_it_was_stored_is_told():
+    arms = {
+        key: texts(words.inverse(looked(key, SetMove(1, space="cartesian")), UNITS)) for key in ("panda", "puma560")
+    }
+    assert "Waypoint 2 is reached on the branch the move began on" in arms["panda"]
+    assert "not as it was stored" not in arms["puma560"]
+
+
 def test_a_path_that_cannot_be_followed_says_where_and_why():
     found = broken()
     *_, inverse, joints = (texts(each) for each in everything(found))

@@ -22,6 +22,7 @@ class Clock:
 
     def __init__(self):
         self.now, self._count, self._timers = 100.0, 0, []
+        self.lag = 0.0  # seconds by which every timer is late
 
     def time(self):
         return self.now
@@ -29,7 +30,7 @@ class Clock:
     def call_later(self, delay, callback):
         timer = Timer()
         self._count += 1
-        heapq.heappush(self._timers, (self.now + delay, self._count, timer, callback))
+        heapq.heappush(self._timers, (self.now + delay + self.lag, self._count, timer, callback))
         return timer
 
     def pass_by(self, seconds):
@@ -111,6 +112,35 @@ def test_never_more_than_one_picture_is_on_its_way():
     # Slow answers cost pictures, not time.
     assert len(stage.posted) <= 21
     assert stage.timeline.time == pytest.approx(6.0, abs=0.4)
+
+
+def test_pictures_are_sent_at_their_rate_and_delays_do_not_add_up():
+    stage = Stage(Play(True))
+    stage.clock.lag = 0.003
+    stage.clock.pass_by(4.0)
+    assert sum(isinstance(each, Advance) for each in stage.posted) == pytest.approx(4.0 / INTERVAL, abs=2)
+
+
+def test_a_picture_that_had_to_wait_goes_as_soon_as_the_one_before_is_shown():
+    stage = Stage(Play(True))
+    stage.clock.pass_by(0.5)
+    stage.prompt = False
+    stage.clock.pass_by(2.5 * INTERVAL)
+    assert len(stage.waiting) == 1
+    stage.answer()
+    (picture,) = stage.waiting
+    assert picture.time == pytest.approx(0.5 + 2.5 * INTERVAL, abs=1e-9)
+
+
+def test_it_is_never_sent_twice_for_one_that_had_to_wait():
+    stage = Stage(Play(True))
+    stage.prompt = False
+    for _ in range(60):
+        stage.clock.pass_by(1.5 * INTERVAL)
+        assert len(stage.waiting) == 1
+        stage.answer()
+        stage.do(Label("angle", "rad"))
+    assert sum(isinstance(each, Advance) for each in stage.posted) <= 1.5 * 60 + 1
 
 
 def test_a_hand_on_the_bar_is_followed_from_where_it_lets_go():

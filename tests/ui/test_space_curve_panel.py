@@ -8,14 +8,16 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.parts.notation import Label
+from armlab.session.parts.notation import Label, Notation
 from armlab.session.parts.space_curve import SpaceCurve
 from armlab.session.space_curve_examples import EXAMPLES, ChooseExample
 from armlab.session.state import State, apply
 from armlab.ui.layers._frenet import arc
 from armlab.ui.panels._space_curve_numbers import at_present, moving, whole
 from armlab.ui.panels._space_curve_plots import without_poles
+from armlab.ui.panels._space_curve_words import length, lengths
 from armlab.ui.panels.space_curve import commands
+from armlab.ui.units import Units
 from support.student import run, student
 
 
@@ -137,6 +139,13 @@ def test_what_no_page_of_ours_sends_makes_no_command_or_a_reason():
     (command,) = commands(state, "p 0 2", "250")
     assert (command.point, command.axis, command.value) == (0, 2, 0.25)
     assert apply(state, commands(state, "frame off", "")[0])[SpaceCurve].frame is False
+
+
+def test_lengths_that_would_not_fit_are_written_with_a_power_of_ten():
+    units = Units(Notation())
+    assert length(28.4245, units) == "28424.5"
+    assert length(-2842.45, units) == "−2.84·10⁶"
+    assert lengths(np.array([3.0, 0.0, 4.0]), units) == ("3000.0", "0.0", "4000.0", "5000.0")
 
 
 def test_a_part_of_a_circle_begins_at_the_curve_and_poles_are_left_out():

@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterable, Iterator
 from urllib.parse import unquote
 
+import numpy as np
+
 from armlab.content import rows
 from armlab.content.actions import Action, PlayFilm, SetSwitch
 from armlab.content.check import Check
@@ -16,9 +18,11 @@ from armlab.content.lessons import lessons
 from armlab.content.motion_actions import SetMoveKind, TakeExample
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, suggestion
-from armlab.session.bench import refuse_other_arm
+from armlab.session.bench import refuse_other_arm, with_example
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import clips
 from armlab.session.plan_moves import TURNINGS
+from armlab.session.state import State
 
 _LINK = re.compile(r'href="/(?P<kind>lesson|robot)/(?P<key>[^/"?#]*)')
 
@@ -30,7 +34,8 @@ def of_front(lesson: Lesson) -> Iterator[tuple[str, str]]:
     yield from (("panel", text) for text in _unknown("panel", [lesson.panel], panels))
     yield from (("hidden", text) for text in _unknown("panel", lesson.hidden, panels))
     yield from (("overlays", text) for text in _unknown("switch", lesson.overlays, switches))
-    yield from (("example", text) for text in _of_example(lesson, lesson.example))
+    wrong = list(_of_example(lesson, lesson.example))
+    yield from (("example", text) for text in wrong or _moved_by_example(lesson))
     if lesson.panel and lesson.panel in lesson.hidden:
         yield "hidden", f"the panel {lesson.panel!r} is to be opened, and it is hidden"
 
@@ -73,6 +78,17 @@ def _of_example(lesson: Lesson, name: str) -> Iterator[str]:
         refuse_other_arm(name, lesson.robot)
     except InputError as error:
         yield str(error)
+
+
+def _moved_by_example(lesson: Lesson) -> Iterator[str]:
+    """Yield why pose or joint values at the top of a lesson are of no use: the example puts the arm elsewhere."""
+    begun = State.initial(lesson.robot_used)
+    home, start = begun[Joints].q, lesson.start
+    if not lesson.example or np.array_equal(start, home):
+        return
+    stands = with_example(begun, lesson.example, lesson.robot)[Joints].q
+    if not np.array_equal(stands, home) and not np.allclose(stands, start, rtol=0.0, atol=1e-9):
+        yield f"the example {lesson.example!r} puts the arm elsewhere than the lesson; leave out pose or joint values"
 
 
 def of_text(html: str) -> Iterator[str]:

@@ -75,6 +75,8 @@ class SetMove(PlanCommand):
         Keys.
     stop : bool, optional
         Whether the arm rests at this waypoint; of this move alone.
+    apart : bool, optional
+        Whether each joint goes by itself in a straight joint move.
     """
 
     k: int
@@ -83,6 +85,7 @@ class SetMove(PlanCommand):
     law: str | None = None
     turning: str | None = None
     stop: bool | None = None
+    apart: bool | None = None
     label: ClassVar[str] = "kind of move"
 
     def apply(self, state: State) -> State:
@@ -134,6 +137,8 @@ class SetMove(PlanCommand):
             move = replace(move, path=path, law=Chosen("constant") if own else _law_of(move))
         if self.law is not None and self.law != move.law.key:
             move = replace(move, law=Chosen.of(law_types(), self.law))
+        if self.apart is not None:
+            move = replace(move, apart=self.apart)
         return move if self.turning is None else replace(move, turning=checked_turning(self.turning))
 
 

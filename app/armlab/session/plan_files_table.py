@@ -65,6 +65,7 @@ def read_table(arm: Arm, text: str) -> Recorded:
     rows = [Row(i, _cells(line, apart)) for i, line in lines[named:]]
     values = _numbers(rows, columns, len(head))
     _refuse_late(rows, columns[0], values[:, 0])
+    _refuse_outside(arm, rows, columns[1:], values[:, 1:])
     return checked_recorded(arm, values[:, 0], values[:, 1:])
 
 

@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.motion import LawBounds, Motion, Path, Trajectory, as_fast_as_allowed, law_bounds, law_types, scaled
+from armlab.kin.motion import (
+    LawBounds,
+    Motion,
+    Path,
+    Trajectory,
+    as_fast_as_allowed,
+    independent,
+    law_bounds,
+    law_types,
+    scaled,
+)
 from armlab.kin.motion.law_types import SMOOTH_ENOUGH
 from armlab.session.plan_moves import Stretch
 from armlab.session.plan_question import Limits, Question
+
+Floats = NDArray[np.float64]
 
 SAMPLES = 400
 """Of a motion, among which the largest speed of the tool is looked for."""
@@ -55,6 +68,24 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajector
     return motion, bounds, (JERK_REMARK,) if asked and not smooth else ()
 
 
+def apart(question: Question, stretch: Stretch, start: Floats, end: Floats) -> Motion:
+    """Return a straight joint move in which each joint is as fast as its limits allow, and those there first wait.
+
+    Raises
+    ------
+    InputError
+        The law does not fit; the text names the move.
+    """
+    limits, law = question.limits, stretch.move.law
+    jerk = limits.jerk("jerk" in law_types()[law.key].needs)
+    bounds = {"v_max": limits.velocity, "a_max": limits.acceleration, "jerk_max": jerk}
+    try:
+        motion: Motion = independent(start, end, law.key, **bounds, **law.options)
+    except InputError as refusal:
+        raise InputError(f"move {stretch.title}: {refusal}") from None
+    return scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
+
+
 def lasting(stretch: Stretch, path: Path, duration: float) -> Trajectory:
     """Return a path in joint space run through in a time; `InputError` names the move where the law does not fit."""
     try:
@@ -71,7 +102,7 @@ def slack(question: Question, motion: Motion) -> float:
     return max(scaling.k, _too_fast(question.arm, motion, limits))
 
 
-def _jerk_bound(path: Path, jerk: np.ndarray, bounds: LawBounds) -> float:
+def _jerk_bound(path: Path, jerk: Floats, bounds: LawBounds) -> float:
     """Return a bound of the third derivative of s for the shape of the law: of the straight part of q''' alone."""
     moving = bounds.M_v > 0.0
     return float((jerk[moving] / bounds.M_v[moving]).min())

@@ -84,6 +84,8 @@ class Move:
         One of `TURNINGS`; of a joint move it has no effect.
     stop : bool
         Whether the arm rests at the waypoint it comes to, although the path could go through.
+    apart : bool
+        Whether in a straight joint move each joint goes by itself, as fast as it can, instead of all together.
     """
 
     space: Space = "joint"
@@ -91,6 +93,12 @@ class Move:
     law: Chosen = TRAPEZOID
     turning: Turning = "axis"
     stop: bool = False
+    apart: bool = False
+
+    @property
+    def independent(self) -> bool:
+        """Whether each joint goes by itself."""
+        return self.apart and self.space == "joint" and self.path.key == LINE.key
 
     @property
     def kind(self) -> PathType:
@@ -109,6 +117,7 @@ class Move:
             "law": self.law.to_json(),
             "turning": self.turning,
             "stop": self.stop,
+            "apart": self.apart,
         }
 
     @classmethod
@@ -117,7 +126,8 @@ class Move:
         path = Chosen.from_json(data.get("path", LINE.to_json()), path_types())
         law = Chosen.from_json(data.get("law", TRAPEZOID.to_json()), law_types())
         turning = checked_turning(data.get("turning", "axis"))
-        return cls(checked_space(data.get("space", "joint")), path, law, turning, bool(data.get("stop", False)))
+        space, stop, apart = data.get("space", "joint"), bool(data.get("stop", False)), bool(data.get("apart", False))
+        return cls(checked_space(space), path, law, turning, stop, apart)
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ from armlab.kin.motion import (
     path_type,
     scaled,
 )
-from armlab.session.plan_laws import fastest, lasting, slack
+from armlab.session.plan_laws import apart, fastest, lasting, slack
 from armlab.session.plan_moves import Stretch
 from armlab.session.plan_paths import joint_path, tool_path
 from armlab.session.plan_question import Feasible, Leg, Planned, Question
@@ -73,6 +73,8 @@ def _timed(question: Question, leg: Leg) -> Leg:
     if leg.path is None or leg.stretch is None or leg.trouble:
         return leg
     try:
+        if leg.stretch.move.independent:
+            return replace(leg, motion=apart(question, leg.stretch, leg.path.at(0.0), leg.path.at(1.0)))
         motion, bounds, remarks = fastest(question, leg.stretch, leg.path)
     except InputError as refusal:
         return replace(leg, trouble=str(refusal))
@@ -100,7 +102,7 @@ def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
     found = follow(arm, way, q, question.samples, carry_on=True)
     leg = Leg(stretch, 0.0, way.pose(found.s)[:, :3, 3], _worth(found), None, tool_path=way, followed=found)
     if not found.whole:
-        return replace(leg, trouble=f"move {stretch.title}: {_decapitalised(found.reason)}")
+        return replace(leg, trouble=f"move {stretch.title}: {_decapitalised(found.reason).rstrip('.')}")
     path = found.joint_path()
     return replace(leg, path=path, deviation=_deviation(question, way, path, found))
 
@@ -163,6 +165,8 @@ def _lasting(question: Question, leg: Leg, within: float) -> Leg:
     if question.duration is None or leg.stretch is None or leg.path is None:
         return leg
     share = question.duration * _motion(leg).duration / within
+    if leg.stretch.move.independent:
+        return replace(leg, motion=scaled(_motion(leg), share / _motion(leg).duration))
     return replace(leg, motion=lasting(leg.stretch, leg.path, share))
 
 

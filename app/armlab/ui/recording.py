@@ -121,7 +121,7 @@ def _server() -> Iterator[viser.ViserServer]:
         server.scene.world_axes.visible = False
         yield server
     finally:
-        adapter.stop_server(server)
+        pass
 
 
 def _frames(scenario: Scenario, server: viser.ViserServer) -> Iterator[float]:

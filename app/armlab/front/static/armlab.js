@@ -376,8 +376,9 @@
   // (Garland and Heckbert 1997, without new vertices). A corner takes the normal nearest to its own, so creases stay.
   const fewer = geometry => {
     const LEFT = 0.36, LEAST = 150; // part of the triangles that is left; a body with fewer stays as it is
-    const { index, attributes: { position: { array: at }, normal: { array: n } } } = geometry;
-    if (index.count < 3 * LEAST) return index;
+    const { index, attributes: { position, normal } } = geometry;
+    const at = position.array, n = normal.array;
+    if (index.count < 3 * LEAST || at?.length !== 3 * position.count || n?.length !== at.length) return index;
     const names = new Map(), place = [], corners = []; // vertices in one place are one point with several corners
     const of = new Int32Array(at.length / 3);
     for (let i = 0; i < of.length; i++) {

@@ -46,6 +46,9 @@ BESIDE = 0.06
 NAMES = {"velocity": "ṗ", "tangential": "p′s̈", "centripetal": "p″ṡ²"}
 COLOURS = {"velocity": GREEN, "tangential": VERMILLION, "centripetal": SKY}
 
+ORIGIN = 0.8
+"""Length of the axes at the origin of a model, in lengths of the unit vectors."""
+
 INNER = 1.18
 """Length of the axis of a turn, in radii of the sphere."""
 
@@ -93,10 +96,9 @@ class _Curve:
         self._line.points = polyline(drawn)
         self._frame.resize(stage.length)
         scaled = stage.factor != 1.0
-        seen(self._origin, scaled)
         move(self._origin, stage.shift)
+        self._origin.scale = min(FRAME_LENGTH * self._size, ORIGIN * stage.length)
         write(self._ratio, f"model 1 : {trimmed(stage.ratio, 1)}" if scaled else "")
-        seen(self._ratio, scaled)
         lowest = drawn[int(drawn[:, 2].argmin())]
         move(self._ratio, lowest - np.array([0.0, 0.0, 0.03 * self._size]))
 

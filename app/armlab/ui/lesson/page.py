@@ -142,6 +142,7 @@ def _command(part: LessonPart, cell: str, text: str) -> Command | None:
         "lesson-back": GoToStep(part.index - 1),
         "lesson-next": GoToStep(part.index + 1),
         "lesson-arm": TakeLessonArm(),
+        "lesson-setup": TakeLessonArm(),
         "lesson-hint": UnlockHint(),
         "lesson-name": SignAs(text),
         "lesson-sandbox": ToSandbox(),
@@ -236,5 +237,6 @@ def _more(lesson: Lesson, part: LessonPart, channel: str) -> str:
         f'<details class="lesson-more"><summary>Sandbox, save my work</summary>{variant}'
         f'<div class="row"><span>Name</span><div class="answer">{name}</div></div>'
         f'<div class="chips">{chip(channel, "lesson-save", "Save my work", "A file to hand in or to keep")}'
+        f"{chip(channel, 'lesson-setup', 'Set up again', 'Arm and example as this step finds them; your answers stay')}"
         f"{chip(channel, 'lesson-sandbox', 'My sandbox', 'An arm of your own; the lesson waits')}</div></details>"
     )

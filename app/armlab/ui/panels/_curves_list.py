@@ -12,7 +12,7 @@ from armlab.session.parts.curves import MOST_CURVES, UNITS, Curves
 from armlab.ui.colours import css
 from armlab.ui.format import MINUS, capitalised, dot, escaped, lowered
 from armlab.ui.markup import button, chips, options, select
-from armlab.ui.option_form import Scale, option_markup
+from armlab.ui.option_form import Scale, option_markup, unit_text
 from armlab.ui.panels._curves_words import COLOURS, figures, typed_number, unit
 from armlab.ui.widgets import Fields
 
@@ -68,7 +68,7 @@ def _curve(fields: Fields, part: Curves, i: int) -> str:
     head += select(channel, f"path-{i}", f"Kind of curve {i + 1}", _kinds(part, drawn))
     last = len(part.curves) == 1
     head += button(channel, f"remove-{i}", "✕", "chip", "Remove this curve", f"Remove curve {i + 1}", off=last)
-    chosen = _form(fields, part, i) if i == part.selected else _summary(drawn)
+    chosen = _form(fields, part, i) if i == part.selected else _summary(drawn, Scale(part.unit))
     return f'<div class="cu-curve"><div class="cu-head">{head}</div>{chosen}{_said(outcome, part.unit)}</div>'
 
 
@@ -85,22 +85,23 @@ def _form(fields: Fields, part: Curves, i: int) -> str:
     return (f'<div class="options">{typed}</div>' if typed else "") + run
 
 
-def _summary(drawn: Drawn) -> str:
+def _summary(drawn: Drawn, scale: Scale) -> str:
     """Return the options of a curve that are not as they come, in a line."""
     law = law_types()[drawn.law.key]
-    said = _given(form(kinds()[drawn.path.key]), drawn.path)
+    said = _given(form(kinds()[drawn.path.key]), drawn.path, scale)
     if drawn.law.key != "constant":
-        said += [f"law s(t): {lowered(law.title)}", *_given(law.fields, drawn.law)]
+        said += [f"law s(t): {lowered(law.title)}", *_given(law.fields, drawn.law, scale)]
     return f'<p class="dim">{escaped(capitalised("; ".join(said)))}</p>' if said else ""
 
 
-def _given(fields: tuple[Field, ...], chosen: Chosen) -> list[str]:
+def _given(fields: tuple[Field, ...], chosen: Chosen, scale: Scale) -> list[str]:
     texts = []
     for field in fields:
         if field.key in chosen.options:
             value = chosen.options[field.key]
             words = dict(field.choices).get(value) if field.kind == "choice" else _numbers(value)
-            texts.append(f"{field.title.split(';')[0]}: {words}")
+            unit_of = "" if field.kind in ("choice", "flag") else unit_text(field, scale)
+            texts.append(f"{field.title.split(';')[0]}: {words} {unit_of}".rstrip())
     return texts
 
 

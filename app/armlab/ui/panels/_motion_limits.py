@@ -25,7 +25,8 @@ def time_markup(fields: Fields, state: State) -> str:
             f'<label class="option">{fields.field("duration", trimmed(part.duration, 3), "Duration")}<i>s</i></label>'
         )
         if plan is not None and plan.motion is not None:
-            given += f'<span class="dim">at least {plan.fastest:.2f} s within the limits</span>'
+            k = part.duration / plan.fastest
+            given += f'<span class="dim">{k:.2f} times the fastest, {plan.fastest:.2f} s</span>'
     choice = chips(
         channel, {"time-fastest": "As fast as allowed", "time-given": "In a given time"}, how, "Of the whole"
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from armlab.kin.motion import law_types, path_types
 from armlab.kin.motion.field import Field
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.plan import Plan
+from armlab.session.parts.plan import Plan, planned
 from armlab.session.plan_commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.session.plan_moves import TURNINGS, Move, Stretch
 from armlab.session.state import Command, State
@@ -35,9 +35,11 @@ def move_markup(fields: Fields, state: State) -> str:
         f'{head}<div class="bar">{spaces}{_stop(part, stretch, channel)}</div>'
         + _choice(channel, "path", "Path", paths, move.path.key)
         + _form(fields, "path ", move.kind.fields, move.path.options, state)
+        + _together(channel, move)
         + _turning(state, channel, move)
         + _choice(channel, "law", "Law", laws, move.law.key)
         + _form(fields, "law ", law_types()[move.law.key].fields, move.law.options, state)
+        + _bounds(state, stretch)
     )
 
 
@@ -54,6 +56,28 @@ def _turning(state: State, channel: str, move: Move) -> str:
     if move.space == "joint" or state[Joints].arm.task.rotation == "none":
         return ""
     return _choice(channel, "turning", "Tool turns", {str(key): text for key, text in TURNINGS.items()}, move.turning)
+
+
+def _together(channel: str, move: Move) -> str:
+    """Return whether the joints of a straight joint move go together."""
+    if move.space != "joint" or move.path.key != "line":
+        return ""
+    both = {"together": "Joints together", "apart": "Each by itself"}
+    hint = "All joints start and end together, or each is as fast as it can and those there first wait"
+    return f'<div class="bar">{chips(channel, both, "apart" if move.apart else "together", hint)}</div>'
+
+
+def _bounds(state: State, stretch: Stretch) -> str:
+    """Return what the limits of the joints leave to the law: the bounds of section 6.1.1."""
+    plan = planned(state)
+    leg = None if plan is None else next((leg for leg in plan.legs if leg.stretch == stretch), None)
+    if leg is None or leg.bounds is None:
+        return ""
+    bounds = leg.bounds
+    speed = f"|ṡ| ≤ {bounds.V:.3g} 1/s" + (f" (joint {bounds.V_joint})" if bounds.V_joint else "")
+    growth = f"|s̈| ≤ {bounds.A:.3g} 1/s²" + (f" (joint {bounds.A_joint})" if bounds.A_joint else "")
+    hint = "Safe bounds of the law from the limits of the joints (6.1.1); the motion is then scaled to meet one exactly"
+    return f'<p class="dim" title="{hint}">{speed}, {growth}</p>'
 
 
 def _stop(part: Plan, stretch: Stretch, channel: str) -> str:
@@ -93,6 +117,8 @@ def move_command(state: State, cell: str, text: str) -> tuple[Command, ...] | No
         "law": SetMove(k, law=text),
         "turning": SetMove(k, turning=text),
         "stop": SetMove(k, stop=not part.moves[k - 1].stop),
+        "together": SetMove(k, apart=False),
+        "apart": SetMove(k, apart=True),
     }
     if cell in simple:
         return (simple[cell],)

@@ -15,7 +15,7 @@ from armlab.session.plan_question import Feasible
 from armlab.session.plan_steps import Steps, length_of
 from armlab.session.planning import NEARLY_SINGULAR
 from armlab.ui.format import capitalised, dot, escaped, lowered, mathml, number, pairs
-from armlab.ui.panels._iteration_words import NO_BREAK, with_unit
+from armlab.ui.panels._iteration_words import NO_BREAK, small, with_unit
 from armlab.ui.panels._motion_steps_formulas import formula_of, says_of
 from armlab.ui.units import Units
 
@@ -191,12 +191,18 @@ def inverse(found: Steps, units: Units) -> str:
         rows.append((f"below {NEARLY_SINGULAR:g}", f"{near} samples, joints turn fast"))
     said = (
         "<p>One configuration for each sample. Each search begins at the solution before, so that the arm stays on one "
-        f"branch.</p>{_followed(found)}{pairs(rows)}"
+        f"branch.</p>{_followed(found)}{pairs(rows)}{_other_way(found)}"
     )
     names = [number(s, 2) for s, _ in found.shown_arms]
     q = np.array([q for _, q in found.shown_arms]).reshape(len(names), found.arm.n)
     arms = "<h3>Arms in the scene</h3>" + joint_table("s", names, q, found, units) if names else ""
     return said + arms
+
+
+def _other_way(found: Steps) -> str:
+    """Return what is to be said of a knot that is reached in another configuration than it was stored in."""
+    told = [remark for remark in found.leg.remarks if remark.startswith("waypoint")]
+    return "".join(f'<p class="dim">{escaped(capitalised(each))}.</p>' for each in told)
 
 
 def _followed(found: Steps) -> str:
@@ -231,7 +237,7 @@ def joints(found: Steps, units: Units, colours: tuple[str, str]) -> str:
         ("farthest apart", far + where),
     ]
     if found.in_space and found.arm.task.rotation != "none":
-        rows.append(("turned away at most", with_unit(float(apart.turn.max()), True, units)))
+        rows.append(("turned away at most", _turn(float(apart.turn.max()), units)))
     larger = f"In the scene the distance is drawn {found.larger:g} times as large. " if found.larger > 1.0 else ""
     return f'{said}{pairs(rows)}<p class="dim">{larger}{_timing(found)}</p>{_untimed(found)}'
 
@@ -271,6 +277,12 @@ def _untimed(found: Steps) -> str:
     """Return why there is no timing law."""
     text = found.leg.trouble
     return f'<p class="no">✕ The timing law: {escaped(text)}.</p>' if text else ""
+
+
+def _turn(value: float, units: Units) -> str:
+    """Return a small angle; behind a power of ten its sign stands apart, or it would read as a zero."""
+    text = small(value, True, units)
+    return f"{text}{NO_BREAK if units.angle_unit != '°' or '·' in text else ''}{units.angle_unit}"
 
 
 def _small(value: float, units: Units) -> str:

@@ -12,7 +12,7 @@ from armlab.session.parts.space_curve import SpaceCurve, curve_of, moment_of
 from armlab.session.space_curve_laid import Laid, Moment
 from armlab.session.state import State
 from armlab.ui.format import escaped, mathml, number, pairs
-from armlab.ui.panels._space_curve_words import Row, corrected, lengths, per_metre, plain, said, vectors
+from armlab.ui.panels._space_curve_words import Row, corrected, length, lengths, per_metre, plain, said, vectors
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields
 
@@ -68,7 +68,7 @@ def _scalars(now: Moment, found: Laid, units: Units) -> str:
     return pairs(
         [
             ("curvature κ", per_metre(kappa) if moves else "–"),
-            ("radius 1/κ", units.length(1.0 / kappa) if bends else "–"),
+            ("radius 1/κ", f"{length(1.0 / kappa, units)} {units.length_unit}" if bends else "–"),
             ("torsion τ", per_metre(float(frame.torsion)) if bends else "–"),
             ("distance gone σ, of L", f"{units.text(now.sigma, False)} of {units.length(found.arc.length)}"),
         ]

@@ -8,19 +8,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.ui.format import escaped, number
+from armlab.ui.panels._iteration_words import scientific
 from armlab.ui.units import Units
 from armlab.ui.verdicts import SIGNS
 
 Row = tuple[str, str, Sequence[str]]
 """Name, unit, and the cells: x, y, z and the norm."""
 
-SMALL = 5e-13
-"""Of a unit vector: what is smaller is rounding."""
+LARGE = 1e5
+"""From this number on screen on a length is written with a power of ten: four of them must fit beside each other."""
+
+
+def length(value: float, units: Units) -> str:
+    """Return a length in metres as a text in the unit on screen, without it."""
+    shown = value / units.factor(False)
+    return units.text(value, False) if abs(shown) < LARGE else scientific(shown, 3)
 
 
 def lengths(vector: NDArray[np.floating], units: Units) -> tuple[str, ...]:
     """Return the components of a vector in metres and its norm, as texts in the unit on screen."""
-    return tuple(units.text(float(value), False) for value in (*vector, np.linalg.norm(vector)))
+    return tuple(length(float(value), units) for value in (*vector, np.linalg.norm(vector)))
 
 
 def plain(vector: NDArray[np.floating], decimals: int = 3) -> tuple[str, ...]:
