@@ -2,7 +2,6 @@
 
 import itertools
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 import pytest

@@ -115,15 +115,11 @@ def _worth(found: Followed) -> NDArray[np.int_]:
 def _deviation(question: Question, way: ToolPath, path: Path, found: Followed) -> float:
     """Return how far the tool is from its path half way between two samples, at most."""
     between = 0.5 * (found.s[1:] + found.s[:-1])
-    apart = question.arm.position(path.at(between)) - way.pose(between)[:, :3, 3]
-    if question.arm.task.position:
-        apart = apart[:, list(_controlled(question))]
-    return float(np.linalg.norm(apart, axis=1).max())
-
-
-def _controlled(question: Question) -> tuple[int, ...]:
-    """Return which coordinates the task of the arm holds: of a planar arm two."""
-    return tuple("xyz".index(axis) for axis in question.arm.task.position)
+    arm = question.arm
+    gap = arm.position(path.at(between)) - way.pose(between)[:, :3, 3]
+    # A planar arm holds two coordinates, along the axes of frame 0.
+    held = ["xyz".index(axis) for axis in arm.task.position]
+    return float(np.linalg.norm((gap @ arm.base[:3, :3])[:, held], axis=1).max())
 
 
 def _decapitalised(text: str) -> str:

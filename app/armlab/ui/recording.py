@@ -121,7 +121,7 @@ def _server() -> Iterator[viser.ViserServer]:
         server.scene.world_axes.visible = False
         yield server
     finally:
-        pass
+        adapter.stop_server(server)
 
 
 def _frames(scenario: Scenario, server: viser.ViserServer) -> Iterator[float]:

@@ -25,6 +25,9 @@ COUNT = 21
 TAIL = 1e-14
 """The last coefficients of a piece, relative to the largest value, when it is resolved."""
 
+NOISE = 1e-9
+"""The same, below which a tail that halving a piece does not shrink is the rounding of the function itself."""
+
 HALVINGS = 40
 """Of a piece at most: a kink is then closed in to 1e-12 of it."""
 
@@ -93,16 +96,19 @@ def series_of(function: Function, edges: Floats, degree: int | None = None) -> S
         return Series(pieces, _fitted(function, pieces, degree + 1))
     done_edges, done_coefficients = [], []
     largest = 0.0
+    before = np.full(len(pieces), np.inf)
     for _ in range(HALVINGS):
         coefficients = _fitted(function, pieces, COUNT)
         largest = max(largest, float(np.abs(coefficients).sum(axis=1).max(initial=0.0)))
-        rough = np.abs(coefficients[:, -3:]).max(axis=(1, 2)) > TAIL * largest
+        tail = np.abs(coefficients[:, -3:]).max(axis=(1, 2))
+        rough = (tail > TAIL * largest) & ((tail > NOISE * largest) | (tail < 0.25 * before))
         if 2 * int(rough.sum()) > MOST_PIECES:
             rough[:] = False
         done_edges.append(pieces[~rough])
         done_coefficients.append(coefficients[~rough])
         if not rough.any():
             break
+        before = np.repeat(tail[rough], 2)
         low, high = pieces[rough].T
         middle = 0.5 * (low + high)
         pieces = np.stack([np.stack([low, middle], axis=1), np.stack([middle, high], axis=1)]).reshape(-1, 2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from armlab.kin import ik
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan
 from armlab.session.parts.target import HandleBy, Target
@@ -111,8 +112,7 @@ def _shortfall(state: State, units: Units) -> str:
     arm, point = state[Joints].arm, state[Plan].waypoints[state[Plan].selected]
     if point.pose is None:
         return ""
-    rows = ["xyz".index(axis) for axis in arm.task.position]
-    apart = float(np.linalg.norm((point.wanted(arm)[:3, 3] - arm.position(point.q))[rows]))
+    apart = ik.judge(arm, point.wanted(arm), np.array(point.q)).position_error
     if apart < 1e-5 * arm.length_scale:
         return ""
     return f'<p class="no">✕ out of reach by {units.length(apart)}</p>'

@@ -22,7 +22,7 @@ LARGE = 1e5
 def length(value: float, units: Units) -> str:
     """Return a length in metres as a text in the unit on screen, without it."""
     shown = value / units.factor(False)
-    return units.text(value, False) if abs(shown) < LARGE else scientific(shown, 3)
+    return units.text(value, False) if abs(shown) < LARGE else scientific(shown, 2)
 
 
 def lengths(vector: NDArray[np.floating], units: Units) -> tuple[str, ...]:
