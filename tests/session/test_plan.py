@@ -64,7 +64,7 @@ def test_every_arm_opens_with_a_motion_that_can_be_run(robot):
 @pytest.mark.parametrize("key", list(EXAMPLES))
 def test_every_example_is_what_it_says(key):
     state = with_plan(after(opened("puma560"), TakeExample(key)))
-    kind = {"out_of_reach": "no", "given_time": "warn"}.get(key, "ok")
+    kind = {"out_of_reach": "no", "given_time": "no"}.get(key, "ok")
     assert judged(planned(state)).kind == kind
     assert np.allclose(state[Joints].q, state[Plan].waypoints[0].q)
     assert (state[Plan].other is not None) == EXAMPLES[key].compared
@@ -116,7 +116,7 @@ def test_a_given_time_is_kept_and_what_it_exceeds_is_said():
     assert plan.duration == pytest.approx(0.3)
     assert plan.fastest > 0.3
     said = judged(plan)
-    assert said.kind == "warn"
+    assert said.kind == "no"
     assert any("velocity" in line for line in said.lines)
     assert f"{plan.fastest:.2f} s at least" in " ".join(said.lines)
     assert Feasible.OVER_LIMIT in plan.legs[0].worth
@@ -127,7 +127,7 @@ def test_a_given_time_is_kept_and_what_it_exceeds_is_said():
 
 def test_limits_of_tool_speed_and_jerk_are_kept():
     slow = worked_out(after(opened(), LimitTool(0.05)))
-    assert slow.samples.tool_speed.max() == pytest.approx(0.05, rel=1e-3)
+    assert slow.samples.tool_speed.max() == pytest.approx(0.05, rel=1e-6)
     smooth = worked_out(after(opened(), SetMove(1, law="septic"), LimitJerk(0.2)))
     jerk = np.array(smooth.question.limits.acceleration) / 0.2
     assert (peaks(smooth.motion, 3).peak / jerk).max() <= 1.0 + 1e-9

@@ -17,11 +17,12 @@ from armlab.session.parts.plan import Plan
 from armlab.session.plan_limits import CompareMoves, LastFor
 from armlab.session.plan_moves import Move, Waypoint
 from armlab.session.plan_plots import TOOL, Overrun, compared, figures, overruns
+from armlab.session.plan_words import listed, sentences
 from armlab.session.state import State, apply
 from armlab.ui.colours import GREY, VERDICT, css, joint_colour
 from armlab.ui.panels._motion_plots_curves import POINTS, Line, MotionPlot, Times
 from armlab.ui.panels._motion_plots_lines import lines_of, most_of, slots
-from armlab.ui.panels._motion_plots_words import comparison, listed, peaks_table, sentences, status
+from armlab.ui.panels._motion_plots_words import comparison, peaks_table, status
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.units import Units
 from support.student import run, student

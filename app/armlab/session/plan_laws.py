@@ -21,11 +21,9 @@ from armlab.kin.motion import (
 from armlab.kin.motion.law_types import SMOOTH_ENOUGH
 from armlab.session.plan_moves import Stretch
 from armlab.session.plan_question import Limits, Question
+from armlab.session.plan_samples import fastest_tool
 
 Floats = NDArray[np.float64]
-
-SAMPLES = 400
-"""Of a motion, among which the largest speed of the tool is looked for."""
 
 JERK_REMARK = "the acceleration jumps, so the limit of jerk cannot be kept"
 
@@ -110,9 +108,4 @@ def _jerk_bound(path: Path, jerk: Floats, bounds: LawBounds) -> float:
 
 def _too_fast(arm: Arm, motion: Motion, limits: Limits) -> float:
     """Return the largest speed of the tool in parts of its limit."""
-    if limits.tool_speed is None:
-        return 0.0
-    t = np.linspace(0.0, motion.duration, SAMPLES)
-    q, qdot = motion.derivatives(t, (0, 1))
-    v = (arm.jacobian(q)[:, :3] @ qdot[:, :, None])[:, :, 0]
-    return float(np.linalg.norm(v, axis=1).max()) / limits.tool_speed
+    return 0.0 if limits.tool_speed is None else fastest_tool(arm, motion) / limits.tool_speed

@@ -22,8 +22,8 @@ Kind = Literal["joint", "cartesian", "mixed"]
 TOOL = 0
 """Stands for the tool where joints are counted from 1."""
 
-TOOL_SLACK = 3e-3
-"""Part of its limit by which the tool may be faster: a plan knows the largest of its speeds from 400 samples only."""
+TOOL_SLACK = 1e-4
+"""Part of its limit by which the tool may be faster: rounding, and the search for the largest of its speeds."""
 
 AT_LIMIT = 0.995
 """A share from which on a limit is what keeps a motion from being faster; the bounds of the tool are met at samples."""

@@ -19,6 +19,9 @@ DRAWN = 161
 PLOTTED = 601
 """Samples of a whole motion in the plots."""
 
+SEARCHED, FINER, REFINEMENTS = 400, 41, 3
+"""Samples among which the largest speed of the tool is looked for, those around the best, and how often."""
+
 DIFFERENCE = 1e-5
 """Seconds to either side of the change of the Jacobian."""
 
@@ -52,6 +55,19 @@ def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED)
         bend = np.linalg.norm(np.cross(v, a), axis=1) / speed**3
     curvature = np.where(speed > STANDS * max(float(speed.max()), 1e-12), bend, np.nan)
     return Samples(t, q, qdot, qddot, qdddot, tool, speed, _parameter(legs, t), curvature)
+
+
+def fastest_tool(arm: Arm, motion: Motion) -> float:
+    """Return the largest speed of the tool point, m/s: from samples, and finer ones around the largest."""
+    t = np.union1d(np.linspace(0.0, motion.duration, SEARCHED), motion.edges)
+    best = 0.0
+    for _ in range(REFINEMENTS):
+        q, qdot = motion.derivatives(t, (0, 1))
+        speed = np.linalg.norm((arm.jacobian(q)[:, :3] @ qdot[:, :, None])[:, :, 0], axis=1)
+        k = int(np.argmax(speed))
+        best = max(best, float(speed[k]))
+        t = np.linspace(t[max(k - 1, 0)], t[min(k + 1, len(t) - 1)], FINER)
+    return best
 
 
 def tool_rates(arm: Arm, q: Floats, qdot: Floats, qddot: Floats) -> tuple[Floats, Floats]:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from armlab.kin.motion.peaks import QUANTITIES
+from armlab.session.plan_plots import TOOL, Overrun, overruns
 from armlab.session.plan_question import Leg, Planned
 
-BRIEF = 5e-3
-"""Seconds that are told as one moment."""
-
-SLACK = 1.0 + 1e-6
-"""By which the tool may be faster than its limit: rounding."""
+MOST_SPANS = 2
+"""Times at which a limit is exceeded that are told one by one."""
 
 
 class Said(NamedTuple):
@@ -30,39 +28,59 @@ def judged(plan: Planned) -> Said:
     troubles = tuple(leg.trouble for leg in plan.legs if leg.trouble)
     if troubles:
         return Said("no", "cannot be run to its end", (*troubles, *remarks))
-    over = exceeded_words(plan)
+    over = sentences(overruns(plan))
     if over:
         least = (
             ()
             if np.isnan(plan.fastest) or plan.question.duration is None
             else (f"within the limits it takes {plan.fastest:.2f} s at least",)
         )
-        return Said("warn", "exceeds limits", (*over, *least, *remarks))
+        return Said("no", "exceeds limits", (*over, *least, *remarks))
     return Said("ok", f"runs in {plan.duration:.2f} s within all limits", remarks)
 
 
-def exceeded_words(plan: Planned) -> tuple[str, ...]:
-    """Return a sentence for each quantity that exceeds limits, with the joints, and one for the tool."""
+def sentences(found: Sequence[Overrun]) -> list[str]:
+    """Return the limits that are exceeded in words, without full stops; joints that do it together in one sentence."""
+    together: dict[tuple[str, str], list[int]] = {}
+    for overrun in found:
+        together.setdefault((overrun.quantity, _when(overrun)), []).append(overrun.joint)
     said = []
-    for quantity in QUANTITIES:
-        of = [violation for violation in plan.violations if violation.quantity == quantity]
-        if of:
-            joints = sorted({violation.joint for violation in of})
-            many = len(joints) > 1
-            names = f"{'joints' if many else 'joint'} {', '.join(map(str, joints))}"
-            what = f"{'exceed their limits' if many else 'exceeds its limit'} of {quantity}"
-            said.append(f"{names} {what} {_when([(violation.start, violation.end) for violation in of])}")
-    speed = plan.question.limits.tool_speed
-    if speed is not None and plan.samples is not None and plan.samples.tool_speed.max() > speed * SLACK:
-        t = plan.samples.t[plan.samples.tool_speed > speed * SLACK]
-        said.append(f"the tool is faster than its limit {_when([(float(t[0]), float(t[-1]))])}")
-    return tuple(said)
+    for (quantity, when), joints in together.items():
+        if joints == [TOOL]:
+            said.append(f"the tool exceeds its speed limit {when}")
+            continue
+        several = len(joints) > 1
+        who = f"joints {listed([str(j) for j in sorted(joints)])}" if several else f"joint {joints[0]}"
+        if quantity == "position":
+            what = "are outside their limits" if several else "is outside its limits"
+        else:
+            what = f"exceed their {quantity} limits" if several else f"exceeds its {quantity} limit"
+        said.append(f"{who} {what} {when}")
+    return said
+
+
+def listed(words: Sequence[str]) -> str:
+    """Return words as a list in a sentence.
+
+    >>> listed(["1", "2", "4"])
+    '1, 2 and 4'
+    """
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def _when(overrun: Overrun) -> str:
+    """Return when a limit is exceeded: the first times, and how often more."""
+    spans = [_span(*each) for each in overrun.spans[:MOST_SPANS]]
+    more = len(overrun.spans) - MOST_SPANS
+    if more > 0:
+        spans.append("once more" if more == 1 else f"{more} more times")
+    return listed(spans)
+
+
+def _span(start: float, end: float) -> str:
+    first, last = f"{start:.2f}", f"{end:.2f}"
+    return f"at {first} s" if first == last else f"from {first} to {last} s"
 
 
 def _with_move(leg: Leg, remark: str) -> str:
     return remark if leg.stretch is None else f"move {leg.stretch.title}: {remark[:1].lower() + remark[1:].rstrip('.')}"
-
-
-def _when(times: list[tuple[float, float]]) -> str:
-    first, last = min(start for start, _ in times), max(end for _, end in times)
-    return f"at {first:.2f} s" if last - first < BRIEF else f"between {first:.2f} and {last:.2f} s"

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from armlab.session.plan_plots import TOOL, Binding, Figures, Kind, Overrun, kind_of, same_time
 from armlab.session.plan_question import Planned
+from armlab.session.plan_words import sentences
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import capitalised, dot, escaped, number, trimmed
 from armlab.ui.panels._motion_plots_lines import DOTS, TIMES
@@ -15,7 +14,7 @@ KINDS: dict[Kind, str] = {"joint": "joint moves", "cartesian": "Cartesian moves"
 OTHERS: dict[Kind, str] = {"joint": "Cartesian moves", "cartesian": "joint moves", "mixed": "the other kinds"}
 """What a plan is called, by the space of its moves, and what the one beside it."""
 
-MOST_SPANS, MOST_SENTENCES = 2, 8
+MOST_SENTENCES = 8
 
 LONGER = 1.001
 """A way is called longer from so many times on."""
@@ -47,49 +46,6 @@ def status(plan: Planned | None, figures: Figures | None, found: tuple[Overrun, 
         kept = _kept(plan, figures)
         parts.append(f'<div class="verdict ok"><b>✓ All limits are kept.</b>{kept}</div>')
     return "".join(parts)
-
-
-def sentences(found: Sequence[Overrun]) -> list[str]:
-    """Return the limits that are exceeded in words, without full stops; joints that do it together in one sentence."""
-    together: dict[tuple[str, str], list[int]] = {}
-    for overrun in found:
-        together.setdefault((overrun.quantity, _when(overrun)), []).append(overrun.joint)
-    said = []
-    for (quantity, when), joints in together.items():
-        if joints == [TOOL]:
-            said.append(f"the tool exceeds its speed limit {when}")
-            continue
-        several = len(joints) > 1
-        who = f"joints {listed([str(j) for j in sorted(joints)])}" if several else f"joint {joints[0]}"
-        if quantity == "position":
-            what = "are outside their limits" if several else "is outside its limits"
-        else:
-            what = f"exceed their {quantity} limits" if several else f"exceeds its {quantity} limit"
-        said.append(f"{who} {what} {when}")
-    return said
-
-
-def listed(words: Sequence[str]) -> str:
-    """Return words as a list in a sentence.
-
-    >>> listed(["1", "2", "4"])
-    '1, 2 and 4'
-    """
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
-
-
-def _when(overrun: Overrun) -> str:
-    """Return when a limit is exceeded: the first times, and how often more."""
-    spans = [_span(*each) for each in overrun.spans[:MOST_SPANS]]
-    more = len(overrun.spans) - MOST_SPANS
-    if more > 0:
-        spans.append("once more" if more == 1 else f"{more} more times")
-    return listed(spans)
-
-
-def _span(start: float, end: float) -> str:
-    first, last = number(start, 2), number(end, 2)
-    return f"at {first} s" if first == last else f"from {first} to {last} s"
 
 
 def _kept(plan: Planned, figures: Figures) -> str:
