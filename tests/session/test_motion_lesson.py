@@ -204,11 +204,10 @@ def test_a_motion_that_cannot_be_run_says_why(own):
 
 
 def test_a_motion_counts_as_played_only_as_it_is_planned(corners):
-    state = worked(after(corners, GoToStep(1)))
-    played = to_its_end(state)
+    played = to_its_end(worked(after(corners, GoToStep(1), UseShare(0.5, 0.5))))
     assert observed(played).motion.played
     assert observed(played).motion.time == duration(played)
-    changed = after(played, *FLY)
+    changed = after(played, *FLY, UseShare(1.0, 1.0))
     assert not observed(changed).motion.played
     # The new plan is shorter: its end comes to where the playback stands, and nobody has seen it.
     delivered = worked(changed)

@@ -206,6 +206,75 @@ def test_names_in_steps_have_to_exist(typed, place, check, says):
     assert f"t.md:{line}: step 1: solution: unknown switch 'shadow'; did you mean 'shadows'?" in out
 
 
+ONLY_MOTIONS = """+++
+title = "T"
+chapter = "6"
+teaches = ["S4.0-2R"]
+robot = "puma560"
+hidden = ["trainer"]
+example = "motion/circle"
++++
+## Read
+```start
+example = "laws/triangle"
+panel = "laws"
+```
+```solution
+[[do]]
+kind = "example"
+name = "motion/spline"
+[[do]]
+kind = "move_kind"
+turning = "axis"
+[[do]]
+kind = "film"
+name = "laws"
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "says"),
+    [
+        (
+            "motion/circle",
+            "motion/circel",
+            "example =",
+            "example: example of the bench 'motion': unknown name 'circel'",
+        ),
+        ("motion/circle", "moton/circle", "example =", "example: bench: unknown name 'moton'; did you mean 'motion'?"),
+        (
+            "motion/circle",
+            "motion/given_time",
+            "example =",
+            "example: the example 'motion/given_time' is of the arm 'ur",
+        ),
+        (
+            "hidden",
+            'pose = "ready"\nhidden',
+            "example =",
+            "example: the example 'motion/circle' puts the arm elsewhere",
+        ),
+        ("laws/triangle", "laws/triangel", "## Read", "step 1: start: example of the bench 'laws': unknown name 'tri"),
+        ('panel = "laws"', 'panel = "lwas"', "## Read", "step 1: start: unknown panel 'lwas'; did you mean 'laws'?"),
+        ('panel = "laws"', 'panel = "trainer"', "## Read", "step 1: start: the panel 'trainer' is to be opened"),
+        ("motion/spline", "motion/splin", "## Read", "step 1: solution: example of the bench 'motion': unknown"),
+        ('"axis"', '"axes"', "## Read", "step 1: solution: unknown turning 'axes'; did you mean 'axis'?"),
+        ('name = "laws"', 'name = "lwas"', "## Read", "step 1: solution: unknown film 'lwas'; did you mean 'laws'?"),
+    ],
+)
+def test_names_of_examples_have_to_exist(typed, place, old, new, line, says):
+    path = place / "mine" / "m.md"
+    path.write_text(ONLY_MOTIONS, encoding="utf-8")
+    assert typed("lesson", "check", "mine/m.md") == (0, "m: 1 step, no problems\n", "")
+    text = ONLY_MOTIONS.replace(old, new, 1)
+    path.write_text(text, encoding="utf-8")
+    status, out, err = typed("lesson", "check", "mine/m.md")
+    assert (status, err) == (1, "")
+    number = next(i for i, each in enumerate(text.splitlines(), start=1) if each.startswith(line))
+    assert f"{Path('mine') / 'm.md'}:{number}: {says}" in out
+
+
 def test_a_problem_of_some_variants_names_the_first(typed, place):
     text = VARIED.replace('q_deg = ["= goal", 20]\n```\n## Predict', "q_deg = [30, 20]\n```\n## Predict")
     (place / "mine" / "v.md").write_text(text, encoding="utf-8")

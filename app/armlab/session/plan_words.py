@@ -28,7 +28,7 @@ def judged(plan: Planned) -> Said:
     troubles = tuple(leg.trouble for leg in plan.legs if leg.trouble)
     if troubles:
         return Said("no", "cannot be run to its end", (*troubles, *remarks))
-    over = sentences(overruns(plan))
+    over = exceeded_words(plan)
     if over:
         least = (
             ()
@@ -37,6 +37,11 @@ def judged(plan: Planned) -> Said:
         )
         return Said("no", "exceeds limits", (*over, *least, *remarks))
     return Said("ok", f"runs in {plan.duration:.2f} s within all limits", remarks)
+
+
+def exceeded_words(plan: Planned) -> list[str]:
+    """Return the limits a plan exceeds in words, without full stops."""
+    return sentences(overruns(plan))
 
 
 def sentences(found: Sequence[Overrun]) -> list[str]:

@@ -13,8 +13,8 @@ from armlab.content.live import OF_MOTION
 from armlab.content.seen_motion import SeenMotion, SeenMove
 from armlab.session.parts.plan import CLIP_KEY, Plan, planned, question
 from armlab.session.parts.timeline import Timeline
+from armlab.session.plan_plots import overruns
 from armlab.session.plan_question import Planned
-from armlab.session.plan_words import exceeded_words
 from armlab.session.state import State
 
 KEPT = 64
@@ -60,7 +60,7 @@ def _facts(plan: Planned, velocity: tuple[float, ...], acceleration: tuple[float
     return SeenMotion(
         planned=True,
         whole=plan.whole,
-        within=plan.whole and not plan.violations and not exceeded_words(plan),
+        within=plan.whole and not overruns(plan),
         duration=plan.duration,
         fastest=plan.fastest if math.isfinite(plan.fastest) else 0.0,
         velocity=0.0 if samples is None else _share(samples.qdot, velocity),

@@ -334,6 +334,7 @@
       requestAnimationFrame(tick);
       count += 1;
       if (!show(STEPS[step][1])) settling = true;
+      began ||= now;
       const spent = now - began;
       if (spent < PERIOD) return;
       if (!settling && spent < 4 * PERIOD) judge((1000 * count) / spent);
@@ -366,8 +367,7 @@
       }
       if (easy && step > 0) step -= 1; // the machine has more time than it had
       easy = settling = true;
-      began = performance.now();
-      count = 0;
+      began = count = 0;
       requestAnimationFrame(tick);
     };
   })();
