@@ -247,6 +247,7 @@ def test_a_lesson_is_done_by_its_solution(own):
     [
         ('path = "overfly"\n\n[[do]]', 'path = "line"\n\n[[do]]', 2, "has the path “Straight line”"),
         ('\n\n[[do]]\nkind = "motion"', "", 2, "Play the motion to its end."),
+        ('name = "motion/corner_stop"', 'name = "motion/corner"', 5, "action 6 of its solution is refused: example of"),
         ("seconds = 10", "seconds = 9", 3, "The motion takes 9.00 s; at least 10.00 s is wanted."),
         ("at_least_s = 10\nat_most_s = 10\n", "", 3, "its check is met already when the step begins"),
         ("to = 3\nlaw", "to = 9\nlaw", 5, "action 9 of its solution is refused: waypoint: expected 1 to 6, got 9"),

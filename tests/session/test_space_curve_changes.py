@@ -110,7 +110,7 @@ def test_a_curve_with_times_of_its_own_is_moved_in_them():
             ),
             "waypoint 3: the three points are on a straight line",
         ),
-        ((ChooseExample("square"), SetPoint(1, 0, -0.7)), "waypoint 2: the same as waypoint 1"),
+        ((ChooseExample("square"), SetPoint(1, 0, -0.6)), "waypoint 2: the same as waypoint 1"),
         ((ChooseExample("overfly"), SetOption("curve", "amount", [5.0])), "waypoint 2"),
         ((SetOption("law", "nothing", 1.0),), "unknown name"),
         ((TypeFormula(1, "5 s^"),), r"y\(s\): the formula breaks off"),

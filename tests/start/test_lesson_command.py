@@ -251,7 +251,7 @@ name = "laws"
         ),
         (
             "hidden",
-            'pose = "ready"\nhidden',
+            'pose = "zero"\nhidden',
             "example =",
             "example: the example 'motion/circle' puts the arm elsewhere",
         ),

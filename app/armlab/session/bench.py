@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, ClassVar
 
 from armlab.errors import InputError, UnknownName
 from armlab.plugins import discover
@@ -73,6 +73,18 @@ def robot_of(name: str) -> str:
     """
     bench, key = _found(name)
     return str(getattr(bench.examples[key], "robot", ""))
+
+
+@dataclass(frozen=True)
+class PutInPlace(Command):
+    """Put an example of any bench in place, by its name in lessons."""
+
+    name: str
+    label: ClassVar[str] = "example"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the example; refused when there is none such."""
+        return choosing(self.name).apply(state)
 
 
 def with_example(state: State, name: str, robot: str) -> State:

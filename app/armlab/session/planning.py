@@ -43,7 +43,7 @@ APART = 1e-6
 def making(question: Question) -> Iterator[Planned | None]:
     """Work out a plan; yield None between pieces of the work, and at last the plan."""
     if question.recorded is not None:
-        yield _recorded(question)
+        yield from _recorded(question)
         return
     legs: list[Leg] = []
     q: Floats | None = np.array(question.waypoints[0].q)
@@ -187,8 +187,8 @@ def _drawn(question: Question, leg: Leg, over: Sequence[Violation]) -> Leg:
     return replace(leg, points=points, worth=worth, times=times)
 
 
-def _recorded(question: Question) -> Planned:
-    """Return the plan of a recorded motion: a spline through its samples, in its own time or another."""
+def _recorded(question: Question) -> Iterator[Planned | None]:
+    """Yield the plan of a recorded motion: a spline through its samples, in its own time or another."""
     recorded = question.recorded
     assert recorded is not None
     t = np.array(recorded.t) - recorded.t[0]
@@ -196,7 +196,10 @@ def _recorded(question: Question) -> Planned:
     own = Trajectory(path, law_type("constant").law(float(t[-1])))
     motion = own if question.duration is None else scaled(own, question.duration / own.duration)
     leg = Leg(None, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, motion=motion)
+    yield None
     over = exceeded(question, motion)
+    yield None
     leg = _drawn(question, leg, over)
     within = own.duration * slack(question, own)
-    return Planned(question, (leg,), motion, sampled(question.arm, motion, [leg]), over, within)
+    yield None
+    yield Planned(question, (leg,), motion, sampled(question.arm, motion, [leg]), over, within)

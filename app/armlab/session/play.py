@@ -20,7 +20,7 @@ from armlab.content.observation import Observation
 from armlab.errors import InputError
 from armlab.kin.checks import finite_floats, whole_number
 from armlab.session import edits, plan_commands, plan_limits, plan_points
-from armlab.session.bench import choosing
+from armlab.session.bench import PutInPlace
 from armlab.session.hand_in import plain
 from armlab.session.job import Deliver
 from armlab.session.jobs.plan import JOB as PLANNING
@@ -131,7 +131,7 @@ class Player:
             yield Seek(0.0)
             yield Seek(duration(self.session.state))
         elif isinstance(action, motion_actions.TakeExample):
-            yield choosing(action.name)
+            yield PutInPlace(action.name)
         elif isinstance(action, motion_actions.MotionAction):
             yield from _plan_commands(action, self.session.state)
         elif isinstance(action, actions.TypeAnswer):

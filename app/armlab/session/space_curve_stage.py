@@ -26,6 +26,9 @@ ASIDE = 0.22
 """How far beside the base the middle of a model, and of the sphere of the orientations, is: to the left as the arm is
 looked at from its home view, where no arm has its tool. In reaches."""
 
+STEPS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+"""Ratios of a model, up to a power of ten."""
+
 ABOVE = 0.06
 """Height of the lowest point of a model over the base, in reaches."""
 
@@ -59,6 +62,11 @@ class Stage(NamedTuple):
     def at(self, points: Floats) -> Floats:
         """Return where points (..., 3) are drawn."""
         return np.asarray(self.shift + self.factor * points)
+
+    @property
+    def model(self) -> bool:
+        """Whether it is not drawn in its place."""
+        return bool(self.shift.any())
 
     @property
     def ratio(self) -> float:
@@ -112,8 +120,8 @@ def _length(extent: float, reach: float) -> float:
 
 
 def _ratio(least: float) -> float:
-    """Return the next of 1, 2, 5, 10, 20, ... that is not below; 1 or more."""
+    """Return the next ratio of `STEPS`, times a power of ten, that is not below; 1 or more."""
     if least <= 1.0:
         return 1.0
     power = 10.0 ** math.floor(math.log10(least))
-    return next(step * power for step in (1.0, 2.0, 5.0, 10.0) if step * power >= least * (1.0 - 1e-9))
+    return next(step * power for step in STEPS if step * power >= least * (1.0 - 1e-9))

@@ -95,16 +95,15 @@ class _Curve:
         drawn = stage.at(found.frame.position)
         self._line.points = polyline(drawn)
         self._frame.resize(stage.length)
-        scaled = stage.factor != 1.0
         move(self._origin, stage.shift)
         self._origin.scale = min(FRAME_LENGTH * self._size, ORIGIN * stage.length)
-        write(self._ratio, f"model 1 : {trimmed(stage.ratio, 1)}" if scaled else "")
+        write(self._ratio, f"model 1 : {trimmed(stage.ratio, 1)}" if stage.model else "")
         lowest = drawn[int(drawn[:, 2].argmin())]
         move(self._ratio, lowest - np.array([0.0, 0.0, 0.03 * self._size]))
 
     def _draw_points(self, part: SpaceCurve, stage: Stage) -> None:
-        seen(self._origin, stage.factor != 1.0)
-        seen(self._ratio, stage.factor != 1.0)
+        seen(self._origin, stage.model)
+        seen(self._ratio, stage.model)
         own = () if part.curve.key == FORMULA else part.points
         numbered = len(own) if len(own) <= MOST_NAMES else 0
         places = stage.at(np.array(own)) if own else np.zeros((0, 3))

@@ -145,9 +145,9 @@ def marks(fields: Fields, state: State) -> str:
     )
     stage = state.derived(stage_of)
     scaled = (
-        f'<p class="dim">Far larger than the arm: drawn as a model 1 : {trimmed(stage.ratio, 1)} beside it, with the '
+        f'<p class="dim">Far beyond the arm: drawn as a model 1 : {trimmed(stage.ratio, 1)} beside it, with the '
         "axes at its origin.</p>"
-        if stage.factor != 1.0
+        if stage.model
         else ""
     )
     return f'<div class="bar"><span class="dim">In the scene</span>{frame}{arrows}</div>{scaled}'
