@@ -18,7 +18,7 @@ from armlab.content.lessons import lessons
 from armlab.content.motion_actions import SetMoveKind, TakeExample
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, suggestion
-from armlab.session.bench import refuse_other_arm, with_example
+from armlab.session.bench import refuse_other_arm, robot_of, with_example
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import clips
 from armlab.session.plan_moves import TURNINGS
@@ -83,11 +83,10 @@ def _of_example(lesson: Lesson, name: str) -> Iterator[str]:
 def _moved_by_example(lesson: Lesson) -> Iterator[str]:
     """Yield why pose or joint values at the top of a lesson are of no use: the example puts the arm elsewhere."""
     begun = State.initial(lesson.robot_used)
-    home, start = begun[Joints].q, lesson.start
-    if not lesson.example or np.array_equal(start, home):
+    if not lesson.example or not robot_of(lesson.example) or np.array_equal(lesson.start, begun[Joints].q):
         return
     stands = with_example(begun, lesson.example, lesson.robot)[Joints].q
-    if not np.array_equal(stands, home) and not np.allclose(stands, start, rtol=0.0, atol=1e-9):
+    if not np.allclose(stands, lesson.start, rtol=0.0, atol=1e-9):
         yield f"the example {lesson.example!r} puts the arm elsewhere than the lesson; leave out pose or joint values"
 
 

@@ -19,10 +19,10 @@ Floats = NDArray[np.float64]
 NEAR = 1.05
 """Reaches of the arm from its base within which a curve is drawn where it is."""
 
-MODEL = 0.3
+MODEL = 0.26
 """Reaches of the arm that a model is across at most."""
 
-ASIDE = 0.22
+ASIDE = 0.19
 """How far beside the base the middle of a model, and of the sphere of the orientations, is: to the left as the arm is
 looked at from its home view, where no arm has its tool. In reaches."""
 
@@ -32,7 +32,7 @@ STEPS = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 ABOVE = 0.06
 """Height of the lowest point of a model over the base, in reaches."""
 
-SPHERE, SPHERE_HEIGHT = 0.125, 0.26
+SPHERE, SPHERE_HEIGHT = 0.115, 0.26
 """Radius of the sphere on which the tips run, and height of its centre, in reaches."""
 
 ACROSS, SMALL, LARGE = 0.2, 0.07, 0.24
