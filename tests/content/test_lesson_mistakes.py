@@ -87,7 +87,7 @@ BROKEN = [
         r"step 2.solution.do\[3\].field: unknown value 'theta'; did you",
     ),
     ("on = false", 'on = "no"', "on = ", r"step 2.solution.do\[4\].on: expected true or false, got 'no'"),
-    ('kind = "film"', 'kind = "film"\nname = "x"', 'name = "x"', r"step 2.solution.do\[5\].name: unknown key"),
+    ('kind = "film"', 'kind = "film"\nkey = "x"', 'key = "x"', r"step 2.solution.do\[5\].key: unknown key"),
     ("seconds = 1.5", "seconds = -1", "seconds", r"step 2.solution.do\[6\].seconds: expected more than 0"),
     ('text = "= reach"', "text = true", "text = true", r"step 2.solution.do\[7\].text: expected the answer as typed"),
     ("## ", "# ", "last", "expected at least one step"),

@@ -200,4 +200,4 @@ def checked_turning(turning: object) -> Turning:
     """Return a way of turning; `UnknownName` for another word."""
     if turning not in TURNINGS:
         raise UnknownName("turning", turning, TURNINGS)
-    return cast(Turning, turning)
+    return turning

@@ -48,7 +48,7 @@ def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED)
     """Return a motion at evenly spaced times, with what the tool does."""
     t = np.linspace(0.0, motion.duration, count)
     q, qdot, qddot, qdddot = motion.derivatives(t)
-    tool = np.asarray(arm.position(q))
+    tool = np.asarray(arm.position(q), dtype=np.float64)
     v, a = tool_rates(arm, q, qdot, qddot)
     speed = np.linalg.norm(v, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):

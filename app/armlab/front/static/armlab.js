@@ -375,7 +375,7 @@
   // The index of a body with fewer triangles on the same vertices: edges are collapsed where the surface bends least
   // (Garland and Heckbert 1997, without new vertices). A corner takes the normal nearest to its own, so creases stay.
   const fewer = geometry => {
-    const LEFT = 0.36, LEAST = 150; // part of the triangles that is left; a body with fewer stays as it is
+    const LEFT = 0.28, LEAST = 150; // part of the triangles that is left; a body with fewer stays as it is
     const { index, attributes: { position, normal } } = geometry;
     const at = position.array, n = normal.array;
     if (index.count < 3 * LEAST || at?.length !== 3 * position.count || n?.length !== at.length) return index;
