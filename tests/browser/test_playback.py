@@ -36,8 +36,8 @@ SLOW = """condition => {
     call(time);
   });
 }"""
-"""Gives pictures times of the test's own, 0.2 s apart: always, as on a slow screen, or while there are shadows, as with a
-weak graphics processor."""
+"""Gives pictures times of the test's own, 0.2 s apart: always, as on a slow screen, or while there are shadows, as with
+a weak graphics processor."""
 
 CLOCK = """count => new Promise(done => {
   const marks = [];

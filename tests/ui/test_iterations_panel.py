@@ -13,8 +13,9 @@ from armlab.session.jobs.iterations import with_films
 from armlab.session.parts.iterations import Iterations
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.format import scientific
 from armlab.ui.panels._iteration_tangents import View, picture, ticks
-from armlab.ui.panels._iteration_words import choices, chosen, made, outcome, scientific, small
+from armlab.ui.panels._iteration_words import choices, chosen, made, outcome, small
 from armlab.ui.units import Units
 from support.student import run, student
 

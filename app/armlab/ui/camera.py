@@ -44,10 +44,17 @@ class Camera:
     client : viser.ClientHandle
     pose : callable
         Returns the present joint values.
+    around : callable
+        Returns points (k, 3) that belong in the picture beside the arm.
     """
 
-    def __init__(self, client: viser.ClientHandle, pose: Callable[[], NDArray[np.float64]]) -> None:
-        self._client, self._pose = client, pose
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        pose: Callable[[], NDArray[np.float64]],
+        around: Callable[[], NDArray[np.float64]] = lambda: np.zeros((0, 3)),
+    ) -> None:
+        self._client, self._pose, self._around = client, pose, around
         self._robot: Robot | None = None
         self._lesson: View | None = None
         self._figure: Figure | None = None
@@ -81,14 +88,14 @@ class Camera:
             self.keep_in_view()
 
     def keep_in_view(self) -> None:
-        """Step back, in the direction the eye looks now, if a joint or the tool has left the picture."""
+        """Step back, in the direction the eye looks now, if the arm or what is around it is not in the picture."""
         if self._robot is None or self._figure is None or len(self._pose()) != self._robot.arm.n:
             return
         arm, q = self._robot.arm, self._pose()
         camera = self._client.camera
         back = np.asarray(camera.position) - np.asarray(camera.look_at)
         distance = float(np.linalg.norm(back))
-        points = np.vstack([arm.frames(q)[:, :3, 3], arm.position(q)])
+        points = np.vstack([arm.frames(q)[:, :3, 3], arm.position(q), self._around()])
         if distance == 0.0 or self._seen(points, back / distance):
             return
         bounds = self._bounds(self._robot, self._figure)
@@ -154,7 +161,8 @@ class Camera:
         boxes = [figure.bounds(q) for q in (robot.poses.values() if self._roomy else [robot.home])]
         if len(self._pose()) == robot.arm.n:  # while another arm is being fetched its pose is there already
             boxes.append(figure.bounds(self._pose()))
-        return np.array([np.min(boxes, axis=(0, 1)), np.max(boxes, axis=(0, 1))])
+        points = np.vstack([*boxes, self._around()])
+        return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _direction(azimuth: float, elevation: float) -> NDArray[np.float64]:

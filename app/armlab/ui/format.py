@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import math
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 MINUS = "\u2212"
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def number(value: float, decimals: int) -> str:
@@ -82,3 +84,17 @@ def pairs(rows: Sequence[tuple[str, str]]) -> str:
 def dot(colour: str) -> str:
     """Return a small round mark."""
     return f'<span class="dot" style="background:{colour}"></span>'
+
+
+def scientific(value: float, decimals: int = 1) -> str:
+    """Return a number with a power of ten.
+
+    >>> scientific(0.000123), scientific(-2.5e-12)
+    ('1.2·10⁻⁴', '−2.5·10⁻¹²')
+    """
+    if value == 0.0:
+        return "0"
+    if not math.isfinite(value):
+        return "∞" if math.isinf(value) else "–"
+    mantissa, exponent = f"{value:.{decimals}e}".split("e")
+    return f"{mantissa.replace('-', MINUS)}·10{str(int(exponent)).translate(_SUPERSCRIPTS)}"

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from armlab.errors import PluginError
 from armlab.plugins import discover
 from armlab.session.parts.lesson import LessonPart
@@ -20,7 +23,10 @@ if TYPE_CHECKING:
     from armlab.ui.drawing import LayerCanvas
 
 Post = Callable[[Command], None]
+Points = NDArray[np.float64]
 Show = Callable[[State], None]
+
+NOTHING: Points = np.zeros((0, 3))
 
 
 @dataclass(frozen=True)
@@ -53,6 +59,9 @@ class Panel:
         Keys of layers that would be in its way while it is open.
     hides_then : callable
         ``hides_then(state)`` returns keys of layers that are in its way in this state, besides ``hides``.
+    around : callable
+        ``around(state)`` returns points (k, 3) of the scene that belong in the picture beside the arm while the panel
+        is open.
     about : tuple of str
         What the index finds it by: sections and equations of the notes, rows of the inventory, words.
     always : bool
@@ -73,6 +82,7 @@ class Panel:
     see_through: bool = False
     hides: tuple[str, ...] = ()
     hides_then: Callable[[State], tuple[str, ...]] = lambda state: ()
+    around: Callable[[State], Points] = lambda state: NOTHING
     about: tuple[str, ...] = ()
     always: bool = False
     outside: Callable[[], object] = lambda: None

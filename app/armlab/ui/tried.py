@@ -28,3 +28,12 @@ def tried(
     for command in asked:
         post(command)
     return True
+
+
+def plain_number(text: str) -> float:
+    """Return a typed number without a unit; `InputError` when it is none."""
+    plain = text.strip().replace("−", "-").replace(",", ".")
+    try:
+        return float(plain)
+    except ValueError:
+        raise InputError(f"expected a number, got {text.strip()[:40]!r}") from None

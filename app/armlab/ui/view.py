@@ -7,6 +7,7 @@ import json
 import logging
 from collections.abc import Callable
 
+import numpy as np
 import viser
 
 from armlab.kin.arm import Arm
@@ -26,7 +27,7 @@ from armlab.ui.figure.drawn import Drawn, Gallery
 from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.overlay import Overlay
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import hidden_panels, layers, panels, tabs
+from armlab.ui.plugin import NOTHING, Points, hidden_panels, layers, panels, tabs
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
@@ -72,7 +73,7 @@ class View:
         on_panels: Callable[[], None] = lambda: None,
     ) -> None:
         self.client, self.session, self.post, self._on_panels = client, session, post, on_panels
-        self.camera = Camera(client, lambda: session.state[Joints].q)
+        self.camera = Camera(client, lambda: session.state[Joints].q, self._around)
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
         self._canvas: Canvas | None = None
@@ -164,6 +165,8 @@ class View:
             self.post(LookAt(self.session.front))
         with self.client.atomic():
             self._show_layers(self._shown)
+            if len(self._around()):
+                self.camera.keep_in_view()
         self.client.flush()
         self._refresh_now()
 
@@ -216,6 +219,11 @@ class View:
         if wanted in there:
             return wanted
         return next(iter(there), "") if not self.open_panels <= set(there) else ""
+
+    def _around(self) -> Points:
+        """Return the points that open panels want in the picture beside the arm."""
+        state = self.session.state
+        return np.vstack([NOTHING, *(panels()[key].around(state) for key in self.open_panels)])
 
     def _keep_in_view(self) -> None:
         if not self._closed:

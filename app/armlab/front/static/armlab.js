@@ -306,7 +306,7 @@
       if (state.viewport.dpr !== ours) rest = state.viewport.dpr; // set by viser
       ours = playing ? Math.min(rest, STEPS[step][0] * devicePixelRatio) : rest;
       if (state.viewport.dpr !== ours) state.setDpr(ours);
-      const patience = performance.now() + 15; // ms: bodies are made rough over several pictures
+      const patience = performance.now() + 30; // ms: bodies are made rough over several pictures
       let done = true;
       scene.traverse(object => {
         if (rough && object.isLight && object.castShadow) {

@@ -7,8 +7,7 @@ import math
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.ui.colours import JOINTS, Rgb
-from armlab.ui.format import MINUS, number
-from armlab.ui.panels._iteration_words import scientific
+from armlab.ui.format import MINUS, number, scientific
 
 COLOURS: tuple[Rgb, ...] = JOINTS[:3]
 """Of the curves."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 
-from armlab.errors import InputError
 from armlab.kin.ik.iterate import Parameter
 from armlab.session.iteration_commands import (
     AddRun,
@@ -21,6 +20,7 @@ from armlab.ui.format import capitalised, dot, escaped, trimmed
 from armlab.ui.layers._iteration_colours import RUN_COLOURS
 from armlab.ui.markup import button, options, select
 from armlab.ui.panels._iteration_words import lowered_index, outcome, parameter_unit, sigma_unit
+from armlab.ui.tried import plain_number
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Fields
 
@@ -89,12 +89,3 @@ def run_command(cell: str, text: str) -> Command | None:
     if name[:1] == "p" and name[1:].isdecimal():
         return SetParameter(int(name[1:]), rest, plain_number(text))
     return None
-
-
-def plain_number(text: str) -> float:
-    """Return a typed number without a unit; `InputError` when it is none."""
-    plain = text.strip().replace("−", "-").replace(",", ".")
-    try:
-        return float(plain)
-    except ValueError:
-        raise InputError(f"expected a number, got {text.strip()[:40]!r}") from None

@@ -7,9 +7,9 @@ from armlab.session.clips.iterations import place_of
 from armlab.session.iteration_films import Film
 from armlab.session.parts.iterations import Iterations
 from armlab.session.state import State
-from armlab.ui.format import capitalised, number
+from armlab.ui.format import capitalised, number, scientific
 from armlab.ui.markup import button
-from armlab.ui.panels._iteration_words import HUGE, NO_BREAK, scientific, small
+from armlab.ui.panels._iteration_words import HUGE, NO_BREAK, small
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields
 

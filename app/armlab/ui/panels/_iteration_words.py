@@ -11,11 +11,9 @@ from armlab.session.iteration_films import Film
 from armlab.session.parts.iterations import vector_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui.format import MINUS, capitalised, escaped, number, subscript
+from armlab.ui.format import capitalised, escaped, number, scientific, subscript
 from armlab.ui.units import Units
 from armlab.ui.verdicts import SIGNS
-
-_SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 NO_BREAK = "\N{NO-BREAK SPACE}"
 """Between a number and its unit, which belong on one line."""
@@ -32,20 +30,6 @@ GOING = ("most", "going", "limit", "jumped")
 OWN, POSITION = "own", "position"
 EULER = ("zyx", "zyz", "xyz")
 """Keys of task vectors besides one for each joint and each sequence of Euler angles."""
-
-
-def scientific(value: float, decimals: int = 1) -> str:
-    """Return a number with a power of ten.
-
-    >>> scientific(0.000123), scientific(-2.5e-12)
-    ('1.2·10⁻⁴', '−2.5·10⁻¹²')
-    """
-    if value == 0.0:
-        return "0"
-    if not math.isfinite(value):
-        return "∞" if math.isinf(value) else "–"
-    mantissa, exponent = f"{value:.{decimals}e}".split("e")
-    return f"{mantissa.replace('-', MINUS)}·10{str(int(exponent)).translate(_SUPERSCRIPTS)}"
 
 
 def small(value: float, revolute: bool, units: Units) -> str:

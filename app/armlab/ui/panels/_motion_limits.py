@@ -9,7 +9,7 @@ from armlab.session.plan_limits import LastFor, LimitJerk, LimitJoint, LimitTool
 from armlab.session.state import Command, State
 from armlab.ui.format import trimmed
 from armlab.ui.markup import chips
-from armlab.ui.panels._iteration_runs import plain_number
+from armlab.ui.tried import plain_number
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Fields
 

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.ui.format import escaped, number
-from armlab.ui.panels._iteration_words import scientific
+from armlab.ui.format import escaped, number, scientific
 from armlab.ui.units import Units
 from armlab.ui.verdicts import SIGNS
 

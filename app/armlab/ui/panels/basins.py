@@ -31,7 +31,6 @@ from armlab.session.state import Command, State
 from armlab.ui.format import capitalised, escaped, trimmed
 from armlab.ui.markup import button, chip, chips, options, row, select
 from armlab.ui.panels._basins_map import here, legend, map_markup, places, save_link, standing, target_text
-from armlab.ui.panels._iteration_runs import plain_number
 from armlab.ui.panels._iteration_words import (
     choices,
     chosen,
@@ -42,6 +41,7 @@ from armlab.ui.panels._iteration_words import (
     vector_text,
 )
 from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tried import plain_number
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields, Gui
 

@@ -18,11 +18,11 @@ from armlab.session.state import Command, State
 from armlab.ui.format import escaped
 from armlab.ui.markup import button, chips, options, select
 from armlab.ui.panels._iteration_plots import Plots
-from armlab.ui.panels._iteration_runs import plain_number, run_command, runs_markup
+from armlab.ui.panels._iteration_runs import run_command, runs_markup
 from armlab.ui.panels._iteration_table import Table
 from armlab.ui.panels._iteration_words import choices, chosen, made, vector_text
 from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.tried import plain_number, tried
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Fields, Gui
 

@@ -19,6 +19,7 @@ from armlab.session.state import Command, State
 from armlab.ui.format import capitalised, escaped
 from armlab.ui.layers.motion_frame import SWITCH as FRAME
 from armlab.ui.markup import button, chip, options, select
+from armlab.ui.panels._motion_around import way_around
 from armlab.ui.panels._motion_limits import limit_command, time_markup
 from armlab.ui.panels._motion_move import move_command, move_markup
 from armlab.ui.panels._motion_points import point_command, points_markup
@@ -139,6 +140,7 @@ PANEL = Panel(
     build,
     page="Plan",
     hides_then=_in_the_way,
+    around=way_around,
     about=(
         "S6.0-planning",
         "S6.0-corner",

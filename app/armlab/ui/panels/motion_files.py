@@ -19,9 +19,10 @@ from armlab.session.plan_question import Planned
 from armlab.session.state import State
 from armlab.ui import recording
 from armlab.ui.panels._dh_files import file_name
-from armlab.ui.panels._iteration_runs import plain_number
+from armlab.ui.panels._motion_around import way_around
 from armlab.ui.panels._motion_files_markup import Shown, export_markup, import_markup
 from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tried import plain_number
 from armlab.ui.widgets import Fields, Gui
 
 log = logging.getLogger(__name__)
@@ -172,6 +173,7 @@ PANEL = Panel(
     build,
     tab="motion",
     rebuilds=(),
+    around=way_around,
     about=(
         "S6.0-pipeline",
         "export",

@@ -15,10 +15,10 @@ from armlab.ui.colours import css
 from armlab.ui.layers.motion_steps import RESULT, WANTED
 from armlab.ui.markup import chip, chips, options, row, select
 from armlab.ui.panels import _motion_steps_words as words
-from armlab.ui.panels._iteration_runs import plain_number
+from armlab.ui.panels._motion_around import way_around
 from armlab.ui.panels._motion_steps_plots import Plots
 from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.tried import plain_number, tried
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Fields, Gui
 
@@ -125,6 +125,7 @@ PANEL = Panel(
     build,
     tab="motion",
     hides=("gizmo", "gap"),
+    around=way_around,
     about=(
         "S6.0-planning",
         "S6.0-pipeline",

@@ -10,10 +10,9 @@ from armlab.session.iteration_1d import Solved
 from armlab.session.parts.newton_1d import CLIP_KEY, ChooseEquation, Newton1D, StartAt, TypeEquation, solution
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import Command, State
-from armlab.ui.format import escaped, number
+from armlab.ui.format import escaped, number, scientific
 from armlab.ui.markup import button, options, select
 from armlab.ui.panels._iteration_tangents import picture
-from armlab.ui.panels._iteration_words import scientific
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.tried import tried
 from armlab.ui.verdicts import SIGNS

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from armlab.errors import InputError
 from armlab.kin.motion import law_types
 from armlab.session.parts.notation import Notation
@@ -31,15 +33,15 @@ from armlab.session.space_curve_commands import (
 )
 from armlab.session.space_curve_examples import ChooseExample
 from armlab.session.space_curve_laid import kinds
+from armlab.session.space_curve_stage import sphere_of, stage_of
 from armlab.session.state import Command, State
 from armlab.ui.option_form import option_value
-from armlab.ui.panels._iteration_runs import plain_number
 from armlab.ui.panels._space_curve_form import curve_form, head, law_form, marks, scales_of
 from armlab.ui.panels._space_curve_numbers import at_present, moving, whole
 from armlab.ui.panels._space_curve_plots import CurvePlots, TurnPlots
 from armlab.ui.panels._space_curve_turn import turn_form, turn_numbers, turn_words
-from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.tried import plain_number, tried
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Fields, Gui
 
@@ -161,6 +163,14 @@ def _option(state: State, prefix: str, key: str, text: str) -> Command:
     return SetOption(of, key, option_value(known[key], text, chosen.options.get(key), **scales))
 
 
+def _around(state: State) -> Points:
+    """Return what is drawn beside the arm: the curve, or a box around the sphere of the turn."""
+    if state[SpaceCurve].shown == "turn":
+        centre, radius = sphere_of(state)
+        return np.asarray(centre + radius * np.array([[1.0, 1, 1], [-1, -1, -1]]))
+    return state.derived(stage_of).at(state.derived(curve_of).frame.position)
+
+
 PANEL = Panel(
     "space_curve",
     "Geometry",
@@ -170,6 +180,7 @@ PANEL = Panel(
     build,
     tab="motion",
     rebuilds=(Notation,),
+    around=_around,
     about=(
         "S6.0-line",
         "S6.0-corner",

@@ -1,0 +1,17 @@
+"""What belongs in the picture beside the arm on the pages of a plan."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.plan import Plan, last_planned
+from armlab.session.state import State
+from armlab.ui.plugin import Points
+
+
+def way_around(state: State) -> Points:
+    """Return the waypoints and the way between them, (k, 3), world."""
+    part, arm, plan = state[Plan], state[Joints].arm, last_planned(state)
+    ways = [] if plan is None else [leg.points for leg in plan.legs]
+    return np.vstack([*(point.wanted(arm)[:3, 3] for point in part.waypoints), *ways])
