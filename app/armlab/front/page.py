@@ -83,7 +83,7 @@ def make_page(title: str = "Armlab") -> Page:
         )
     packed, styles, _, loader = match.groups()
     unpacked = zstandard.ZstdDecompressor().decompress(decode_base88(packed))
-    script, style = _asset("armlab.js"), _styles()
+    script, style = _assets(".js"), _assets(".css")
     html = re.sub(r"<title>.*?</title>", f"<title>{title}</title>", source, count=1)
     html = html.replace("<head>", f"<head><script>{script}</script><style>{style}</style>", 1)
     program = unpacked[int(styles) :]
@@ -110,11 +110,11 @@ def _asset(name: str) -> str:
     return text
 
 
-def _styles() -> str:
-    """Return the style of the whole lab, and after it those of single topics, one file each."""
+def _assets(ending: str) -> str:
+    """Return what is for the whole lab, and after it what is for single topics, one file each."""
     names = sorted(file.name for file in (resources.files("armlab.front") / "static").iterdir())
-    topics = (name for name in names if name.endswith(".css") and name != "armlab.css")
-    return "\n".join(map(_asset, ("armlab.css", *topics)))
+    topics = (name for name in names if name.endswith(ending) and name != f"armlab{ending}")
+    return "\n".join(map(_asset, (f"armlab{ending}", *topics)))
 
 
 def _hash(code: bytes) -> str:
