@@ -19,6 +19,7 @@ from armlab.session.plan_moves import (
     Move,
     checked_space,
     checked_turning,
+    resting,
     stretch_at,
     stretches,
 )
@@ -117,7 +118,7 @@ class SetMove(PlanCommand):
         if last - first < kind.least - 1:
             raise InputError(
                 f"move {first + 1} → {last + 1}: {kind.title} takes {kind.least} waypoints, with moves of one kind "
-                f"between them; here are {last - first + 1}"
+                f"between them; here are {last - first + 1}. Add waypoints, or make the moves alike first"
             )
         if kind.most is not None and kind.least > 2:
             last = min(last, first + kind.most - 1)
@@ -134,7 +135,7 @@ class SetMove(PlanCommand):
                 raise InputError(f"path: {path_types()[path.key].title} is none in {move.space} space")
             # A path that has its own time keeps it: the parameter runs evenly.
             own = "duration" in {field.key for field in path_types()[path.key].fields}
-            move = replace(move, path=path, law=Chosen("constant") if own else _law_of(move))
+            move = replace(move, path=path, law=Chosen("constant") if own else resting(move.law))
         if self.law is not None and self.law != move.law.key:
             move = replace(move, law=Chosen.of(law_types(), self.law))
         if self.apart is not None:
@@ -195,29 +196,16 @@ def _moves_of(part: Plan, k: int) -> tuple[int, int]:
     return stretch.first, stretch.last
 
 
-def _law_of(move: Move) -> Chosen:
-    """Return the law of a move that no longer has its own time: one that rests at its ends."""
-    return Chosen("trapezoidal") if move.law.key == "constant" else move.law
-
-
 def refitted(part: Plan) -> Plan:
-    """Return a plan in which stretches that lack waypoints for their path, such as half an arc, are straight lines.
-
-    Options that list a value for each waypoint fall with the number of waypoints they were made for.
-    """
+    """Return a plan without the options that list a value for each of another number of waypoints."""
     moves = list(part.moves)
     for stretch in stretches(part.moves):
         count = stretch.last - stretch.first + 1
         for i in range(stretch.first, stretch.last):
             move = moves[i]
-            if count < move.kind.least:
-                moves[i] = replace(move, path=Chosen("line"), law=_law_of(move))
-            else:
-                lists = {field.key for field in move.kind.fields if field.kind == "list"}
-                kept = tuple(
-                    (name, value) for name, value in move.path.given if name not in lists or _fits(value, count)
-                )
-                moves[i] = replace(move, path=Chosen(move.path.key, kept))
+            lists = {field.key for field in move.kind.fields if field.kind == "list"}
+            kept = tuple((name, value) for name, value in move.path.given if name not in lists or _fits(value, count))
+            moves[i] = replace(move, path=Chosen(move.path.key, kept))
     return part if tuple(moves) == part.moves else replace(part, moves=tuple(moves))
 
 

@@ -25,7 +25,8 @@ from armlab.session.plan_samples import fastest_tool
 
 Floats = NDArray[np.float64]
 
-JERK_REMARK = "the acceleration jumps, so the limit of jerk cannot be kept"
+JERK_JUMPS = "the acceleration jumps, so the limit of jerk cannot be kept"
+SPEED_JUMPS = "the speed jumps where it begins or ends: no motor can do that. Take a law that rests there"
 
 
 def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajectory, LawBounds, tuple[str, ...]]:
@@ -39,7 +40,8 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajector
     trajectory : Trajectory
     bounds : LawBounds
         Those used: with the speed lowered where no acceleration was left at the largest one.
-    remarks : tuple of str
+    unkept : tuple of str
+        Limits that it cannot keep at any speed.
 
     Raises
     ------
@@ -63,7 +65,9 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajector
     motion, _ = as_fast_as_allowed(trajectory, limits.velocity, limits.acceleration, jerks)
     motion = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
     assert isinstance(motion, Trajectory)
-    return motion, bounds, (JERK_REMARK,) if asked and not smooth else ()
+    if motion.continuity_from_rest < 1.0:
+        return motion, bounds, (SPEED_JUMPS,)
+    return motion, bounds, (JERK_JUMPS,) if asked and not smooth else ()
 
 
 def apart(question: Question, stretch: Stretch, start: Floats, end: Floats) -> Motion:

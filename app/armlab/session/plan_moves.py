@@ -168,7 +168,23 @@ def stretches(moves: tuple[Move, ...]) -> tuple[Stretch, ...]:
             found[-1] = replace(before, last=k + 1)
         else:
             found.append(Stretch(k, k + 1, move))
-    return tuple(found)
+    return tuple(_straightened(stretch) for stretch in found)
+
+
+def _straightened(stretch: Stretch) -> Stretch:
+    """Return a stretch with waypoints enough for its path; of too few, as of half an arc, it is a straight line.
+
+    The moves keep their path, so that a stop that is taken away again brings it back.
+    """
+    move = stretch.move
+    if stretch.last - stretch.first + 1 >= move.kind.least:
+        return stretch
+    return replace(stretch, move=replace(move, path=LINE, law=resting(move.law)))
+
+
+def resting(law: Chosen) -> Chosen:
+    """Return a law that rests at its ends: constant speed is only for paths that have their own time."""
+    return TRAPEZOID if law.key == "constant" else law
 
 
 def stretch_at(moves: tuple[Move, ...], k: int) -> Stretch:

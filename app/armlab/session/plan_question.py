@@ -47,11 +47,26 @@ class Limits(NamedTuple):
         return np.full(len(a), np.inf) if time is None else a / time
 
 
+Rows = tuple[tuple[float, ...], ...]
+
+
 class Recorded(NamedTuple):
-    """A motion that was read from a file: samples joined by a spline."""
+    """A motion that was read from a file: samples joined by a spline, or by cubics with the velocities of the file.
+
+    Attributes
+    ----------
+    t : tuple of float
+        Seconds.
+    q : tuple of tuple of float
+        rad and m, a row for each time.
+    qdot, qddot : tuple of tuple of float, or None
+        Their derivatives, where the file has both.
+    """
 
     t: tuple[float, ...]
-    q: tuple[tuple[float, ...], ...]
+    q: Rows
+    qdot: Rows | None = None
+    qddot: Rows | None = None
 
 
 class Question(NamedTuple):
@@ -100,6 +115,8 @@ class Leg:
         Why it cannot be run; empty when it can.
     remarks : tuple of str
         What is worth knowing although it can.
+    unkept : tuple of str
+        Limits that it cannot keep at any speed, such as a velocity that would have to jump.
     path : Path or None
         In joint space.
     motion : Motion or None
@@ -120,6 +137,7 @@ class Leg:
     times: Floats | None
     trouble: str = ""
     remarks: tuple[str, ...] = ()
+    unkept: tuple[str, ...] = ()
     path: Path | None = None
     motion: Motion | None = None
     tool_path: ToolPath | None = None

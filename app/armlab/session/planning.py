@@ -43,7 +43,7 @@ APART = 1e-6
 def making(question: Question) -> Iterator[Planned | None]:
     """Work out a plan; yield None between pieces of the work, and at last the plan."""
     if question.recorded is not None:
-        yield from _recorded(question)
+        yield from recorded_plan(question)
         return
     legs: list[Leg] = []
     q: Floats | None = np.array(question.waypoints[0].q)
@@ -75,14 +75,12 @@ def _timed(question: Question, leg: Leg) -> Leg:
     try:
         if leg.stretch.move.independent:
             return replace(leg, motion=apart(question, leg.stretch, leg.path.at(0.0), leg.path.at(1.0)))
-        motion, bounds, remarks = fastest(question, leg.stretch, leg.path)
+        motion, bounds, unkept = fastest(question, leg.stretch, leg.path)
     except InputError as refusal:
         return replace(leg, trouble=str(refusal))
     other_way = _other_way(question, leg.stretch, motion.at(motion.duration))
-    # What a law says of its ends is not so where the path itself begins and ends at rest.
-    of_law = motion.law.remarks if motion.continuity_from_rest < 1.0 else ()
-    remarks = (*leg.remarks, *leg.path.remarks, *of_law, *remarks, *other_way)
-    return replace(leg, motion=motion, bounds=bounds, remarks=remarks)
+    remarks = (*leg.remarks, *leg.path.remarks, *other_way)
+    return replace(leg, motion=motion, bounds=bounds, remarks=remarks, unkept=unkept)
 
 
 def _in_joints(question: Question, stretch: Stretch, q: Floats) -> Leg:
@@ -91,7 +89,12 @@ def _in_joints(question: Question, stretch: Stretch, q: Floats) -> Leg:
     path = joint_path(stretch, knots)
     s = np.linspace(0.0, 1.0, DRAWN)
     points = np.asarray(question.arm.position(path.at(s)), dtype=np.float64)
-    return Leg(stretch, 0.0, points, np.zeros(DRAWN, dtype=int), None, path=path)
+    leg = Leg(stretch, 0.0, points, np.zeros(DRAWN, dtype=int), None, path=path)
+    for k in range(stretch.first, stretch.last + 1):
+        if short := shortfall(question.arm, question.waypoints[k]):
+            worth = np.full(DRAWN, int(Feasible.NOT_REACHED))
+            return replace(leg, path=None, worth=worth, trouble=f"waypoint {k + 1}: {short}")
+    return leg
 
 
 def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
@@ -150,10 +153,10 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
     if not placed:
         return Planned(question, tuple(legs), None, None, (), math.nan)
     motion: Motion = _motion(placed[0]) if len(placed) == 1 else Sequential([_motion(leg) for leg in placed])
-    over = exceeded(question, motion)
-    drawn = [_drawn(question, leg, over) for leg in placed]
-    every = (*drawn, *legs[len(running) :])
-    return Planned(question, every, motion, sampled(question.arm, motion, drawn), over, within)
+    over, samples = exceeded(question, motion), sampled(question.arm, motion, placed)
+    spans = (*spans_of(over), *too_fast(samples, question.limits.tool_speed))
+    drawn = [drawn_leg(question, leg, spans) for leg in placed]
+    return Planned(question, (*drawn, *legs[len(running) :]), motion, samples, over, within)
 
 
 def _lasting(question: Question, leg: Leg, within: float) -> Leg:
@@ -171,7 +174,7 @@ def _motion(leg: Leg) -> Motion:
     return leg.motion
 
 
-def _drawn(question: Question, leg: Leg, over: Sequence[Violation]) -> Leg:
+def drawn_leg(question: Question, leg: Leg, over: Sequence[tuple[float, float]]) -> Leg:
     """Return a leg with its way at even times, marked where a limit is exceeded."""
     motion = _motion(leg)
     t = np.linspace(0.0, motion.duration, DRAWN)
@@ -181,25 +184,7 @@ def _drawn(question: Question, leg: Leg, over: Sequence[Violation]) -> Leg:
         place = leg.trajectory.law.at(t)
         worth = leg.worth[np.clip(np.searchsorted(leg.followed.s, place), 0, len(leg.followed.s) - 1)]
     times = leg.start + t
-    for violation in over:
-        on = (times >= violation.start) & (times <= violation.end)
+    for begin, end in over:
+        on = (times >= begin) & (times <= end)
         worth = np.where(on, int(Feasible.OVER_LIMIT), worth)
     return replace(leg, points=points, worth=worth, times=times)
-
-
-def _recorded(question: Question) -> Iterator[Planned | None]:
-    """Yield the plan of a recorded motion: a spline through its samples, in its own time or another."""
-    recorded = question.recorded
-    assert recorded is not None
-    t = np.array(recorded.t) - recorded.t[0]
-    path = path_type("spline").path(recorded.q, times=t, ends="natural")
-    own = Trajectory(path, law_type("constant").law(float(t[-1])))
-    motion = own if question.duration is None else scaled(own, question.duration / own.duration)
-    leg = Leg(None, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, motion=motion)
-    yield None
-    over = exceeded(question, motion)
-    yield None
-    leg = _drawn(question, leg, over)
-    within = own.duration * slack(question, own)
-    yield None
-    yield Planned(question, (leg,), motion, sampled(question.arm, motion, [leg]), over, within)

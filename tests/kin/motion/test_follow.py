@@ -233,7 +233,7 @@ def test_the_joint_path_is_the_fifth_planning_step():
 
 def test_a_path_not_followed_has_no_joint_path():
     found = follow(planar(), line([1, 0.5, 0], [3, 0.5, 0]), [0, 1])
-    with pytest.raises(InputError, match=r"joint_path: Behind s = 0\.46"):
+    with pytest.raises(InputError, match=r"joint_path: Beyond s = 0\.46"):
         found.joint_path()
 
 

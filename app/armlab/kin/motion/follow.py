@@ -219,7 +219,7 @@ class _Run:
         joints = found.verdict.limits
         q = found.q if node is None else node.q
         why = f" ({found.reason})" if found.verdict.status in ("limit", "beyond") else ""
-        sentence = f"Behind s = {s:.4f} the path is out of reach{why}: no configuration inside the limits was found."
+        sentence = f"Beyond s = {s:.4f} the path is out of reach{why}: no configuration inside the limits was found."
         if node is None:
             sentence = f"The path cannot be begun at s = {s:.4f}: it is out of reach{why}."
         point = np.asarray(self.tool_path.pose(s)[:3, 3], dtype=np.float64)
