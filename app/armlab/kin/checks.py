@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 import reprlib
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 
-_SHORT = reprlib.Repr()
+
+class _Short(reprlib.Repr):
+    """Writes numbers with six digits, and arrays as the lists a person would type."""
+
+    def repr1(self, x: Any, level: int) -> str:
+        return super().repr1(x.tolist() if isinstance(x, (np.ndarray, np.generic)) else x, level)
+
+    def repr_float(self, x: float, level: int) -> str:
+        return f"{x:.6g}"
+
+
+_SHORT = _Short()
 _SHORT.maxother = _SHORT.maxstring = 80
 
 
@@ -43,5 +55,9 @@ def whole_number(value: object, where: str, least: int) -> int:
 
 
 def wrong(where: str, expected: str, got: object) -> InputError:
-    """Return the error for an argument that is not what it should be; what came is shortened when long."""
+    """Return the error for an argument that is not what it should be; what came is shortened when long.
+
+    >>> str(wrong("speed", "one number", np.array([0.5, -1 / 3])))
+    'speed: expected one number, got [0.5, -0.333333]'
+    """
     return InputError(f"{where}: expected {expected}, got {_SHORT.repr(got)}")

@@ -93,6 +93,20 @@ def columns_of(arm: Arm, names: Sequence[str], row: int = 1) -> list[Column]:
     return [found[place] for place in range(arm.n + 1)]
 
 
+def rate_columns(arm: Arm, names: Sequence[str], order: int) -> list[Column] | None:
+    """Return the columns of velocities (1) or accelerations (2) of joints 1 to n; None where they are not all there.
+
+    They are called ``qdot1`` and ``qddot1``, in rad and m and seconds, with the units behind them or without.
+    """
+    name = re.compile(rf"q{'d' * order}ot(\d{{1,3}})(?:_(?:rad|m)_s{'2' if order == 2 else ''})?")
+    found = {}
+    for index, text in enumerate(names):
+        match = name.fullmatch(text.strip().lower().translate(PLAIN))
+        if match is not None:
+            found[int(match[1])] = Column(index, text, 1.0, "")
+    return [found[k] for k in range(1, arm.n + 1)] if set(found) >= set(range(1, arm.n + 1)) else None
+
+
 def headless(arm: Arm, count: int, row: int = 1) -> list[Column]:
     """Return the columns of a table without a header: time, joint 1, ..., in s, rad and m."""
     if count != arm.n + 1:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.session.parts.plan import checked_recorded
-from armlab.session.plan_files_columns import Column, columns_of, headless
+from armlab.session.plan_files_columns import Column, columns_of, headless, rate_columns
 from armlab.session.plan_question import Recorded
 
 Floats = NDArray[np.float64]
@@ -66,7 +66,9 @@ def read_table(arm: Arm, text: str) -> Recorded:
     values = _numbers(rows, columns, len(head))
     _refuse_late(rows, columns[0], values[:, 0])
     _refuse_outside(arm, rows, columns[1:], values[:, 1:])
-    return checked_recorded(arm, values[:, 0], values[:, 1:])
+    rates = [rate_columns(arm, head, order) if named else None for order in (1, 2)]
+    qdot, qddot = (None if of is None else _numbers(rows, of, len(head)) for of in rates)
+    return checked_recorded(arm, values[:, 0], values[:, 1:], qdot, qddot)
 
 
 def refuse_unreadable(text: str, what: str) -> None:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.ik import judge
 from armlab.kin.motion import Orientation, Path, Through, ToolPath, about_one_axis, by_euler_angles, held
 from armlab.kin.wrist import wrist_centre
 from armlab.session.plan_moves import EULER_AXES, Stretch, Waypoint
@@ -83,6 +84,14 @@ def _snapped(place: float, pieces: Floats) -> float:
         return place
     nearest = float(pieces[int(np.abs(pieces - place).argmin())])
     return nearest if abs(nearest - place) <= 1.0 / (FINE - 1) else place
+
+
+def shortfall(arm: Arm, point: Waypoint) -> str:
+    """Return in words how far the pose of a waypoint is from where the arm can be; empty when it is there."""
+    if point.pose is None:
+        return ""
+    found = judge(arm, point.wanted(arm), np.array(point.q))
+    return "" if found.reached else f"{1e3 * found.position_error:.1f} mm out of reach"
 
 
 def refuse_coincident(arm: Arm, waypoints: Sequence[Waypoint], parts: Sequence[Stretch]) -> None:

@@ -13,6 +13,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan
 from armlab.session.plan_other import other_way
 from armlab.session.plan_question import Limits, Planned, Question
+from armlab.session.plan_samples import too_fast
 from armlab.session.state import State
 
 Floats = NDArray[np.float64]
@@ -21,9 +22,6 @@ Kind = Literal["joint", "cartesian", "mixed"]
 
 TOOL = 0
 """Stands for the tool where joints are counted from 1."""
-
-TOOL_SLACK = 1e-4
-"""Part of its limit by which the tool may be faster: rounding, and the search for the largest of its speeds."""
 
 AT_LIMIT = 0.995
 """A share from which on a limit is what keeps a motion from being faster; the bounds of the tool are met at samples."""
@@ -170,30 +168,11 @@ def overruns(plan: Planned) -> tuple[Overrun, ...]:
     found: dict[tuple[int, Limited], list[tuple[float, float]]] = {}
     for violation in plan.violations:
         found.setdefault((violation.joint, violation.quantity), []).append((violation.start, violation.end))
-    fast = _too_fast(plan)
+    fast = [] if plan.samples is None else too_fast(plan.samples, plan.question.limits.tool_speed)
     if fast:
         found[TOOL, "tool speed"] = fast
     every = [Overrun(joint, quantity, tuple(spans)) for (joint, quantity), spans in found.items()]
     return tuple(sorted(every, key=lambda overrun: overrun.spans[0][0]))
-
-
-def _too_fast(plan: Planned) -> list[tuple[float, float]]:
-    """Return when the tool is faster than it may be, from samples and straight lines between them."""
-    limit, samples = plan.question.limits.tool_speed, plan.samples
-    if limit is None or samples is None:
-        return []
-    t, over = samples.t, samples.tool_speed - limit * (1.0 + TOOL_SLACK)
-    above = np.concatenate([[False], over > 0.0, [False]])
-    first, last = np.flatnonzero(above[1:] & ~above[:-1]), np.flatnonzero(above[:-1] & ~above[1:]) - 1
-    return [
-        (_crossing(t, over, i - 1) if i else float(t[0]), _crossing(t, over, j) if j + 1 < len(t) else float(t[-1]))
-        for i, j in zip(first.tolist(), last.tolist(), strict=True)
-    ]
-
-
-def _crossing(t: Floats, values: Floats, i: int) -> float:
-    """Return where values cross zero between samples i and i + 1."""
-    return float(t[i] + (t[i + 1] - t[i]) * values[i] / (values[i] - values[i + 1]))
 
 
 def boundaries(plan: Planned) -> tuple[float, ...]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.motion import Motion, Violation, violations
-from armlab.session.plan_question import Leg, Question, Samples
+from armlab.session.plan_question import Feasible, Leg, Question, Samples
 
 Floats = NDArray[np.float64]
 
@@ -24,6 +25,9 @@ SEARCHED, FINER, REFINEMENTS = 400, 41, 3
 
 DIFFERENCE = 1e-5
 """Seconds to either side of the change of the Jacobian."""
+
+TOOL_SLACK = 1e-4
+"""Part of its limit by which the tool may be faster: rounding, and the search for the largest of its speeds."""
 
 STANDS = 1e-6
 """Of the largest speed of the tool: below, the tool stands and its way has no curvature."""
@@ -92,3 +96,43 @@ def _parameter(legs: Sequence[Leg], t: Floats) -> Floats:
             on = t >= leg.start - 1e-12
             found[on] = leg.trajectory.law.at(t[on] - leg.start)
     return found
+
+
+def drawn_leg(arm: Arm, leg: Leg, over: Sequence[tuple[float, float]]) -> Leg:
+    """Return a leg with its way at even times, marked where a limit is exceeded."""
+    motion = leg.motion
+    assert motion is not None
+    t = np.linspace(0.0, motion.duration, DRAWN)
+    points = np.asarray(arm.position(motion.at(t)), dtype=np.float64)
+    worth = np.zeros(DRAWN, dtype=int)
+    if leg.followed is not None and leg.trajectory is not None:
+        place = leg.trajectory.law.at(t)
+        worth = leg.worth[np.clip(np.searchsorted(leg.followed.s, place), 0, len(leg.followed.s) - 1)]
+    times = leg.start + t
+    for begin, end in over:
+        on = (times >= begin) & (times <= end)
+        worth = np.where(on, int(Feasible.OVER_LIMIT), worth)
+    return replace(leg, points=points, worth=worth, times=times)
+
+
+def spans_of(over: Sequence[Violation]) -> tuple[tuple[float, float], ...]:
+    """Return when limits of joints are exceeded, seconds."""
+    return tuple((violation.start, violation.end) for violation in over)
+
+
+def too_fast(samples: Samples, limit: float | None) -> list[tuple[float, float]]:
+    """Return when the tool is faster than it may be, from samples and straight lines between them."""
+    if limit is None:
+        return []
+    t, over = samples.t, samples.tool_speed - limit * (1.0 + TOOL_SLACK)
+    above = np.concatenate([[False], over > 0.0, [False]])
+    first, last = np.flatnonzero(above[1:] & ~above[:-1]), np.flatnonzero(above[:-1] & ~above[1:]) - 1
+    return [
+        (_crossing(t, over, i - 1) if i else float(t[0]), _crossing(t, over, j) if j + 1 < len(t) else float(t[-1]))
+        for i, j in zip(first.tolist(), last.tolist(), strict=True)
+    ]
+
+
+def _crossing(t: Floats, values: Floats, i: int) -> float:
+    """Return where values cross zero between samples i and i + 1."""
+    return float(t[i] + (t[i + 1] - t[i]) * values[i] / (values[i] - values[i + 1]))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -25,6 +26,8 @@ class Said(NamedTuple):
 def judged(plan: Planned) -> Said:
     """Return what a plan is worth: whether it can be run, within its limits, and what is worth knowing."""
     remarks = tuple(_with_move(leg, remark) for leg in plan.legs for remark in leg.remarks)
+    if not plan.legs:
+        return Said("warn", "no motion yet", ("move the arm and add where it stands: a motion needs two waypoints",))
     troubles = tuple(leg.trouble for leg in plan.legs if leg.trouble)
     if troubles:
         return Said("no", "cannot be run to its end", (*troubles, *remarks))
@@ -33,7 +36,7 @@ def judged(plan: Planned) -> Said:
         least = (
             ()
             if np.isnan(plan.fastest) or plan.question.duration is None
-            else (f"within the limits it takes {plan.fastest:.2f} s at least",)
+            else (f"within the limits it takes {rounded_up(plan.fastest):.2f} s at least",)
         )
         return Said("no", "exceeds limits", (*over, *least, *remarks))
     return Said("ok", f"runs in {plan.duration:.2f} s within all limits", remarks)
@@ -41,7 +44,13 @@ def judged(plan: Planned) -> Said:
 
 def exceeded_words(plan: Planned) -> list[str]:
     """Return the limits a plan exceeds in words, without full stops."""
-    return sentences(overruns(plan))
+    unkept = (_with_move(leg, text) for leg in plan.legs for text in leg.unkept)
+    return [*sentences(overruns(plan)), *unkept]
+
+
+def rounded_up(seconds: float) -> float:
+    """Return hundredths of a second that are enough."""
+    return math.ceil(100.0 * seconds - 1e-9) / 100.0
 
 
 def sentences(found: Sequence[Overrun]) -> list[str]:

@@ -18,18 +18,15 @@ from armlab.kin.motion import (
     Path,
     Sequential,
     ToolPath,
-    Trajectory,
-    Violation,
     follow,
-    law_type,
-    path_type,
     scaled,
 )
-from armlab.session.plan_laws import apart, fastest, lasting, slack
+from armlab.session.plan_laws import apart, fastest, lasting
 from armlab.session.plan_moves import Stretch
-from armlab.session.plan_paths import joint_path, tool_path
+from armlab.session.plan_paths import joint_path, shortfall, tool_path
 from armlab.session.plan_question import Feasible, Leg, Planned, Question
-from armlab.session.plan_samples import DRAWN, exceeded, sampled
+from armlab.session.plan_recorded import recorded_plan
+from armlab.session.plan_samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
 
 Floats = NDArray[np.float64]
 
@@ -155,7 +152,7 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
     motion: Motion = _motion(placed[0]) if len(placed) == 1 else Sequential([_motion(leg) for leg in placed])
     over, samples = exceeded(question, motion), sampled(question.arm, motion, placed)
     spans = (*spans_of(over), *too_fast(samples, question.limits.tool_speed))
-    drawn = [drawn_leg(question, leg, spans) for leg in placed]
+    drawn = [drawn_leg(question.arm, leg, spans) for leg in placed]
     return Planned(question, (*drawn, *legs[len(running) :]), motion, samples, over, within)
 
 
@@ -172,19 +169,3 @@ def _lasting(question: Question, leg: Leg, within: float) -> Leg:
 def _motion(leg: Leg) -> Motion:
     assert leg.motion is not None
     return leg.motion
-
-
-def drawn_leg(question: Question, leg: Leg, over: Sequence[tuple[float, float]]) -> Leg:
-    """Return a leg with its way at even times, marked where a limit is exceeded."""
-    motion = _motion(leg)
-    t = np.linspace(0.0, motion.duration, DRAWN)
-    points = np.asarray(question.arm.position(motion.at(t)), dtype=np.float64)
-    worth = np.zeros(DRAWN, dtype=int)
-    if leg.followed is not None and leg.trajectory is not None:
-        place = leg.trajectory.law.at(t)
-        worth = leg.worth[np.clip(np.searchsorted(leg.followed.s, place), 0, len(leg.followed.s) - 1)]
-    times = leg.start + t
-    for begin, end in over:
-        on = (times >= begin) & (times <= end)
-        worth = np.where(on, int(Feasible.OVER_LIMIT), worth)
-    return replace(leg, points=points, worth=worth, times=times)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -37,6 +37,10 @@ class Field:
         ``"1"``, ``"s"``, ``"rad"``; with ``q`` for the unit of the coordinates: ``"q"``, ``"q/s"``, ``"q/s²"``.
     choices : tuple of (str, str)
         Key and words of each choice.
+    only : tuple of (str, tuple of value)
+        Options this one depends on, and their values with which it can be used; empty: always.
+    by : tuple of (str, dict)
+        The choice on which symbol and unit depend, and both for each of its keys; empty: they are always the same.
     """
 
     key: str
@@ -49,6 +53,25 @@ class Field:
     above: bool = False
     unit: str = "1"
     choices: tuple[tuple[str, str], ...] = ()
+    only: tuple[tuple[str, tuple[Any, ...]], ...] = ()
+    by: tuple[str, tuple[tuple[str, str, str], ...]] | None = None
+
+    @property
+    def converted(self) -> bool:
+        """Whether it may be typed in another unit, so that a sentence must not tell its number as it is inside."""
+        return self.unit.startswith("q") or self.unit == "rad"
+
+    def usable(self, options: Options) -> bool:
+        """Return whether it can be used with the values of the other options, by key."""
+        return all(options.get(key) in values for key, values in self.only)
+
+    def seen(self, options: Options) -> Field:
+        """Return it with the symbol and the unit it has with the values of the other options."""
+        if self.by is None:
+            return self
+        key, variants = self.by
+        symbol, unit = next((rest for choice, *rest in variants if choice == options.get(key)), (self.symbol, self.unit))
+        return replace(self, symbol=symbol, unit=unit)
 
     def checked(self, value: Any) -> Any:
         """Return a value as the maker wants it: float, int, bool, str, array, or None where it may be left out.
@@ -88,6 +111,8 @@ class Field:
     def _check_range(self, array: np.ndarray[Any, np.dtype[np.float64]], value: Any) -> None:
         too_low = array <= self.low if self.above else array < self.low
         if np.any(too_low) or np.any(array > self.high):
+            if self.converted and self.low == 0.0:
+                raise InputError(f"{self.key}: expected {'a positive number' if self.above else 'no negative number'}")
             least = "" if math.isinf(self.low) else f"{'more than' if self.above else 'at least'} {self.low:g}"
             most = "" if math.isinf(self.high) else f"at most {self.high:g}"
             raise wrong(self.key, " and ".join(part for part in (least, most) if part), value)
@@ -106,6 +131,13 @@ def checked_options(where: str, fields: Iterable[Field], given: Options) -> dict
         if key not in known:
             raise UnknownName(f"options of {where}", key, known)
     return {key: field.checked(given.get(key, field.default)) for key, field in known.items()}
+
+
+def seen_fields(fields: Iterable[Field], given: Options) -> tuple[Field, ...]:
+    """Return the options that can be used with those given, in their order, with symbol and unit as they then are."""
+    fields = tuple(fields)
+    options = {field.key: given.get(field.key, field.default) for field in fields}
+    return tuple(field.seen(options) for field in fields if field.usable(options))
 
 
 def positive(value: object, where: str) -> float:

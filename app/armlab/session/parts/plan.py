@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
@@ -23,6 +23,7 @@ from armlab.session.plan_question import (
     Planned,
     Question,
     Recorded,
+    Rows,
 )
 from armlab.session.state import Json, Part, PartType, State
 
@@ -157,7 +158,7 @@ class Plan(Part):
             "selected": self.selected,
             "handled": self.handled,
             "compared": self.compared,
-            "recorded": None if recorded is None else {"t": list(recorded.t), "q": [list(row) for row in recorded.q]},
+            "recorded": None if recorded is None else _recorded_to(recorded),
             "example": self.example,
             "before": None if self.before is None else list(self.before),
         }
@@ -268,14 +269,22 @@ def checked_samples(samples: float) -> int:
     return int(samples)
 
 
+def _recorded_to(recorded: Recorded) -> Json:
+    rows = {"q": recorded.q, "qdot": recorded.qdot, "qddot": recorded.qddot}
+    written = {name: [list(row) for row in values] for name, values in rows.items() if values is not None}
+    return {"t": list(recorded.t), **written}
+
+
 def _recorded_from(data: Json, arm: Arm) -> Recorded | None:
     if data is None:
         return None
-    return checked_recorded(arm, data["t"], data["q"])
+    return checked_recorded(arm, data["t"], data["q"], data.get("qdot"), data.get("qddot"))
 
 
-def checked_recorded(arm: Arm, t: ArrayLike, q: ArrayLike) -> Recorded:
-    """Return a recorded motion; `InputError` names the row that is wrong."""
+def checked_recorded(
+    arm: Arm, t: ArrayLike, q: ArrayLike, qdot: ArrayLike | None = None, qddot: ArrayLike | None = None
+) -> Recorded:
+    """Return a recorded motion; `InputError` names the row that is wrong. Rates count only where there are both."""
     times, values = np.array(t, dtype=float), np.array(q, dtype=float)
     if values.ndim != 2 or values.shape[1] != arm.n or times.shape != (len(values),):
         raise InputError(f"recorded motion: expected a time and {arm.n} joint values in each row")
@@ -289,9 +298,29 @@ def checked_recorded(arm: Arm, t: ArrayLike, q: ArrayLike) -> Recorded:
         raise InputError(f"recorded motion, row {late[0] + 2}: its time is not later than the one before")
     if times[-1] - times[0] > LONGEST:
         raise InputError(f"recorded motion: it lasts {times[-1] - times[0]:g} s; at most {LONGEST:g} s can be shown")
+    both = qdot is not None and qddot is not None
+    rates = (
+        _checked_rates("velocities", qdot if both else None, values.shape),
+        _checked_rates("accelerations", qddot if both else None, values.shape),
+    )
     room = 1e-6 * np.where(arm.revolute, 1.0, arm.length_scale)
     outside = (values < arm.limits[:, 0] - room) | (values > arm.limits[:, 1] + room)
     if outside.any():
         row, joint = np.argwhere(outside)[0]
         raise InputError(f"recorded motion, row {row + 1}: joint {joint + 1} is outside its limits")
-    return Recorded(tuple(times.tolist()), tuple(map(tuple, values.tolist())))
+    if np.ptp(values, axis=0).max() == 0.0:
+        raise InputError("recorded motion: the arm stands still in all rows")
+    return Recorded(tuple(times.tolist()), _rows(values), *rates)
+
+
+def _rows(values: NDArray[np.float64]) -> Rows:
+    return tuple(map(tuple, values.tolist()))
+
+
+def _checked_rates(name: str, values: ArrayLike | None, shape: tuple[int, ...]) -> Rows | None:
+    if values is None:
+        return None
+    array = np.array(values, dtype=float)
+    if array.shape != shape or not np.isfinite(array).all():
+        raise InputError(f"recorded motion: expected as many finite {name} as joint values")
+    return _rows(array)

@@ -6,6 +6,7 @@ from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan, last_planned
 from armlab.session.plan_limits import LastFor, LimitJerk, LimitJoint, LimitTool, UseShare
+from armlab.session.plan_words import rounded_up
 from armlab.session.state import Command, State
 from armlab.ui.format import trimmed
 from armlab.ui.markup import chips
@@ -79,7 +80,7 @@ def limit_command(state: State, cell: str, text: str) -> tuple[Command, ...] | N
     if cell == "time-fastest":
         return (LastFor(None),)
     if cell == "time-given":
-        return (LastFor(part.duration or max(round(now, 2), 0.01)),)
+        return (LastFor(part.duration or max(rounded_up(now), 0.01)),)
     if cell == "duration":
         return (LastFor(_number(text, "duration")),)
     if cell == "v":
