@@ -1,6 +1,7 @@
 """The plan of a motion: waypoints, moves, limits, and what becomes of them."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -119,7 +120,9 @@ def test_a_given_time_is_kept_and_what_it_exceeds_is_said():
     said = judged(plan)
     assert said.kind == "no"
     assert any("velocity" in line for line in said.lines)
-    assert f"{plan.fastest:.2f} s at least" in " ".join(said.lines)
+    least = re.search(r"takes ([\d.]+) s at least", " ".join(said.lines))
+    assert plan.fastest <= float(least[1]) < plan.fastest + 0.01
+    assert judged(worked_out(after(state, LastFor(float(least[1]))))).kind == "ok"
     assert Feasible.OVER_LIMIT in plan.legs[0].worth
     # The time that is said to be enough is enough.
     slow = worked_out(after(state, LastFor(float(np.ceil(100 * plan.fastest * 1.3) / 100))))
@@ -134,7 +137,9 @@ def test_limits_of_tool_speed_and_jerk_are_kept():
     jerk = np.array(smooth.question.limits.acceleration) / 0.2
     assert (peaks(smooth.motion, 3).peak / jerk).max() <= 1.0 + 1e-9
     jumps = worked_out(after(opened(), LimitJerk(0.2)))
-    assert any("jerk cannot be kept" in remark for remark in jumps.legs[0].remarks)
+    assert any("jerk cannot be kept" in text for text in jumps.legs[0].unkept)
+    assert judged(jumps).kind == "no"
+    assert "the speed jumps" in " ".join(judged(worked_out(after(opened(), SetMove(1, law="constant")))).lines)
 
 
 def test_joints_by_themselves_are_all_at_a_limit_and_those_there_first_wait():
@@ -152,6 +157,38 @@ def test_joints_by_themselves_are_all_at_a_limit_and_those_there_first_wait():
     slow = worked_out(after(alone, LastFor(20.0), LimitTool(0.3)))
     assert slow.duration == pytest.approx(20.0)
     assert judged(slow).kind == "ok"
+
+
+def test_a_joint_move_to_a_waypoint_out_of_reach_cannot_be_run():
+    state = opened("planar_2r")
+    far = state[Plan].waypoints[1].wanted(state[Joints].arm)
+    far[:3, 3] *= 3.0
+    plan = worked_out(after(state, DragWaypoint(1, far, object())))
+    assert re.search(r"waypoint 2: \d+\.\d mm out of reach", plan.trouble)
+    assert plan.motion is None
+    assert set(plan.legs[0].worth) == {Feasible.NOT_REACHED}
+
+
+def test_too_fast_a_tool_is_red_where_it_is():
+    plan = worked_out(after(opened("puma560"), LastFor(20.0), LimitTool(0.03)))
+    assert not plan.violations
+    red = plan.legs[0].worth == Feasible.OVER_LIMIT
+    fast = np.interp(plan.legs[0].times, plan.samples.t, plan.samples.tool_speed) > 0.03
+    assert red.any()
+    assert np.mean(red != fast) < 0.02
+
+
+def test_a_stop_between_flown_corners_can_be_taken_back():
+    state = after(opened("puma560"), TakeExample("corner_fly"))
+    stopped = after(state, SetMove(1, stop=True))
+    assert [part.move.path.key for part in stopped[Plan].parts] == ["line", "overfly"]
+    assert worked_out(stopped).whole
+    assert after(stopped, SetMove(1, stop=False))[Plan].parts == state[Plan].parts
+
+
+def test_one_waypoint_is_no_motion():
+    said = judged(worked_out(after(opened(), RemoveWaypoint(1))))
+    assert said.head == "no motion yet"
 
 
 def test_a_stretch_goes_through_equal_moves_and_a_stop_divides_it():

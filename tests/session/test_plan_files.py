@@ -83,13 +83,20 @@ def test_too_many_samples_are_refused_with_their_number():
             table(state, rate)
 
 
-def test_a_motion_at_its_limits_read_again_exceeds_them_only_where_its_acceleration_jumps():
+def test_a_motion_at_its_limits_read_again_keeps_them_and_without_rates_but_for_the_jumps():
     state = with_plan(apply(opened(), LastFor(2.0)))
     again = planned(with_plan(apply(state, ReadMotion(table(state)))))
     assert again.violations == ()
+    # A table with its rates is believed at its samples.
     fast = opened()
+    with_rates = planned(with_plan(apply(fast, ReadMotion(table(fast)))))
+    assert with_rates.violations == ()
+    assert with_rates.fastest == pytest.approx(planned(fast).fastest, rel=1e-6)
+    # Without them its acceleration swings over where it jumps.
+    names, *rows = table(fast).splitlines()
+    only = "\n".join(",".join(row.split(",")[: 1 + fast[Joints].arm.n]) for row in (names, *rows))
     jumps = planned(fast).motion.edges
-    over = planned(with_plan(apply(fast, ReadMotion(table(fast))))).violations
+    over = planned(with_plan(apply(fast, ReadMotion(only)))).violations
     assert over
     assert all(np.abs(jumps - 0.5 * (each.start + each.end)).min() < 0.06 for each in over)
     assert max(each.end - each.start for each in over) < 0.1

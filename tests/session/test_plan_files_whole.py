@@ -11,6 +11,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.kin import ik
 from armlab.session.edits import SetLimits
 from armlab.session.jobs.plan import with_plan
 from armlab.session.parts.joints import Joints, RandomPose
@@ -206,7 +207,7 @@ def aside():
     points = [Waypoint(q) for q in ((0.1, 0.6), (0.3, 0.9), (0.8, 1.2), (1.4, 0.7))]
     shifted = arm.fk(points[1].q).copy()
     shifted[0, 3] -= 0.2
-    points[1] = replace(points[1], pose=tuple(shifted.ravel().tolist()))
+    points[1] = Waypoint(tuple(ik.solve(arm, shifted, points[1].q).q.tolist()), tuple(shifted.ravel().tolist()))
     points[2] = Waypoint((0.8 + 1.2, -1.2))
     state = state.replace(replace(state[Plan], waypoints=tuple(points)))
     return apply(state, SetMove(2, space="cartesian"))

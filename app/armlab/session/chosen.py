@@ -9,7 +9,7 @@ from typing import Any, Protocol, Self
 import numpy as np
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.motion.field import Field
+from armlab.kin.motion.field import Field, seen_fields
 from armlab.session.state import Json
 
 Value = Any
@@ -51,7 +51,7 @@ class Chosen:
             raise UnknownName("kind", key, kinds)
         chosen = cls(key)
         for name, value in options.items():
-            chosen = chosen.with_option(kinds[key], name, value)
+            chosen = chosen._set(kinds[key], name, value)
         return chosen
 
     @property
@@ -62,11 +62,24 @@ class Chosen:
     def with_option(self, kind: Kind, name: str, value: Value) -> Self:
         """Return the choice with one option set; None leaves it as it comes.
 
+        Those given before that cannot be used with it fall, and those that would be in another unit.
+
         Raises
         ------
         InputError
             No such option, or a wrong value.
         """
+        changed = self._set(kind, name, value)
+        before, after = (_seen(kind, each) for each in (self, changed))
+        kept = tuple(
+            (key, given)
+            for key, given in changed.given
+            if key == name or (key in after and (key not in before or before[key].unit == after[key].unit))
+        )
+        return type(self)(self.key, kept)
+
+    def _set(self, kind: Kind, name: str, value: Value) -> Self:
+        """Return the choice with one option set, whether it can be used with the others or not."""
         known = {field.key: field for field in kind.fields}
         if name not in known:
             raise UnknownName(f"option of {self.key}", name, known)
@@ -85,6 +98,10 @@ class Chosen:
         if not isinstance(data, dict) or not isinstance(data.get("key"), str):
             raise InputError(f"kind: expected a key and options, got {str(data)[:60]}")
         return cls.of(kinds, data["key"], **data.get("options", {}))
+
+
+def _seen(kind: Kind, chosen: Chosen) -> dict[str, Field]:
+    return {field.key: field for field in seen_fields(kind.fields, chosen.options)}
 
 
 def _frozen(value: Value) -> Value:

@@ -46,7 +46,7 @@ def refuse_pathless(arm: Arm, part: Plan) -> None:
     for stretch in parts:
         points = part.waypoints[stretch.first : stretch.last + 1]
         if stretch.move.space == "joint":
-            joint_path(stretch, np.array([point.q for point in points]))
+            joint_path(arm, stretch, np.array([point.q for point in points]))
         else:
             tool_path(arm, stretch, np.array([point.wanted(arm) for point in points]))
 

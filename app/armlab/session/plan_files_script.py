@@ -15,7 +15,7 @@ from armlab.kin.motion import law_types
 from armlab.session.parts.robot import RobotPart
 from armlab.session.plan_files import column_names, refuse_long
 from armlab.session.plan_moves import EULER_AXES
-from armlab.session.plan_paths import places
+from armlab.session.plan_paths import joint_scales, places
 from armlab.session.plan_question import Leg, Planned, Question
 
 Floats = NDArray[np.float64]
@@ -158,7 +158,9 @@ def _in_joints(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
     knots = np.array([point.q for point in question.waypoints[stretch.first : stretch.last + 1]])
     knots[0] = q
     yield f"knots = {_array(knots)}"
-    yield f"path = {_path(leg)}.path(knots{_more(leg)})"
+    scales = joint_scales(question.arm)
+    how = "" if scales is None else f", scales={_list(scales)}"
+    yield f"path = {_path(leg)}.path(knots{how}{_more(leg)})"
 
 
 def _in_space(question: Question, leg: Leg, q: Floats, start: str) -> Iterable[str]:
@@ -210,11 +212,17 @@ def _recorded(question: Question, duration: float) -> str:
     recorded = question.recorded
     assert recorded is not None
     t = np.array(recorded.t) - recorded.t[0]
+    through = 'path_type("spline").path(q, times=t, ends="natural")'
+    rates = []
+    if recorded.qdot is not None:
+        through = 'path_type("hermite").path(q, times=t, velocities=qdot)'
+        rates = [f"qdot = {_array(recorded.qdot)}"]
     return "\n".join(
         [
             f"t = np.array({_list(t)})",
             f"q = {_array(recorded.q)}",
-            'path = path_type("spline").path(q, times=t, ends="natural")',
+            *rates,
+            f"path = {through}",
             f'motion = Trajectory(path, law_type("constant").law({duration!r}))',
             "",
         ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,9 +21,22 @@ FINE = 2001
 """Samples of a path among which the place of a waypoint is looked for."""
 
 
-def joint_path(stretch: Stretch, knots: Floats) -> Path:
-    """Return the path of a stretch in joint space through configurations (k, n); `InputError` names the move."""
-    return _laid(stretch, knots)
+def joint_path(arm: Arm, stretch: Stretch, knots: Floats) -> Path:
+    """Return the path of a stretch in joint space through configurations (k, n); `InputError` names the move.
+
+    Where the way between waypoints has a length, it is in radians; see `joint_scales`.
+    """
+    return _laid(stretch, knots, joint_scales(arm))
+
+
+def joint_scales(arm: Arm) -> Floats | None:
+    """Return how much of each joint counts as a radian of the way, (n,): of sliding joints the length scale of the arm.
+
+    None of an arm whose joints are all of one kind: the way is in radians or in metres.
+    """
+    if arm.revolute.all() or not arm.revolute.any():
+        return None
+    return np.where(arm.revolute, 1.0, arm.length_scale)
 
 
 def tool_path(arm: Arm, stretch: Stretch, poses: Floats) -> ToolPath:
@@ -113,10 +127,10 @@ def refuse_coincident(arm: Arm, waypoints: Sequence[Waypoint], parts: Sequence[S
                 raise InputError(f"waypoint {k + 2}: {what} waypoint {k + 1}; move or remove one of them{more}")
 
 
-def _laid(stretch: Stretch, points: Floats) -> Path:
+def _laid(stretch: Stretch, points: Floats, scales: Floats | None = None) -> Path:
     """Return the path of a stretch; what it refuses is told with the move, and the waypoints of the plan."""
     try:
-        return stretch.move.kind.path(points, **stretch.move.path.options)
+        return stretch.move.kind.path(points, scales=scales, **stretch.move.path.options)
     except InputError as refusal:
         raise InputError(f"move {stretch.title}: {_counted(str(refusal), stretch.first)}") from None
 
@@ -125,9 +139,8 @@ def _counted(text: str, first: int) -> str:
     """Return a sentence with its waypoints counted from the beginning of the plan."""
     if first == 0:
         return text
-    words = text.split(" ")
-    for i in range(1, len(words)):
-        number = words[i].rstrip(":;,.")
-        if words[i - 1].lower().rstrip("s") == "waypoint" and number.isdecimal():
-            words[i] = words[i].replace(number, str(int(number) + first), 1)
-    return " ".join(words)
+
+    def counted(found: re.Match[str]) -> str:
+        return re.sub(r"\d+", lambda number: str(int(number[0]) + first), found[0])
+
+    return re.sub(r"\bwaypoints? \d+(?: and \d+)?", counted, text, flags=re.IGNORECASE)

@@ -158,7 +158,8 @@ class SetWaypointJoint(PlanCommand):
         q = list(part.waypoints[checked_index(part, self.k)].q)
         low, high = arm.limits[self.joint]
         if not low - 1e-9 <= self.value <= high + 1e-9:
-            raise InputError(f"waypoint {self.k + 1}: joint {self.joint + 1} would be outside its limits")
+            least, most = (_size(float(limit), bool(arm.revolute[self.joint])) for limit in (low, high))
+            raise InputError(f"waypoint {self.k + 1}: joint {self.joint + 1} goes from {least} to {most}")
         q[self.joint] = self.value
         return with_plan(state, _with_point(part, self.k, Waypoint(checked_q(arm, q))))
 
@@ -217,6 +218,10 @@ class DragWaypoint(PlanCommand):
         q = found.q if found.success or near_by else near
         point = Waypoint(checked_q(arm, q), flat_pose(pose))
         return state.replace(_with_point(part, self.k, point))
+
+
+def _size(value: float, turns: bool) -> str:
+    return (f"{np.degrees(value):.4g}°" if turns else f"{value:.4g} m").replace("-", "−")
 
 
 def _with_point(part: Plan, k: int, point: Waypoint) -> Plan:

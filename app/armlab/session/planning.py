@@ -83,7 +83,7 @@ def _timed(question: Question, leg: Leg) -> Leg:
 def _in_joints(question: Question, stretch: Stretch, q: Floats) -> Leg:
     knots = np.array([point.q for point in question.waypoints[stretch.first : stretch.last + 1]])
     knots[0] = q
-    path = joint_path(stretch, knots)
+    path = joint_path(question.arm, stretch, knots)
     s = np.linspace(0.0, 1.0, DRAWN)
     points = np.asarray(question.arm.position(path.at(s)), dtype=np.float64)
     leg = Leg(stretch, 0.0, points, np.zeros(DRAWN, dtype=int), None, path=path)

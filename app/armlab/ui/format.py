@@ -12,6 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 MINUS = "\u2212"
+
+FIGURES, TINY, ROUNDING = 4, 1e-6, 1e-12
+"""Of a number in a field: figures at least, below what it has a power of ten, and what is nothing but rounding."""
+
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
@@ -34,6 +38,23 @@ def trimmed(value: float, decimals: int) -> str:
     """
     text = number(value, decimals)
     return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def readable(value: float, decimals: int) -> str:
+    """Return a number for a field, which reads back as nearly the same however small it is.
+
+    It has at most so many decimals, and more where `FIGURES` figures need them; below `TINY` a power of ten in the way
+    it can be typed.
+
+    >>> readable(0.4318, 5), readable(-1 / 6000, 3), readable(1.5e-9, 3), readable(-1e-15, 3)
+    ('0.4318', '−0.0001667', '1.5e−9', '0')
+    """
+    if abs(value) < ROUNDING:
+        return "0"
+    if abs(value) < TINY:
+        mantissa, exponent = f"{value:.{FIGURES - 1}e}".split("e")
+        return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}".replace("-", MINUS)
+    return trimmed(value, max(decimals, FIGURES - 1 - math.floor(math.log10(abs(value)))))
 
 
 def subscript(letter: str, index: int) -> str:

@@ -11,8 +11,8 @@ import numpy as np
 
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field
-from armlab.ui.format import capitalised, escaped, trimmed
+from armlab.kin.motion.field import Field, seen_fields
+from armlab.ui.format import capitalised, escaped, readable
 from armlab.ui.markup import chip, options, select
 from armlab.ui.widgets import Fields
 
@@ -38,6 +38,8 @@ class Scale:
     factor: float = 1.0
 
 
+ANGLES = ("°", "rad")
+
 PLAIN = (Scale(),)
 
 
@@ -62,7 +64,7 @@ def _factor(field: Field, scale: Scale) -> float:
 def option_markup(
     fields: Fields, prefix: str, kinds: Sequence[Field], given: Mapping[str, Any], scales: Sequence[Scale] = PLAIN
 ) -> str:
-    """Return fields and choices for options; their cells are ``prefix`` followed by the key of the option.
+    """Return fields and choices for options that can be used with those given; their cells are ``prefix`` followed by the key of the option.
 
     Parameters
     ----------
@@ -72,9 +74,10 @@ def option_markup(
     given : mapping
         The values that were chosen, by key; others are as they come.
     scales : sequence of Scale
-        One for each coordinate; the first holds for numbers and lists.
+        One for each coordinate. Numbers and lists are lengths over all of them: in an angle where any turns, otherwise
+        in the first (`armlab.session.plan_paths.joint_scales`).
     """
-    return "".join(_option(fields, prefix + kind.key, kind, given, scales) for kind in kinds)
+    return "".join(_option(fields, prefix + kind.key, kind, given, scales) for kind in seen_fields(kinds, given))
 
 
 def _option(fields: Fields, cell: str, kind: Field, given: Mapping[str, Any], scales: Sequence[Scale]) -> str:
@@ -90,7 +93,7 @@ def _option(fields: Fields, cell: str, kind: Field, given: Mapping[str, Any], sc
         return _rows(fields, cell, kind, _text(kind, value, scales), scales)
     typed = fields.field(cell, _text(kind, value, scales), title)
     wide = " wide" if kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1) else ""
-    unit = unit_text(kind, scales[0]) if kind.kind != "vector" else _vector_unit(kind, scales)
+    unit = _units(kind, scales)
     symbol = f"<span>{_symbol(kind.symbol) or escaped(title)}</span>"
     return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{escaped(unit)}</i></label>'
 
@@ -106,7 +109,7 @@ def _symbol(text: str) -> str:
 
 def _rows(fields: Fields, cell: str, kind: Field, text: str, scales: Sequence[Scale]) -> str:
     """Return a field of several lines, one for each row of a table, under its title."""
-    unit = unit_text(kind, scales[0])
+    unit = _units(kind, scales)
     head = (
         f"{escaped(f'{kind.symbol}: {kind.title}' if kind.symbol else capitalised(kind.title))} <i>{escaped(unit)}</i>"
     )
@@ -115,8 +118,8 @@ def _rows(fields: Fields, cell: str, kind: Field, text: str, scales: Sequence[Sc
     return f'<label class="option wide rows"><span>{head}</span>{typed}</label>'
 
 
-def _vector_unit(kind: Field, scales: Sequence[Scale]) -> str:
-    units = list(dict.fromkeys(unit_text(kind, scale) for scale in scales))
+def _units(kind: Field, scales: Sequence[Scale]) -> str:
+    units = dict.fromkeys(unit_text(kind, _scale_of(kind, scales, j)) for j in range(len(scales)))
     return ", ".join(units)
 
 
@@ -124,15 +127,17 @@ def _text(kind: Field, value: Any, scales: Sequence[Scale]) -> str:
     if value is None:
         return ""
     if kind.kind == "rows":
-        return "\n".join("  ".join(trimmed(float(each), DECIMALS) for each in row) for row in value)
+        return "\n".join("  ".join(readable(float(each), DECIMALS) for each in row) for row in value)
     numbers = np.atleast_1d(np.asarray(value, dtype=float))
     return "  ".join(
-        trimmed(float(number) / _factor(kind, _scale_of(kind, scales, j)), DECIMALS) for j, number in enumerate(numbers)
+        readable(float(number) / _factor(kind, _scale_of(kind, scales, j)), DECIMALS) for j, number in enumerate(numbers)
     )
 
 
 def _scale_of(kind: Field, scales: Sequence[Scale], j: int) -> Scale:
-    return scales[min(j, len(scales) - 1)] if kind.kind == "vector" else scales[0]
+    if kind.kind in ("vector", "rows"):
+        return scales[min(j, len(scales) - 1)]
+    return next((scale for scale in scales if scale.unit in ANGLES), scales[0])
 
 
 def option_value(kind: Field, text: str, now: Any = None, scales: Sequence[Scale] = PLAIN) -> Any:

@@ -37,10 +37,10 @@ class Field:
         ``"1"``, ``"s"``, ``"rad"``; with ``q`` for the unit of the coordinates: ``"q"``, ``"q/s"``, ``"q/s²"``.
     choices : tuple of (str, str)
         Key and words of each choice.
-    only : tuple of (str, tuple of value)
-        Options this one depends on, and their values with which it can be used; empty: always.
-    by : tuple of (str, dict)
-        The choice on which symbol and unit depend, and both for each of its keys; empty: they are always the same.
+    only : tuple of (str, tuple of (str or None))
+        Options this one depends on, and their values with which it can be used, None: left out; empty: always.
+    by : tuple of (str, str, str, str)
+        Option, value, symbol, unit: symbol and unit are these while the option has the value, and else as above.
     """
 
     key: str
@@ -53,8 +53,8 @@ class Field:
     above: bool = False
     unit: str = "1"
     choices: tuple[tuple[str, str], ...] = ()
-    only: tuple[tuple[str, tuple[Any, ...]], ...] = ()
-    by: tuple[str, tuple[tuple[str, str, str], ...]] | None = None
+    only: tuple[tuple[str, tuple[str | None, ...]], ...] = ()
+    by: tuple[tuple[str, str, str, str], ...] = ()
 
     @property
     def converted(self) -> bool:
@@ -63,15 +63,15 @@ class Field:
 
     def usable(self, options: Options) -> bool:
         """Return whether it can be used with the values of the other options, by key."""
-        return all(options.get(key) in values for key, values in self.only)
+        given = ((options.get(key), values) for key, values in self.only)
+        return all((value is None or isinstance(value, str)) and value in values for value, values in given)
 
     def seen(self, options: Options) -> Field:
         """Return it with the symbol and the unit it has with the values of the other options."""
-        if self.by is None:
-            return self
-        key, variants = self.by
-        symbol, unit = next((rest for choice, *rest in variants if choice == options.get(key)), (self.symbol, self.unit))
-        return replace(self, symbol=symbol, unit=unit)
+        for key, value, symbol, unit in self.by:
+            if options.get(key) == value:
+                return replace(self, symbol=symbol, unit=unit)
+        return self
 
     def checked(self, value: Any) -> Any:
         """Return a value as the maker wants it: float, int, bool, str, array, or None where it may be left out.
@@ -110,12 +110,16 @@ class Field:
 
     def _check_range(self, array: np.ndarray[Any, np.dtype[np.float64]], value: Any) -> None:
         too_low = array <= self.low if self.above else array < self.low
-        if np.any(too_low) or np.any(array > self.high):
-            if self.converted and self.low == 0.0:
-                raise InputError(f"{self.key}: expected {'a positive number' if self.above else 'no negative number'}")
-            least = "" if math.isinf(self.low) else f"{'more than' if self.above else 'at least'} {self.low:g}"
-            most = "" if math.isinf(self.high) else f"at most {self.high:g}"
-            raise wrong(self.key, " and ".join(part for part in (least, most) if part), value)
+        if not (np.any(too_low) or np.any(array > self.high)):
+            return
+        if self.converted and np.any(too_low) and self.low == 0.0:
+            raise InputError(f"{self.key}: expected {'a positive number' if self.above else 'no negative number'}")
+        factor, unit = (math.degrees(1.0), "°") if self.unit == "rad" else (1.0, "")
+        least = f"{'more than' if self.above else 'at least'} {self.low * factor:g}{unit}"
+        most = f"at most {self.high * factor:g}{unit}"
+        parts = ((least, self.low), (most, self.high))
+        expected = " and ".join(text for text, limit in parts if not math.isinf(limit))
+        raise InputError(f"{self.key}: expected {expected}") if self.converted else wrong(self.key, expected, value)
 
 
 def checked_options(where: str, fields: Iterable[Field], given: Options) -> dict[str, Any]:

@@ -16,9 +16,12 @@ Floats = NDArray[np.float64]
 SAME = 1e-12
 """Waypoints nearer than this part of the largest coordinate difference are the same."""
 
+UNTIMED = (("times", (None,)),)
+"""With given times, there is nothing to share out."""
+
 TIMES = (
     Field("times", "t_k", "times of the waypoints; left out: by the way below", "list", unit="s"),
-    Field("duration", "T", "time for all, when no times are given", "number", 1.0, low=0.0, above=True, unit="s"),
+    Field("duration", "T", "time for all, when no times are given", "number", 1.0, low=0.0, above=True, unit="s", only=UNTIMED),
     Field(
         "spacing",
         "",
@@ -26,6 +29,7 @@ TIMES = (
         "choice",
         "chord",
         choices=(("chord", "by distance"), ("centripetal", "by the root of distance"), ("uniform", "evenly")),
+        only=UNTIMED,
     ),
 )
 """Options of a path whose waypoints have times."""

@@ -45,6 +45,18 @@ class Path(ABC):
     duration: float | None = None
     remarks: tuple[str, ...] = ()
 
+    def remarks_in(self, unit: str, size: float) -> tuple[str, ...]:
+        """Return the remarks where the unit of all coordinates is known.
+
+        Parameters
+        ----------
+        unit : str
+            Such as ``"mm"``.
+        size : float
+            Of that unit in units of the coordinates.
+        """
+        return self.remarks
+
     @abstractmethod
     def _values(self, s: Floats, orders: Sequence[int], before: bool) -> list[Floats]:
         """Return derivatives (..., m) at s in [0, 1]; ``before``: from the left at the ends of pieces."""

@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin import paths as _folder
-from armlab.kin.checks import as_floats, wrong
+from armlab.kin.checks import as_floats, finite_floats, wrong
 from armlab.kin.motion.field import Field, checked_options
 from armlab.kin.motion.knots import checked_knots
 from armlab.kin.motion.path import Path
+from armlab.kin.motion.scaled_path import ScaledPath, in_scales
 from armlab.plugins import discover
 
 Floats = NDArray[np.float64]
@@ -57,15 +58,19 @@ class PathType:
     dimensions: tuple[int, ...] = ()
     apart: bool = True
 
-    def path(self, knots: ArrayLike, **options: Any) -> Path:
+    def path(self, knots: ArrayLike, *, scales: ArrayLike | None = None, **options: Any) -> Path:
         """Return the path through waypoints.
 
         Parameters
         ----------
         knots : array_like, shape (N, m)
             Waypoints; (N,) for one coordinate.
+        scales : array_like, shape (m,), optional
+            Where coordinates have different units, such as radians and metres: how much of each counts as 1 in a
+            length over all of them, which times and speeds may depend on; for a sliding joint the length scale of its
+            arm. Distances and speeds along the way among the options are in these units.
         **options
-            By the keys of ``fields``.
+            By the keys of ``fields``; those that have a number for each coordinate are in its own unit.
 
         Raises
         ------
@@ -76,7 +81,15 @@ class PathType:
         if self.dimensions and points.shape[1] not in self.dimensions:
             allowed = " or ".join(map(str, self.dimensions))
             raise InputError(f"waypoints: {self.title} needs {allowed} coordinates, got {points.shape[1]}")
-        return self.make(points, checked_options(self.key, self.fields, options))
+        checked = checked_options(self.key, self.fields, options)
+        if scales is None:
+            return self.make(points, checked)
+        m = points.shape[1]
+        sizes = finite_floats(scales, "scales", (m,), f"{m} positive numbers")
+        if not (sizes > 0.0).all():
+            raise wrong("scales", f"{m} positive numbers", sizes)
+        fields = {field.key: field for field in self.fields}
+        return ScaledPath(self.make(points / sizes, in_scales(fields, checked, sizes)), sizes)
 
 
 @cache

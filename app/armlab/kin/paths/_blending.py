@@ -8,6 +8,7 @@ the same points.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -78,24 +79,30 @@ def _bends(begin: Floats, v: Floats, change: Floats, blends: Floats, quartic: bo
     return np.stack([begin, v, change / (2.0 * t)], axis=1)
 
 
-def check_room(room: Floats, after: Floats, before: Floats, what: str) -> None:
+def check_room(room: Floats, after: Floats, before: Floats, unit: str) -> None:
     """Raise `InputError`, naming the waypoint, when two blends overlap.
 
     Parameters
     ----------
     room, after, before : ndarray, shape (N-1,)
         Of each line its length, what the blend at its start takes, and what that at its end takes.
-    what : str
-        Such as "s" or "of the way".
+    unit : str
+        ``"s"``; empty for lengths, whose unit is not known here: then parts of the line are told.
     """
     over = np.flatnonzero(after + before > room * (1.0 + 1e-12))
     if len(over):
         k = int(over[0])
         larger = k + 1 if after[k] > before[k] else k + 2
+        taken = after[k] + before[k]
+        told = f"{taken:.6g} {unit} and there are {room[k]:.6g} {unit}" if unit else _times_the_line(taken / room[k])
         raise InputError(
-            f"waypoint {larger}: its blend does not fit: between waypoints {k + 1} and {k + 2} the blends take "
-            f"{after[k] + before[k]:.6g} {what} and there are {room[k]:.6g}"
+            f"waypoint {larger}: its blend does not fit: between waypoints {k + 1} and {k + 2} the blends take {told}"
         )
+
+
+def _times_the_line(share: float) -> str:
+    # Rounded up: what is too much must not read as all of it.
+    return f"{math.ceil(share * 1000.0) / 10.0:g} % of the line"
 
 
 def for_each(value: Any, where: str, count: int, each: str) -> Floats:

@@ -19,6 +19,9 @@ Floats = NDArray[np.float64]
 IN_LINE = 1e-9
 """Sine of the angle between the chords below which three points are on a line: the radius would have no digits."""
 
+LARGEST_RADIUS = 1000.0
+"""Times the longest chord: a larger circle is a straight line to the eye, and swings far with the last digit typed."""
+
 
 class Arc(Path):
     """A part of a circle, at constant rate in s.
@@ -58,6 +61,11 @@ def make(knots: Floats, options: dict[str, Any]) -> Arc:
     References
     ----------
     Notes, end of section 6.3.2 (named there, without formulas).
+
+    Raises
+    ------
+    InputError
+        No one circle goes through the three, or one of more than `LARGEST_RADIUS` times their distance.
     """
     a, b = knots[1] - knots[0], knots[2] - knots[0]
     gram = np.array([[a @ a, a @ b], [a @ b, b @ b]])
@@ -69,6 +77,7 @@ def make(knots: Floats, options: dict[str, Any]) -> Arc:
     centre = knots[0] + alpha * a + beta * b
     spokes = knots - centre
     radius = float(np.linalg.norm(spokes[0]))
+    _refuse_huge(radius, knots)
     x = spokes[0] / radius
     beside = spokes[1:] - (spokes[1:] @ x)[:, None] * x
     lengths = np.linalg.norm(beside, axis=1)
@@ -77,6 +86,15 @@ def make(knots: Floats, options: dict[str, Any]) -> Arc:
     if third < second:
         y, third = -y, 2.0 * math.pi - third
     return Arc(centre, x, y, radius, 2.0 * math.pi if options["full"] else third)
+
+
+def _refuse_huge(radius: float, knots: Floats) -> None:
+    chord = float(np.linalg.norm(knots - np.roll(knots, 1, axis=0), axis=1).max())
+    if radius > LARGEST_RADIUS * chord:
+        raise InputError(
+            f"waypoint 3: the three points are almost on a straight line, their circle would be {radius / chord:.0f} "
+            "times as large as they are apart; move one, or take a line"
+        )
 
 
 PATH = PathType(

@@ -18,6 +18,12 @@ Floats = NDArray[np.float64]
 SHARE = 0.25
 """Distance d1, of the shorter neighbouring line, when nothing is given."""
 
+QUARTIC = "The acceleration is zero at both ends of each blend, and 1.5 times that of a parabola in its middle."
+PARABOLA = (
+    "At these speeds the acceleration jumps{jump} where a blend begins and ends: a parabola has constant acceleration, "
+    "and the line has none."
+)
+
 
 class Overfly(PolynomialPath):
     """Lines and blends, with the numbers of each blend (notes 6.124-6.133).
@@ -47,6 +53,12 @@ class Overfly(PolynomialPath):
         times = np.where(blend_times > 0.0, blend_times, np.inf)
         self.accelerations = np.diff(v, axis=0) / times[:, None]
 
+    def remarks_in(self, unit: str, size: float) -> tuple[str, ...]:
+        """Return the remarks, with the largest jump of a parabolic blend in numbers."""
+        jump = float(np.linalg.norm(self.accelerations, axis=1).max())
+        known = PARABOLA.format(jump=f" by up to {jump / size:.3g} {unit}/s²")
+        return tuple(known if remark == PARABOLA.format(jump="") else remark for remark in self.remarks)
+
 
 def make(knots: Floats, options: dict[str, Any]) -> Overfly:
     """Return the lines and blends over time.
@@ -64,14 +76,14 @@ def make(knots: Floats, options: dict[str, Any]) -> Overfly:
     blend_times = _blend_times(lengths, speeds, options)
     taken_after = np.concatenate([[0.0], speeds[1:] * blend_times / 2.0])
     taken_before = np.concatenate([speeds[:-1] * blend_times / 2.0, [0.0]])
-    check_room(lengths, taken_after, taken_before, "of the way")
+    check_room(lengths, taken_after, taken_before, "")
     times = np.concatenate([[0.0], np.cumsum(lengths / speeds)])
     quartic = options["shape"] == "quartic"
     blends = np.concatenate([[0.0], blend_times, [0.0]])
     path = timed(blended(knots, times, blends, rest=False, quartic=quartic))
     v = steps * (speeds / lengths)[:, None]
     made = Overfly(path.curve, float(times[-1]), (), blend_times, v, speeds)
-    made.remarks = _remarks(made, quartic)
+    made.remarks = () if not blend_times.any() else (QUARTIC if quartic else PARABOLA.format(jump=""),)
     return made
 
 
@@ -84,18 +96,6 @@ def _blend_times(lengths: Floats, speeds: Floats, options: dict[str, Any]) -> Fl
     if by == "time":
         return amount
     return np.asarray(2.0 * amount / (speeds[:-1] if by == "d1" else speeds[1:]))
-
-
-def _remarks(path: Overfly, quartic: bool) -> tuple[str, ...]:
-    if not path.blend_times.any():
-        return ()
-    if quartic:
-        return ("The acceleration is zero at both ends of each blend, and 1.5 times that of a parabola in its middle.",)
-    jump = float(np.linalg.norm(path.accelerations, axis=1).max())
-    return (
-        f"At these speeds the acceleration jumps by up to {jump:.3g} (units of the way per s²) where a blend begins "
-        "and ends: a parabola has constant acceleration, and the line has none.",
-    )
 
 
 PATH = PathType(
@@ -117,7 +117,15 @@ PATH = PathType(
                 ("time", "ΔT, its time"),
             ),
         ),
-        Field("amount", "d_1", "that distance or time; left out: a quarter of the shorter line", "list", low=0.0),
+        Field(
+            "amount",
+            "d_1",
+            "that distance or time; left out: a quarter of the shorter line",
+            "list",
+            low=0.0,
+            unit="q",
+            by=(("by", "d2", "d_2", "q"), ("by", "time", "ΔT", "s")),
+        ),
         Field("speed", "v", "constant speed on the lines", "list", 1.0, low=0.0, above=True, unit="q/s"),
         SHAPE,
     ),

@@ -137,6 +137,10 @@ def doubly_normalised(
     return np.asarray(boundary_polynomial(*ends)[::-1, 0] / change)
 
 
+ANY_DEGREE = (("degree", (None,)),)
+"""Derivatives at the ends decide the degree."""
+
+
 def make(knots: Floats, options: dict[str, Any]) -> PolynomialPath:
     """Return the polynomial of least degree with the given derivatives at both ends.
 
@@ -181,8 +185,8 @@ PATH = PathType(
     most=2,
     fields=(
         Field("degree", "", "odd degree of a motion between rests; or left out", "whole", low=1.0),
-        Field("start", "", "velocity, acceleration, … at the start, one row each", "rows", unit="q/s"),
-        Field("end", "", "velocity, acceleration, … at the end, one row each", "rows", unit="q/s"),
+        Field("start", "", "velocity, acceleration, … at the start, one row each", "rows", unit="q/s", only=ANY_DEGREE),
+        Field("end", "", "velocity, acceleration, … at the end, one row each", "rows", unit="q/s", only=ANY_DEGREE),
         DURATION,
     ),
 )

@@ -17,6 +17,11 @@ from armlab.kin.paths._spline_system import SplineSystem, clamped_system, cubics
 
 Floats = NDArray[np.float64]
 
+VELOCITIES, ACCELERATIONS, BOTH = (
+    (("ends", kinds),) for kinds in (("clamped", "both"), ("natural", "both"), ("both",))
+)
+"""Kinds of ends with which something can be given."""
+
 
 class Spline(PolynomialPath):
     """A cubic spline, with the system it comes from.
@@ -75,11 +80,14 @@ def make(knots: Floats, options: dict[str, Any]) -> Spline:
 
 def _refuse_unused(options: dict[str, Any], ends: str) -> None:
     """Raise `InputError` when something is given that this kind of spline cannot keep."""
-    free = {"clamped": ("a_start", "a_end", "virtual"), "natural": ("v_start", "v_end", "virtual"), "both": ()}[ends]
-    for key in free:
-        if options[key] is not None:
-            kinds = "'both'" if key == "virtual" else "'natural' or 'both'" if key[0] == "a" else "'clamped' or 'both'"
-            raise InputError(f"{key}: cannot be given with ends={ends!r}; it needs ends {kinds}")
+    for field in PATH.fields:
+        given_up = field.only and field.only[0][0] == "ends" and not field.usable(options)
+        if given_up and options[field.key] is not None:
+            given = {"clamped": "velocities", "natural": "accelerations"}[ends]
+            instead = {"v": "velocities, or both", "a": "accelerations, or both"}.get(field.symbol[0], "both")
+            raise InputError(
+                f"{field.key}: cannot be used while {given} are given at both ends of the spline; choose {instead}"
+            )
 
 
 def _with_virtual_knots(
@@ -123,7 +131,7 @@ def _virtual_times(times: Floats, given: Floats | None) -> Floats:
     if not inside or not given[0] < given[1]:
         raise InputError(
             f"virtual: expected one time inside the first interval ({times[0]:g} to {times[1]:g} s) and one inside the "
-            f"last ({times[-2]:g} to {times[-1]:g} s), got {given.tolist()}"
+            f"last ({times[-2]:g} to {times[-1]:g} s), got {' and '.join(f'{t:.6g} s' for t in given)}"
         )
     return given
 
@@ -146,11 +154,13 @@ PATH = PathType(
                 ("both", "velocities and accelerations, with two virtual knots"),
             ),
         ),
-        Field("v_start", "v_1", "velocity at the start", "vector", unit="q/s"),
-        Field("v_end", "v_N", "velocity at the end", "vector", unit="q/s"),
-        Field("a_start", "a_1", "acceleration at the start", "vector", unit="q/s²"),
-        Field("a_end", "a_N", "acceleration at the end", "vector", unit="q/s²"),
-        Field("virtual", "t_a, t_b", "times of the virtual knots; left out: in the middle", "list", unit="s"),
+        Field("v_start", "v_1", "velocity at the start", "vector", unit="q/s", only=VELOCITIES),
+        Field("v_end", "v_N", "velocity at the end", "vector", unit="q/s", only=VELOCITIES),
+        Field("a_start", "a_1", "acceleration at the start", "vector", unit="q/s²", only=ACCELERATIONS),
+        Field("a_end", "a_N", "acceleration at the end", "vector", unit="q/s²", only=ACCELERATIONS),
+        Field(
+            "virtual", "t_a, t_b", "times of the virtual knots; left out: in the middle", "list", unit="s", only=BOTH
+        ),
         *TIMES,
     ),
     apart=False,

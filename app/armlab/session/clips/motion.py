@@ -67,8 +67,8 @@ def on_motion(state: State) -> State:
     if timeline.clip != CLIP_KEY:
         return state
     time = min(timeline.time, duration(state))
-    placed = state if time == timeline.time else state.replace(replace(timeline, time=time))
-    return at(placed, time)
+    # A timeline of its own says that no hand has moved the arm, even at the same time.
+    return at(state.replace(replace(timeline, time=time)), time)
 
 
 def put_back(state: State) -> State:

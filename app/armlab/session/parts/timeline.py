@@ -14,6 +14,7 @@ from typing import ClassVar, Self
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.plugins import discover
+from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Json, Part, PartType, State
 
 SLOWEST, FASTEST = 0.1, 4.0
@@ -93,9 +94,13 @@ class Timeline(Part):
         return replace(self, playing=False)
 
     def after(self, before: State, now: State) -> Self:
-        """Stay inside the clip, whose duration may depend on what has changed."""
+        """Stay inside the clip, whose duration may depend on what has changed; pause when a hand moves the arm."""
         if not self.clip:
             return self
+        # The clip's own pictures change the time and the joints in one command.
+        by_hand = self is before[Timeline] and now[Joints].q is not before[Joints].q
+        if self.playing and by_hand and not clips()[self.clip].panel:
+            return replace(self, playing=False)
         end = clips()[self.clip].duration(now)
         return replace(self, time=end) if self.time > end else self
 

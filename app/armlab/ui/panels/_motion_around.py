@@ -1,11 +1,12 @@
-"""What belongs in the picture beside the arm on the pages of a plan."""
+"""What belongs in the picture beside the arm on the pages of a plan, and what does not."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.plan import Plan, last_planned
+from armlab.session.parts.plan import CLIP_KEY, Plan, last_planned
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.plugin import Points
 
@@ -15,3 +16,8 @@ def way_around(state: State) -> Points:
     part, arm, plan = state[Plan], state[Joints].arm, last_planned(state)
     ways = [] if plan is None else [leg.points for leg in plan.legs]
     return np.vstack([*(point.wanted(arm)[:3, 3] for point in part.waypoints), *ways])
+
+
+def in_the_way(state: State) -> tuple[str, ...]:
+    """Return the layers the motion hides: the arm's handle, while the motion or a waypoint is in the hand."""
+    return ("gizmo", "gap") if state[Timeline].clip == CLIP_KEY or state[Plan].handled else ()

@@ -11,7 +11,7 @@ from armlab.session.plan_files import MOST_SAMPLES, count_of
 from armlab.session.plan_files_table import MOST_BYTES, MOST_ROWS
 from armlab.session.plan_question import Planned
 from armlab.session.state import State
-from armlab.ui.format import escaped, trimmed
+from armlab.ui.format import escaped, readable
 from armlab.ui.markup import chip
 from armlab.ui.recording import LONGEST
 from armlab.ui.widgets import Fields
@@ -65,7 +65,7 @@ def export_markup(fields: Fields, state: State, shown: Shown) -> str:
 
     rate = (
         f'<label class="option" title="Samples a second, at least">'
-        f"{fields.field('rate', trimmed(shown.rate, 4), 'Samples a second')}<i>/s</i></label>"
+        f"{fields.field('rate', readable(shown.rate, 4), 'Samples a second')}<i>/s</i></label>"
     )
     rows = (
         ("Samples", rate + save("csv", "CSV") + save("python", "Python")),

@@ -8,7 +8,7 @@ from armlab.session.parts.plan import Plan, last_planned
 from armlab.session.plan_limits import LastFor, LimitJerk, LimitJoint, LimitTool, UseShare
 from armlab.session.plan_words import rounded_up
 from armlab.session.state import Command, State
-from armlab.ui.format import trimmed
+from armlab.ui.format import readable
 from armlab.ui.markup import chips
 from armlab.ui.tried import plain_number
 from armlab.ui.units import units_of
@@ -23,7 +23,7 @@ def time_markup(fields: Fields, state: State) -> str:
     given = ""
     if part.duration is not None:
         given = (
-            f'<label class="option">{fields.field("duration", trimmed(part.duration, 3), "Duration")}<i>s</i></label>'
+            f'<label class="option">{fields.field("duration", readable(part.duration, 3), "Duration")}<i>s</i></label>'
         )
         if plan is not None and plan.motion is not None:
             k = part.duration / plan.fastest
@@ -32,13 +32,13 @@ def time_markup(fields: Fields, state: State) -> str:
         channel, {"time-fastest": "As fast as allowed", "time-given": "In a given time"}, how, "Of the whole"
     )
     v, a = part.shares
-    speed = "" if part.tool_speed is None else trimmed(part.tool_speed / units.factor(False), 4)
-    jerk = "" if part.jerk_time is None else trimmed(part.jerk_time, 4)
+    speed = "" if part.tool_speed is None else readable(part.tool_speed / units.factor(False), 4)
+    jerk = "" if part.jerk_time is None else readable(part.jerk_time, 4)
     return (
         f'<h3>Time</h3><div class="bar">{choice}</div><div class="options">{given}</div>'
         '<h3>Limits</h3><div class="options">'
-        + _field(fields, "v", "velocities", trimmed(100.0 * v, 2), "%", "Share of the limits of velocity that is used")
-        + _field(fields, "a", "accelerations", trimmed(100.0 * a, 2), "%", "Share of the limits of acceleration")
+        + _field(fields, "v", "velocities", readable(100.0 * v, 2), "%", "Share of the limits of velocity that is used")
+        + _field(fields, "a", "accelerations", readable(100.0 * a, 2), "%", "Share of the limits of acceleration")
         + _field(
             fields, "speed", "tool speed", speed, f"{units.length_unit}/s", "Largest speed of the tool; empty: any"
         )
@@ -61,9 +61,9 @@ def _joints(fields: Fields, state: State) -> str:
     for i in range(arm.n):
         revolute = bool(arm.revolute[i])
         factor, unit = units.factor(revolute), units.unit(revolute)
-        v = fields.field(f"vmax {i}", trimmed(part.velocity[i] / factor, 3), f"Limit of velocity of joint {i + 1}")
+        v = fields.field(f"vmax {i}", readable(part.velocity[i] / factor, 3), f"Limit of velocity of joint {i + 1}")
         a = fields.field(
-            f"amax {i}", trimmed(part.acceleration[i] / factor, 3), f"Limit of acceleration of joint {i + 1}"
+            f"amax {i}", readable(part.acceleration[i] / factor, 3), f"Limit of acceleration of joint {i + 1}"
         )
         rows.append(f"<tr><td>{units.variable(i, revolute)}</td><td>{v} {unit}/s</td><td>{a} {unit}/s²</td></tr>")
     return (

@@ -18,6 +18,8 @@ from armlab.ui.widgets import Fields
 def move_markup(fields: Fields, state: State) -> str:
     """Return the choices of the move to the selected waypoint; of the first one, a sentence."""
     part, channel = state[Plan], fields.channel_id
+    if part.recorded is not None:
+        return ""
     if not part.selected or part.stretch is None:
         return (
             '<p class="dim">The motion begins at waypoint 1. Select a later one to choose how the arm comes to it.</p>'

@@ -31,8 +31,11 @@ NEAR = 0.1
 ORDINATE = {"size": 52, "space": 16, "gap": 3, "ticks": {"size": 4}}
 """Room for accelerations in mm/s², and marks close to each other in low plots."""
 
-OTHER, LIMIT = (2, 3), (7, 4)
-"""Dashes of the curves compared with, and of limits."""
+OTHER, OTHER_DASHED, LIMIT = (2, 3), (2, 3, 2, 9), (7, 4)
+"""Dashes of the curves compared with, of those beside curves that are dashed themselves, and of limits."""
+
+MET = 1e-3
+"""A limit is met when so small a part of it is left."""
 
 Array = NDArray[np.float64]
 Spans = Sequence[tuple[float, float]]
@@ -54,6 +57,10 @@ class Line:
     limits : tuple of float
     beyond : sequence of (float, float)
         When it is beyond its limits, seconds.
+    both : bool
+        Whether the limits are one limit in both directions, drawn as two lines or not at all.
+    dash : tuple of int
+        As of `Curve`: of a joint whose colour is that of another one, too.
     """
 
     name: str
@@ -62,6 +69,25 @@ class Line:
     other: Array | None = None
     limits: tuple[float, ...] = ()
     beyond: Spans = ()
+    both: bool = False
+    dash: tuple[int, ...] = ()
+
+    def in_sight(self, low: float, high: float, sight: float) -> tuple[float, ...]:
+        """Return the limits that are to be seen.
+
+        Parameters
+        ----------
+        low, high : float
+            Ends of all curves of the plot.
+        sight : float
+            How far beyond them a limit may be, in parts of what they span; a limit in both directions, at each end.
+        """
+        span = high - low
+        if not self.both:
+            return tuple(level for level in self.limits if low - sight * span <= level <= high + sight * span)
+        least, most = min(self.limits, default=0.0), max(self.limits, default=0.0)
+        met = low <= (1.0 - MET) * least or high >= (1.0 - MET) * most
+        return self.limits if met or max(high, most) - min(low, least) <= (1.0 + 2.0 * sight) * span else ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,13 +149,16 @@ class MotionPlot(Plot):
         drawn += [(Curve("limit", colour, 1.0, dash=LIMIT), np.full(len(t), level)) for level, colour in levels.items()]
         for line in lines:
             if line.other is not None and times.other is not None:
-                curve = Curve(line.name, line.colour, dash=OTHER, opacity=0.75)
+                dash = OTHER_DASHED if line.dash else OTHER
+                curve = Curve(line.name, line.colour, dash=dash, opacity=0.75)
                 drawn.append((curve, _on(t, times.other, line.other)))
         # Red behind a curve, so that its colour still tells which joint it is.
         for line, values in zip(lines, own, strict=True):
             if line.beyond:
                 drawn.append((Curve("beyond the limit", VERDICT["no"], 6.0), _within(t, values, line.beyond)))
-        drawn += [(Curve(line.name, line.colour), values) for line, values in zip(lines, own, strict=True)]
+        drawn += [
+            (Curve(line.name, line.colour, dash=line.dash), values) for line, values in zip(lines, own, strict=True)
+        ]
         self._note(times, lines)
         self._end = times.end
         scales = {"x": {"time": False, "range": (0.0, times.end)}, "y": {"range": (low, high)}}
@@ -146,8 +175,7 @@ class MotionPlot(Plot):
         low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
         high = high if most is None else min(high, most)
         low = 0.0 if self._zero else low
-        sight = self._sight * (high - low)
-        levels = [level for line in lines for level in line.limits if low - sight <= level <= high + sight]
+        levels = [level for line in lines for level in line.in_sight(low, high, self._sight)]
         low, high = min([low, *levels]), max([high, *levels])
         flat = high - low <= NOTHING * max(1.0, abs(high))
         room = 0.5 if flat else ROOM * (high - low)
@@ -200,8 +228,9 @@ def _levels(lines: Sequence[Line], low: float, high: float) -> dict[float, Rgb]:
     """Return the limits that are in sight, with their colours: grey where several joints share one."""
     found: dict[float, Rgb] = {}
     for line in lines:
-        for level in line.limits:
-            if low <= level <= high:
+        within = [level for level in line.limits if low <= level <= high]
+        for level in within:
+            if not line.both or len(within) == len(line.limits):
                 key = next((known for known in found if abs(known - level) <= 1e-9 * max(1.0, abs(level))), level)
                 found[key] = GREY if key in found else line.colour
     return found

@@ -13,6 +13,7 @@ from armlab.session.parts.motion_plots import Quantity
 from armlab.session.plan_plots import TOOL, Limited, Overrun, shares
 from armlab.session.plan_question import Planned, Samples
 from armlab.ui.colours import GREY, joint_colour
+from armlab.ui.panels._motion_joint_marks import joint_dash
 from armlab.ui.panels._motion_plots_curves import Line
 from armlab.ui.units import Units
 
@@ -149,6 +150,8 @@ def _of_joints(
             None if theirs is None else theirs[:, i] / factor,
             tuple(level / factor for level in _limits(plan, order, i)),
             _spans(found, i + 1, LIMITED[order]),
+            order > 0,
+            joint_dash(i),
         )
         for i in range(arm.n)
         if bool(arm.revolute[i]) == turns
@@ -181,6 +184,7 @@ def _loads(slot: Slot, plan: Planned, other: Planned | None, found: Sequence[Ove
             None if theirs is None else 100.0 * theirs[which][:, i],
             (100.0,),
             _spans(found, i + 1, of),
+            dash=joint_dash(i),
         )
         for i in range(arm.n)
     ]

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from armlab.session.plan_plots import TOOL, Binding, Figures, Kind, Overrun, kind_of, same_time
 from armlab.session.plan_question import Planned
-from armlab.session.plan_words import sentences
-from armlab.ui.colours import css, joint_colour
-from armlab.ui.format import capitalised, dot, escaped, number, trimmed
+from armlab.ui.format import capitalised, escaped, number, trimmed
+from armlab.ui.panels._motion_joint_marks import joint_mark
 from armlab.ui.panels._motion_plots_lines import DOTS, TIMES
 from armlab.ui.units import Units
 
@@ -34,12 +33,12 @@ def status(plan: Planned | None, figures: Figures | None, found: tuple[Overrun, 
     if plan.trouble:
         why = escaped(capitalised(plan.trouble))
         parts.append(f'<div class="verdict no"><b>✕ Only the moves before can be run, and are plotted.</b>{why}.</div>')
-    if found:
-        every = sentences(found)
+    if every := exceeded_words(plan):
         shown = [f"<p>✕ {capitalised(text)}.</p>" for text in every[:MOST_SENTENCES]]
         if len(every) > MOST_SENTENCES:
             shown.append(f"<p>✕ And so on, {len(every) - MOST_SENTENCES} more.</p>")
-        head = "A limit is exceeded." if len(found) == 1 else f"{len(found)} limits are exceeded."
+        many = max(len(found), len(every))
+        head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
         within = f"Within the limits this way takes {_seconds(plan.fastest)}."
         parts.append(f'<div class="verdict no mp-over"><b>✕ {head}</b>{"".join(shown)}{within}</div>')
     elif not plan.trouble:
@@ -155,7 +154,7 @@ def peaks_table(plan: Planned, figures: Figures, units: Units) -> str:
             (figures.acceleration[i], figures.acceleration_share[i], figures.acceleration_at[i], 2),
         )
         shown = "".join(_peak(units, turns, *cell) for cell in cells)
-        rows.append(f"<tr><td>{dot(css(joint_colour(i)))}{units.variable(i, turns)}</td>{shown}</tr>")
+        rows.append(f"<tr><td>{joint_mark(i)}{units.variable(i, turns)}</td>{shown}</tr>")
     heads = "".join(f"<th>max |q{DOTS[order]}|</th><th>of limit</th>" for order in (1, 2))
     return f'<h3>Peaks</h3><table class="dh mp-table"><tr><th></th>{heads}</tr>{"".join(rows)}</table>'
 
@@ -172,7 +171,7 @@ def _peak(units: Units, turns: bool, value: float, share: float, at: float, orde
 def legend(plan: Planned, units: Units, compared: bool) -> str:
     """Return which colour is which joint, and what the dashes mean."""
     joints = [
-        f"<span>{dot(css(joint_colour(i)))}{units.variable(i, bool(turns))}</span>"
+        f"<span>{joint_mark(i)}{units.variable(i, bool(turns))}</span>"
         for i, turns in enumerate(plan.question.arm.revolute)
     ]
     lines = [("dashed", "limit")]

@@ -8,7 +8,9 @@ from armlab.kin import ik
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan
 from armlab.session.parts.target import HandleBy, Target
+from armlab.session.plan_files_commands import BackToWaypoints, MakeWaypoints
 from armlab.session.plan_moves import Move
+from armlab.session.plan_paths import shortfall
 from armlab.session.plan_points import (
     AddWaypoint,
     GoToWaypoint,
@@ -19,6 +21,7 @@ from armlab.session.plan_points import (
     ShiftWaypoint,
     TakePresent,
 )
+from armlab.session.plan_question import Recorded
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped
 from armlab.ui.markup import button, chip
@@ -26,16 +29,32 @@ from armlab.ui.pose_fields import pose_fields, typed_component
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields
 
+MADE = 12
+"""Waypoints that are made of a motion from a file here; the page Files has the choice."""
+
 SPACES = {"joint": "joint", "cartesian": "Cartesian"}
 
 
 def points_markup(fields: Fields, state: State) -> str:
     """Return the list, and below it the values of the selected waypoint."""
     part, channel = state[Plan], fields.channel_id
+    if part.recorded is not None:
+        return _recorded_markup(part.recorded, len(part.waypoints), channel)
     add = button(channel, "add", "+ Present pose", "chip", "Add where the arm stands, behind the selected waypoint")
     head = f'<h3>Waypoints<span class="copies">{add}</span></h3>'
     rows = "".join(_row(state, fields, k) for k in range(len(part.waypoints)))
     return f'{head}<div class="mo-list">{rows}</div>{_selected(fields, state)}'
+
+
+def _recorded_markup(recorded: Recorded, waypoints: int, channel: str) -> str:
+    """Return what stands there while a motion from a file is in place of the waypoints."""
+    kept = f"The {waypoints} waypoints wait behind it." if waypoints > 1 else ""
+    back = chip(channel, "back", "Back to the waypoints", "Take the motion from the file off")
+    make = chip(channel, "make", "Make waypoints of it", f"Up to {MADE} places of its way, to edit")
+    return (
+        f"<h3>Motion from a file</h3><p>{len(recorded.t)} samples in {recorded.t[-1] - recorded.t[0]:.2f} s. {kept}</p>"
+        f'<div class="bar">{back}{make}</div>'
+    )
 
 
 def _row(state: State, fields: Fields, k: int) -> str:
@@ -56,9 +75,14 @@ def _row(state: State, fields: Fields, k: int) -> str:
         pressed=k == part.selected,
     )
     now = " now" if k == part.selected else ""
+    bad = (
+        '<b class="no" title="The arm does not reach it">✕</b>'
+        if shortfall(state[Joints].arm, part.waypoints[k])
+        else ""
+    )
     return (
         _move_line(part.moves[k - 1], part, k) if k else ""
-    ) + f'<div class="mo-row{now}">{select}<span class="mo-at">{_place(state, k, units)}</span>{tools}</div>'
+    ) + f'<div class="mo-row{now}">{select}<span class="mo-at">{_place(state, k, units)}</span>{bad}{tools}</div>'
 
 
 def _place(state: State, k: int, units: Units) -> str:
@@ -128,6 +152,9 @@ def point_command(state: State, cell: str, text: str) -> tuple[Command, ...] | N
     """
     part, units = state[Plan], units_of(state)
     k = part.selected
+    if part.recorded is not None:
+        of_file: dict[str, Command] = {"back": BackToWaypoints(), "make": MakeWaypoints(MADE)}
+        return (of_file[cell],) if cell in of_file else None
     simple: dict[str, Command] = {
         "add": AddWaypoint(),
         "go": GoToWaypoint(k),

@@ -13,8 +13,9 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan_steps import INVERSE, JOINTS, PlanSteps
 from armlab.session.plan_steps import Steps
 from armlab.session.state import State
-from armlab.ui.colours import BLUE, PURPLE, css, joint_colour
-from armlab.ui.format import dot
+from armlab.ui.colours import BLUE, PURPLE, joint_colour
+from armlab.ui.format import trimmed
+from armlab.ui.panels._motion_joint_marks import joint_dash, joint_dots, joint_mark
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -31,6 +32,9 @@ MARKED = 61
 LARGE, SMALL = 6.0, 3.0
 """Pixels of the dots of few and of many samples."""
 
+APART = 1e-6
+"""Metres: a distance that is less everywhere is drawn as zero, not as the rounding of the inverse kinematics."""
+
 AT_SAMPLE = 1e-9
 """How near, in s, a place is that of a sample."""
 
@@ -44,12 +48,16 @@ class StepPlot(Plot):
         self._zero = zero
         super().__init__(gui, title, "s", curves, file, height=height, legend=False)
 
-    def show_over(self, s: Array, curves: Sequence[Array]) -> None:
-        """Show curves; the page cannot choose the ranges where they have gaps."""
+    def show_over(self, s: Array, curves: Sequence[Array], least: float = 0.0) -> None:
+        """Show curves, which lie on zero where none exceeds ``least``.
+
+        The page cannot choose the ranges where curves have gaps.
+        """
         values = np.concatenate(curves)
         values = values[np.isfinite(values)]
         low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 1.0)
         low = 0.0 if self._zero else low
+        high = 0.0 if max(-low, high) < least else high
         room = ROOM * (high - low) if high - low > NOTHING * max(1.0, abs(high)) else 0.5
         y = {"range": (low if self._zero else low - room, high + room)}
         scales = {"x": {"time": False, "range": (0.0, 1.0)}, "y": y}
@@ -65,24 +73,18 @@ class JointPlot(StepPlot):
         arm, units = state[Joints].arm, units_of(state)
         self._which = np.flatnonzero(arm.revolute == turns)
         self._factor = units.factor(turns)
-        self._names = [units.variable(int(i), turns) for i in self._which]
-        self._colours = [joint_colour(int(i)) for i in self._which]
+        self._names = {int(i): units.variable(int(i), turns) for i in self._which}
         self._unit = units.unit(turns)
-        legend = "".join(
-            f"<span>{dot(css(rgb))}{name}</span>" for name, rgb in zip(self._names, self._colours, strict=True)
-        )
+        legend = "".join(f"<span>{joint_mark(i)}{name}</span>" for i, name in self._names.items())
         kind = "Turning" if turns else "Sliding"
         title = f'<span>{kind} joints, {self._unit}</span><span class="ms-legend">{legend}</span>'
         super().__init__(gui, title, self._lines(), f"{kind.lower()}_joints_over_s", TALL, False)
 
     def _lines(self) -> list[Curve]:
-        return [Curve(f"{name}, {self._unit}", rgb) for name, rgb in zip(self._names, self._colours, strict=True)]
+        return [Curve(f"{name}, {self._unit}", joint_colour(i), dash=joint_dash(i)) for i, name in self._names.items()]
 
     def _dots(self, size: float) -> list[Curve]:
-        return [
-            Curve(f"{name}, {self._unit}", rgb, size, dots=True)
-            for name, rgb in zip(self._names, self._colours, strict=True)
-        ]
+        return [joint_dots(i, f"{name}, {self._unit}", size) for i, name in self._names.items()]
 
     def show_samples(self, s: Array, q: Array) -> None:
         """Show samples (k, n) at s (k,) alone."""
@@ -140,8 +142,11 @@ class Plots:
         self._apart.visible(apart is not None)
         if apart is not None and found is not None:
             what = "the path" if found.in_space else "the straight lines"
-            self._apart.name(f"Distance from {what}, {units.length_unit}")
-            self._apart.show_over(apart.s, [apart.distance / units.factor(False)])
+            factor, unit = units.factor(False), units.length_unit
+            tiny = float(apart.distance.max()) < APART
+            said = f" <small>less than {trimmed(APART / factor, 6)} {unit}</small>" if tiny else ""
+            self._apart.name(f"<span>Distance from {what}, {unit}{said}</span>")
+            self._apart.show_over(apart.s, [apart.distance / factor], APART / factor)
 
     def _show_sigma(self, found: Steps | None) -> None:
         followed = None if found is None else found.followed

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +33,9 @@ EXACT = 1e-12
 
 BENT = 1e-6
 """Length scales by which a way is longer than the straight lines, below which it is not told."""
+
+LINE = 41
+"""Characters of joint values, each with a gap, that stand side by side; more are in blocks, one below the other."""
 
 STOPS = 5
 """Places where the path cannot be followed that are told."""
@@ -80,22 +84,42 @@ def _poses(found: Steps, names: Sequence[str], units: Units) -> str:
 
 
 def joint_table(head: str, names: Sequence[str], q: Floats, found: Steps, units: Units) -> str:
-    """Return joint values, (k, n), in rows with names."""
+    """Return joint values, (k, n), in rows with names; of many joints in blocks."""
     revolute = [bool(turns) for turns in found.arm.revolute]
-    heads = [head, *(f"{units.variable(i, turns)}, {units.unit(turns)}" for i, turns in enumerate(revolute))]
-    rows = [
-        [name, *(units.text(float(value), turns) for value, turns in zip(row, revolute, strict=True))]
-        for name, row in zip(names, q, strict=True)
+    heads = [f"{units.variable(i, turns)}, {units.unit(turns)}" for i, turns in enumerate(revolute)]
+    cells = [[units.text(float(value), turns) for value, turns in zip(row, revolute, strict=True)] for row in q]
+    tables = [
+        _table([head, *heads[block]], [[name, *row[block]] for name, row in zip(names, cells, strict=True)])
+        for block in _blocks(cells)
     ]
-    return table(heads, rows)
+    return _scrolled("".join(tables), len(tables) > 1)
+
+
+def _blocks(cells: Sequence[Sequence[str]]) -> list[slice]:
+    """Return the columns of blocks as few and as equal as can be, none of them too wide."""
+    widths = [1 + max(map(len, column)) for column in zip(*cells, strict=True)]
+    for count in range(1, len(widths) + 1):
+        ends = [round(len(widths) * k / count) for k in range(count + 1)]
+        blocks = [slice(first, last) for first, last in pairwise(ends)]
+        if all(sum(widths[block]) <= LINE for block in blocks):
+            break
+    return blocks
 
 
 def table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Return a table of numbers that scrolls when it has many rows or columns; its texts are markup."""
+    return _scrolled(_table(heads, rows), False)
+
+
+def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     # A quantity stands over its unit, so that narrow columns stay narrow.
     top = "".join(f"<th>{head.replace(', ', '<br><i>', 1)}{'</i>' if ', ' in head else ''}</th>" for head in heads)
     lines = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
-    return f'<div class="ms-scroll"><table class="ms-table"><tr>{top}</tr>{lines}</table></div>'
+    return f'<table class="ms-table"><tr>{top}</tr>{lines}</table>'
+
+
+def _scrolled(tables: str, tall: bool) -> str:
+    return f'<div class="ms-scroll{" tall" if tall else ""}">{tables}</div>'
 
 
 def _list(found: Steps) -> str:

@@ -19,7 +19,7 @@ from armlab.session.state import Command, State
 from armlab.ui.format import capitalised, escaped
 from armlab.ui.layers.motion_frame import SWITCH as FRAME
 from armlab.ui.markup import button, chip, options, select
-from armlab.ui.panels._motion_around import way_around
+from armlab.ui.panels._motion_around import in_the_way, way_around
 from armlab.ui.panels._motion_limits import limit_command, time_markup
 from armlab.ui.panels._motion_move import move_command, move_markup
 from armlab.ui.panels._motion_points import point_command, points_markup
@@ -87,7 +87,7 @@ def _head(fields: Fields, state: State) -> str:
     chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
     timeline = state[Timeline]
     playing = timeline.clip == CLIP_KEY and timeline.playing
-    runs = last_planned(state)
+    runs = planned(state) or last_planned(state)
     off = runs is None or runs.motion is None
     play = (
         button(channel, "pause-motion", "❚❚ Pause", "main")
@@ -126,11 +126,6 @@ def _verdict(state: State) -> str:
     return f'<div class="verdict {said.kind}"><b>{SIGNS[said.kind]} {escaped(capitalised(said.head))}</b>{lines}</div>'
 
 
-def _in_the_way(state: State) -> tuple[str, ...]:
-    """Return the layers the motion hides: the arm's handle, while the motion or a waypoint is in the hand."""
-    return ("gizmo", "gap") if state[Timeline].clip == CLIP_KEY or state[Plan].handled else ()
-
-
 PANEL = Panel(
     "motion",
     "Motion",
@@ -139,7 +134,7 @@ PANEL = Panel(
     (Plan, Timeline, Joints, Target, Display, Notation, RobotPart),
     build,
     page="Plan",
-    hides_then=_in_the_way,
+    hides_then=in_the_way,
     around=way_around,
     about=(
         "S6.0-planning",

@@ -18,6 +18,7 @@ from armlab.session.plan_files_script import motion_script
 from armlab.session.plan_question import Planned
 from armlab.session.state import State
 from armlab.ui import recording
+from armlab.ui.format import number
 from armlab.ui.panels._dh_files import file_name
 from armlab.ui.panels._motion_around import way_around
 from armlab.ui.panels._motion_files_markup import Shown, export_markup, import_markup
@@ -115,7 +116,7 @@ class MotionFiles:
     def _saved(self, name: str, content: str | bytes) -> None:
         self._gui.save(name, content)
         size = len(content.encode() if isinstance(content, str) else content)
-        self._shown = self._shown.but(saved=f"{name}, {size / 1e6:.2f} MB")
+        self._shown = self._shown.but(saved=f"{name}, {size_text(size)}")
 
     def _read(self, text: str) -> None:
         """Read a file; what is wrong with it is said here, and the plan stays."""
@@ -150,6 +151,17 @@ def _runs(state: State) -> Planned:
     if plan.motion is None:
         raise InputError(f"there is no motion to save: {plan.trouble}")
     return plan
+
+
+def size_text(size: int) -> str:
+    """Return the size of a file from its bytes.
+
+    >>> size_text(1), size_text(14_200), size_text(1_234_567)
+    ('0.1 kB', '14 kB', '1.23 MB')
+    """
+    if size >= 999_500:
+        return f"{number(size / 1e6, 2)} MB"
+    return f"{number(max(size / 1e3, 0.1), 1 if size < 9950 else 0)} kB"
 
 
 def _checked_count(text: str) -> int:

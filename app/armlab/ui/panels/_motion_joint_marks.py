@@ -1,0 +1,49 @@
+"""How joints are told apart in the plots of a motion: by colour, and where colours begin again by the line, too."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from armlab.ui.colours import JOINTS, css, joint_colour
+from armlab.ui.format import dot
+from armlab.ui.plot import Curve
+
+AGAIN = (9, 3, 2, 3)
+"""Dashes of the joints whose colour is that of another one, too."""
+
+CLEAR = "rgba(0,0,0,0)"
+
+
+def again(i: int) -> bool:
+    """Return whether the colour of joint i (0-based) is that of a joint before it."""
+    return i >= len(JOINTS)
+
+
+def joint_dash(i: int) -> tuple[int, ...]:
+    """Return the dashes of the curve of joint i (0-based), as of `Curve`."""
+    return AGAIN if again(i) else ()
+
+
+def joint_mark(i: int) -> str:
+    """Return the small mark of joint i (0-based): a dot, or a piece of its dashed line."""
+    if not again(i):
+        return dot(css(joint_colour(i)))
+    return f'<i class="mp-again" style="color:{css(joint_colour(i))}"></i>'
+
+
+@dataclass(frozen=True)
+class Rings(Curve):
+    """Points drawn as rings, where dots of the same colour are those of another joint."""
+
+    @property
+    def series(self) -> dict[str, Any]:
+        """How the page draws it."""
+        ring = {"show": True, "size": self.width, "fill": CLEAR, "stroke": css(self.colour), "width": 1.2}
+        return {**super().series, "points": ring}
+
+
+def joint_dots(i: int, name: str, size: float) -> Curve:
+    """Return the curve of the samples of joint i (0-based), without a line between them."""
+    kind = Rings if again(i) else Curve
+    return kind(name, joint_colour(i), size, dots=True)
