@@ -137,7 +137,7 @@ def test_limits_of_tool_speed_and_jerk_are_kept():
     jerk = np.array(smooth.question.limits.acceleration) / 0.2
     assert (peaks(smooth.motion, 3).peak / jerk).max() <= 1.0 + 1e-9
     jumps = worked_out(after(opened(), LimitJerk(0.2)))
-    assert any("jerk cannot be kept" in text for text in jumps.legs[0].unkept)
+    assert any("jerk cannot be kept" in text for text in jumps.unkept)
     assert judged(jumps).kind == "no"
     assert "the speed jumps" in " ".join(judged(worked_out(after(opened(), SetMove(1, law="constant")))).lines)
 
@@ -184,6 +184,31 @@ def test_a_stop_between_flown_corners_can_be_taken_back():
     assert [part.move.path.key for part in stopped[Plan].parts] == ["line", "overfly"]
     assert worked_out(stopped).whole
     assert after(stopped, SetMove(1, stop=False))[Plan].parts == state[Plan].parts
+
+
+@pytest.mark.parametrize("robot", list(catalogue().robots))
+@pytest.mark.parametrize("law", ["trapezoidal", "double_s", "quintic"])
+def test_the_fastest_time_is_enough_when_it_is_given(robot, law):
+    state = after(opened(robot), SetMove(1, law=law))
+    fastest = worked_out(state).fastest
+    given = worked_out(after(state, LastFor(fastest * (1.0 + 1e-9))))
+    assert judged(given).kind == "ok"
+    slow = worked_out(after(state, LastFor(2.0 * fastest)))
+    assert slow.duration == pytest.approx(2.0 * fastest)
+    assert judged(slow).kind == "ok"
+
+
+def test_a_typed_ramp_shapes_the_law_in_a_given_time():
+    state = after(opened(), LastFor(4.0), SetMoveOption(1, "law", "ramp", 0.25))
+    assert worked_out(state).legs[0].trajectory.law.pieces.tolist() == pytest.approx([1.0, 3.0])
+
+
+def test_removing_a_waypoint_keeps_the_selected_one():
+    state = after(with_points(opened(), 5), SelectWaypoint(3))
+    kept = state[Plan].waypoints[3]
+    for k in (1, 4):
+        part = after(state, RemoveWaypoint(k))[Plan]
+        assert part.waypoints[part.selected] == kept
 
 
 def test_one_waypoint_is_no_motion():
@@ -233,7 +258,7 @@ def test_a_typed_waypoint_is_reached_and_one_out_of_reach_is_refused_by_name():
     pose[0, 3] += 5.0
     with pytest.raises(InputError, match="waypoint 2: "):
         apply(state, SetWaypointPose(1, pose))
-    with pytest.raises(InputError, match="waypoint 2: joint 3 would be outside its limits"):
+    with pytest.raises(InputError, match="waypoint 2: joint 3 goes from −360° to 360°"):
         apply(state, SetWaypointJoint(1, 2, 50.0))
 
 
@@ -266,9 +291,11 @@ def test_a_dragged_waypoint_follows_and_out_of_reach_it_is_kept_and_said():
         ((TakePresent(1),), "waypoint 2: the same configuration as waypoint 1"),
         ((LastFor(0.0),), "duration: expected a positive number"),
         ((LastFor(float("nan")),), "duration: expected a positive number"),
-        ((LastFor(1e6),), "duration: expected at most 600 s"),
+        ((LastFor(1e6),), "duration: expected 0.01 to 600 s"),
         ((LimitJoint(2, "velocity", 0.0),), "limit of velocity of joint 3: expected a positive number"),
-        ((UseShare(0.0),), "share of the limits"),
+        ((UseShare(0.0),), "share of the limits: expected 1 to 100 %"),
+        ((LimitJoint(2, "velocity", 1e-9),), "limit of velocity of joint 3: too small"),
+        ((LimitJerk(1e300),), "jerk time: too large"),
         ((LimitTool(0.0),), "tool speed: expected a positive number"),
         ((LimitJerk(-1.0),), "jerk time: expected a positive number"),
         ((SampleBy(1),), "samples: expected a whole number from 2"),

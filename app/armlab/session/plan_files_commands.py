@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass, replace
 from typing import ClassVar, Literal, NoReturn
 
@@ -15,9 +16,10 @@ from armlab.session.parts.plan import Plan
 from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.plan_commands import PlanCommand, edited, with_plan
 from armlab.session.plan_files import FORMAT, VERSION
-from armlab.session.plan_files_table import read_table, refuse_unreadable
+from armlab.session.plan_files_table import MOST_BYTES, read_table, refuse_unreadable
 from armlab.session.plan_files_thin import evenly, farthest
-from armlab.session.plan_moves import Move, Waypoint, checked_q
+from armlab.session.plan_moves import MOST_WAYPOINTS, Move, Waypoint, checked_q
+from armlab.session.plan_read import too_many
 from armlab.session.state import Command, Json, State
 
 BOM = "\ufeff"
@@ -27,6 +29,9 @@ MOST_MADE = 20
 """Waypoints that are made of a recorded motion: more of them nobody edits."""
 
 SPLINE = Move(path=Chosen("spline"))
+
+WAYPOINT = re.compile(r'"q"\s*:\s*\[\s*[^\s\[]')
+"""Where the joint values of one configuration begin; not those of a recorded motion, which are rows."""
 
 OUTSIDE = 1e-6
 """rad or m beyond a joint limit that a plan in a file may be by rounding."""
@@ -59,6 +64,7 @@ class ReadPlan(PlanCommand):
 
     def apply(self, state: State) -> State:
         """Return the state with the plan; what cannot be read is refused."""
+        _refuse_large(self.text)
         refuse_unreadable(self.text, "plan")
         try:
             return _with_file(state, json.loads(self.text.lstrip(BOM), parse_constant=_not_finite))
@@ -68,8 +74,8 @@ class ReadPlan(PlanCommand):
             raise InputError(f"plan, row {mistake.lineno}, column {mistake.colno}: {mistake.msg}") from None
         except Exception as error:
             # Nobody can list what a damaged file may raise, and it must not be more than a refusal.
-            what = f"{type(error).__name__}: {error}"[:120]
-            raise InputError(f"plan: the file does not hold what a plan needs ({what})") from error
+            text = "plan: the file does not hold what a plan needs; it is damaged, or something else"
+            raise InputError(text) from error
 
 
 @dataclass(frozen=True)
@@ -117,6 +123,16 @@ class MakeWaypoints(PlanCommand):
         return with_plan(state, edited(part, waypoints=points, moves=moves, selected=1))
 
 
+def _refuse_large(text: str) -> None:
+    """Raise `InputError` for a text that is longer than the page hands in; it may be cut off."""
+    if len(text) <= MOST_BYTES:
+        return
+    count = len(WAYPOINT.findall(text))
+    if count > MOST_WAYPOINTS:
+        raise InputError(too_many(f"{count} or more"))
+    raise InputError(f"plan: the file is larger than {MOST_BYTES / 1e6:g} MB; save a long motion as a table (CSV)")
+
+
 def _not_finite(word: str) -> NoReturn:
     raise InputError(f"plan: expected finite numbers, got {word}")
 
@@ -127,13 +143,17 @@ def _with_file(state: State, data: Json) -> State:
         raise InputError(f'plan: expected a file with "format": "{FORMAT}", as the lab saves it')
     if data.get("version") != VERSION:
         raise InputError(f"plan: expected version {VERSION} of the format, got {str(data.get('version'))[:20]}")
-    robot, present = data["robot"], state[RobotPart]
+    for name in ("robot", "plan"):
+        if data.get(name) is None:
+            raise InputError(f"plan: {name!r} is missing in the file")
+    robot, written, present = data["robot"], data["plan"], state[RobotPart]
     same = _table(robot) == _table(present.to_json())
     if not same:
         part = RobotPart.from_json(robot, robot_from_json(robot))
         state = state.with_robot(part.robot).replace(part)
-    plan = Plan.from_json({**data["plan"], "before": None}, state[RobotPart].robot)
-    _refuse_outside(plan, data["plan"]["waypoints"])
+    whole = {**written, "before": None} if isinstance(written, dict) else written
+    plan = Plan.from_json(whole, state[RobotPart].robot)
+    _refuse_outside(plan, written["waypoints"])
     old = state[Plan]
     # Until this plan is worked out, the last one of the arm is drawn and played, as after every other change.
     return with_plan(state, replace(plan, before=old.before, planned=old.planned, other=old.other))

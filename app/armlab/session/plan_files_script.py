@@ -52,8 +52,10 @@ NAMES = (
     "by_euler_angles",
     "follow",
     "held",
+    "independent",
     "law_type",
     "path_type",
+    "scaled",
 )
 """What a script may need of `armlab.kin.motion`."""
 
@@ -138,6 +140,9 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
     move = stretch.move
     law = law_types()[move.law.key]
     yield f"# Move {stretch.first + 1} to {stretch.last + 1}, in {move.space} space: {move.kind.title}; {law.title}"
+    if move.independent:
+        yield from _apart(question, leg, q)
+        return
     if move.space == "joint":
         yield from _in_joints(question, leg, q)
     else:
@@ -150,6 +155,22 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
         yield f"law = {_call('law_type', law.key)}.within({_options({**_bounds(question, leg), **move.law.options})})"
         yield "# As fast as the limits of joints and tool allow: the bounds of the law are safe, and not sharp."
         yield f"legs.append(Trajectory(path, law.stretched({motion.duration!r} / law.duration)))"
+
+
+def _apart(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
+    """Yield a straight move in which each joint goes by itself, as `armlab.session.plan_laws.apart` makes it."""
+    assert leg.stretch is not None
+    assert leg.motion is not None
+    law, limits = leg.stretch.move.law, question.limits
+    jerk = limits.jerk("jerk" in law_types()[law.key].needs)
+    bounds = {"v_max": list(limits.velocity), "a_max": list(limits.acceleration)}
+    if np.isfinite(jerk).all():
+        bounds["jerk_max"] = jerk.tolist()
+    yield "# Each joint by itself, as fast as its limits allow."
+    yield f"start = {_array(q)}"
+    yield f"end = {_array(question.waypoints[leg.stretch.last].q)}"
+    yield f'apart = independent(start, end, "{law.key}", {_options({**bounds, **law.options})})'
+    yield f"legs.append(scaled(apart, {leg.motion.duration!r} / apart.duration))"
 
 
 def _in_joints(question: Question, leg: Leg, q: Floats) -> Iterable[str]:

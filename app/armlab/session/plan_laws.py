@@ -25,11 +25,14 @@ from armlab.session.plan_samples import fastest_tool
 
 Floats = NDArray[np.float64]
 
+RAMPS = {"ramp", "rounding"}
+"""Options that say the shape of a law in a given time; as fast as allowed the limits shape it."""
+
 JERK_JUMPS = "the acceleration jumps, so the limit of jerk cannot be kept"
 SPEED_JUMPS = "the speed jumps where it begins or ends: no motor can do that. Take a law that rests there"
 
 
-def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajectory, LawBounds, tuple[str, ...]]:
+def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajectory, LawBounds]:
     """Return a path in joint space run through as fast as its law can be within the limits.
 
     The bounds of section 6.1.1 give the law its shape; they are safe and not sharp, so that the motion is then scaled
@@ -40,8 +43,6 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajector
     trajectory : Trajectory
     bounds : LawBounds
         Those used: with the speed lowered where no acceleration was left at the largest one.
-    unkept : tuple of str
-        Limits that it cannot keep at any speed.
 
     Raises
     ------
@@ -65,12 +66,18 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajector
     motion, _ = as_fast_as_allowed(trajectory, limits.velocity, limits.acceleration, jerks)
     motion = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
     assert isinstance(motion, Trajectory)
+    return motion, bounds
+
+
+def unkept(question: Question, motion: Motion) -> tuple[str, ...]:
+    """Return the limits that a motion cannot keep in any time, in words."""
     if motion.continuity_from_rest < 1.0:
-        return motion, bounds, (SPEED_JUMPS,)
-    return motion, bounds, (JERK_JUMPS,) if asked and not smooth else ()
+        return (SPEED_JUMPS,)
+    jumps = motion.continuity_from_rest < SMOOTH_ENOUGH
+    return (JERK_JUMPS,) if question.limits.jerk_time is not None and jumps else ()
 
 
-def apart(question: Question, stretch: Stretch, start: Floats, end: Floats) -> Motion:
+def independent_motion(question: Question, stretch: Stretch, start: Floats, end: Floats) -> Motion:
     """Return a straight joint move in which each joint is as fast as its limits allow, and those there first wait.
 
     Raises
@@ -85,11 +92,19 @@ def apart(question: Question, stretch: Stretch, start: Floats, end: Floats) -> M
         motion: Motion = independent(start, end, law.key, **bounds, **law.options)
     except InputError as refusal:
         raise InputError(f"move {stretch.title}: {refusal}") from None
-    return scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
+    return scaled(motion, max(1.0, slack(question, motion)))
 
 
-def lasting(stretch: Stretch, path: Path, duration: float) -> Trajectory:
-    """Return a path in joint space run through in a time; `InputError` names the move where the law does not fit."""
+def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Motion:
+    """Return a motion of a stretch in another time: the same law scaled, or with the ramps that were typed for it.
+
+    Raises
+    ------
+    InputError
+        The typed law does not fit; the text names the move.
+    """
+    if stretch.move.independent or not RAMPS & set(stretch.move.law.options):
+        return scaled(motion, duration / motion.duration)
     try:
         return Trajectory(path, law_types()[stretch.move.law.key].law(duration, **stretch.move.law.options))
     except InputError as refusal:

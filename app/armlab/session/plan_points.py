@@ -68,7 +68,7 @@ class RemoveWaypoint(PlanCommand):
             part,
             waypoints=part.waypoints[:k] + part.waypoints[k + 1 :],
             moves=part.moves[:gone] + part.moves[gone + 1 :],
-            selected=min(part.selected, len(part.waypoints) - 2),
+            selected=min(part.selected - (k < part.selected), len(part.waypoints) - 2),
         )
         return with_plan(state, refitted(changed))
 

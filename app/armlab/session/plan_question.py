@@ -22,6 +22,10 @@ FULL_AFTER = 0.1
 """Seconds in which an acceleration is built up where a law needs a limit of jerk and none was given."""
 
 
+LONGEST = 600.0
+"""Seconds of a motion."""
+
+
 class Limits(NamedTuple):
     """What a motion must keep to, besides the joint limits.
 
@@ -115,8 +119,6 @@ class Leg:
         Why it cannot be run; empty when it can.
     remarks : tuple of str
         What is worth knowing although it can.
-    unkept : tuple of str
-        Limits that it cannot keep at any speed, such as a velocity that would have to jump.
     path : Path or None
         In joint space.
     motion : Motion or None
@@ -137,7 +139,6 @@ class Leg:
     times: Floats | None
     trouble: str = ""
     remarks: tuple[str, ...] = ()
-    unkept: tuple[str, ...] = ()
     path: Path | None = None
     motion: Motion | None = None
     tool_path: ToolPath | None = None
@@ -196,6 +197,8 @@ class Planned:
         When which limit is exceeded.
     fastest : float
         Seconds within the limits; nan when there is no motion.
+    unkept : tuple of str
+        Limits that it cannot keep in any time, such as a velocity that would have to jump.
     """
 
     question: Question
@@ -204,6 +207,7 @@ class Planned:
     samples: Samples | None
     violations: tuple[Violation, ...]
     fastest: float
+    unkept: tuple[str, ...] = ()
 
     @property
     def whole(self) -> bool:

@@ -93,7 +93,7 @@ def _parameter(legs: Sequence[Leg], t: Floats) -> Floats:
     found = np.full(len(t), np.nan)
     for leg in legs:
         if leg.trajectory is not None:
-            on = t >= leg.start - 1e-12
+            on = (t >= leg.start - 1e-12) & (t <= leg.start + leg.trajectory.duration + 1e-12)
             found[on] = leg.trajectory.law.at(t[on] - leg.start)
     return found
 
@@ -109,8 +109,10 @@ def drawn_leg(arm: Arm, leg: Leg, over: Sequence[tuple[float, float]]) -> Leg:
         place = leg.trajectory.law.at(t)
         worth = leg.worth[np.clip(np.searchsorted(leg.followed.s, place), 0, len(leg.followed.s) - 1)]
     times = leg.start + t
+    half = 0.5 * motion.duration / (DRAWN - 1)
     for begin, end in over:
-        on = (times >= begin) & (times <= end)
+        # What lasts shorter than from one point to the next is seen as well.
+        on = (times >= begin - half) & (times <= end + half)
         worth = np.where(on, int(Feasible.OVER_LIMIT), worth)
     return replace(leg, points=points, worth=worth, times=times)
 

@@ -44,8 +44,7 @@ def judged(plan: Planned) -> Said:
 
 def exceeded_words(plan: Planned) -> list[str]:
     """Return the limits a plan exceeds in words, without full stops."""
-    unkept = (_with_move(leg, text) for leg in plan.legs for text in leg.unkept)
-    return [*sentences(overruns(plan)), *unkept]
+    return [*sentences(overruns(plan)), *plan.unkept]
 
 
 def rounded_up(seconds: float) -> float:

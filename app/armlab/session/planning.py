@@ -19,12 +19,11 @@ from armlab.kin.motion import (
     Sequential,
     ToolPath,
     follow,
-    scaled,
 )
-from armlab.session.plan_laws import apart, fastest, lasting
+from armlab.session.plan_laws import fastest, independent_motion, lasting, unkept
 from armlab.session.plan_moves import Stretch
 from armlab.session.plan_paths import joint_path, shortfall, tool_path
-from armlab.session.plan_question import Feasible, Leg, Planned, Question
+from armlab.session.plan_question import LONGEST, Feasible, Leg, Planned, Question
 from armlab.session.plan_recorded import recorded_plan
 from armlab.session.plan_samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
 
@@ -69,15 +68,19 @@ def _timed(question: Question, leg: Leg) -> Leg:
     """Return a leg run through as fast as the limits allow."""
     if leg.path is None or leg.stretch is None or leg.trouble:
         return leg
+    bounds, motion = None, None
     try:
         if leg.stretch.move.independent:
-            return replace(leg, motion=apart(question, leg.stretch, leg.path.at(0.0), leg.path.at(1.0)))
-        motion, bounds, unkept = fastest(question, leg.stretch, leg.path)
+            motion = independent_motion(question, leg.stretch, leg.path.at(0.0), leg.path.at(1.0))
+        else:
+            motion, bounds = fastest(question, leg.stretch, leg.path)
     except InputError as refusal:
         return replace(leg, trouble=str(refusal))
+    if motion.duration > LONGEST:
+        long = f"move {leg.stretch.title}: within the limits it lasts {motion.duration:.0f} s, more than {LONGEST:g} s"
+        return replace(leg, trouble=long)
     other_way = _other_way(question, leg.stretch, motion.at(motion.duration))
-    remarks = (*leg.remarks, *leg.path.remarks, *other_way)
-    return replace(leg, motion=motion, bounds=bounds, remarks=remarks, unkept=unkept)
+    return replace(leg, motion=motion, bounds=bounds, remarks=(*leg.remarks, *leg.path.remarks, *other_way))
 
 
 def _in_joints(question: Question, stretch: Stretch, q: Floats) -> Leg:
@@ -144,8 +147,11 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
     running = list(takewhile(lambda leg: leg.motion is not None, legs))
     within = sum(leg.motion.duration for leg in running if leg.motion is not None)
     start, placed = 0.0, []
-    for leg in running:
-        placed.append(replace(_lasting(question, leg, within), start=start))
+    for k, leg in enumerate(running):
+        try:
+            placed.append(replace(_lasting(question, leg, within), start=start))
+        except InputError as refusal:
+            return _together(question, (*legs[:k], replace(leg, motion=None, trouble=str(refusal)), *legs[k + 1 :]))
         start += _motion(placed[-1]).duration
     if not placed:
         return Planned(question, tuple(legs), None, None, (), math.nan)
@@ -153,7 +159,8 @@ def _together(question: Question, legs: Sequence[Leg]) -> Planned:
     over, samples = exceeded(question, motion), sampled(question.arm, motion, placed)
     spans = (*spans_of(over), *too_fast(samples, question.limits.tool_speed))
     drawn = [drawn_leg(question.arm, leg, spans) for leg in placed]
-    return Planned(question, (*drawn, *legs[len(running) :]), motion, samples, over, within)
+    every = (*drawn, *legs[len(running) :])
+    return Planned(question, every, motion, samples, over, within, unkept(question, motion))
 
 
 def _lasting(question: Question, leg: Leg, within: float) -> Leg:
@@ -161,9 +168,7 @@ def _lasting(question: Question, leg: Leg, within: float) -> Leg:
     if question.duration is None or leg.stretch is None or leg.path is None:
         return leg
     share = question.duration * _motion(leg).duration / within
-    if leg.stretch.move.independent:
-        return replace(leg, motion=scaled(_motion(leg), share / _motion(leg).duration))
-    return replace(leg, motion=lasting(leg.stretch, leg.path, share))
+    return replace(leg, motion=lasting(leg.stretch, leg.path, _motion(leg), share))
 
 
 def _motion(leg: Leg) -> Motion:

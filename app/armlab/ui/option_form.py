@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -64,7 +64,9 @@ def _factor(field: Field, scale: Scale) -> float:
 def option_markup(
     fields: Fields, prefix: str, kinds: Sequence[Field], given: Mapping[str, Any], scales: Sequence[Scale] = PLAIN
 ) -> str:
-    """Return fields and choices for options that can be used with those given; their cells are ``prefix`` followed by the key of the option.
+    """Return fields and choices for the options that can be used with those given.
+
+    Their cells are ``prefix`` followed by the key of the option.
 
     Parameters
     ----------
@@ -127,10 +129,14 @@ def _text(kind: Field, value: Any, scales: Sequence[Scale]) -> str:
     if value is None:
         return ""
     if kind.kind == "rows":
-        return "\n".join("  ".join(readable(float(each), DECIMALS) for each in row) for row in value)
-    numbers = np.atleast_1d(np.asarray(value, dtype=float))
+        return "\n".join(_line(kind, row, scales) for row in value)
+    return _line(kind, np.atleast_1d(np.asarray(value, dtype=float)), scales)
+
+
+def _line(kind: Field, numbers: Iterable[float], scales: Sequence[Scale]) -> str:
     return "  ".join(
-        readable(float(number) / _factor(kind, _scale_of(kind, scales, j)), DECIMALS) for j, number in enumerate(numbers)
+        readable(float(number) / _factor(kind, _scale_of(kind, scales, j)), DECIMALS)
+        for j, number in enumerate(numbers)
     )
 
 
@@ -163,10 +169,8 @@ def option_value(kind: Field, text: str, now: Any = None, scales: Sequence[Scale
     if not text.strip():
         return None
     if kind.kind == "rows":
-        return [
-            [_number(kind, cell) for cell in _cells(row)] for row in text.replace("\n", ";").split(";") if row.strip()
-        ]
-    numbers = [_number(kind, cell) * _factor(kind, _scale_of(kind, scales, j)) for j, cell in enumerate(_cells(text))]
+        return [_read(kind, row, scales) for row in text.replace("\n", ";").split(";") if row.strip()]
+    numbers = _read(kind, text, scales)
     if kind.kind in ("vector", "list"):
         return numbers
     if len(numbers) != 1:
@@ -176,6 +180,10 @@ def option_value(kind: Field, text: str, now: Any = None, scales: Sequence[Scale
             raise InputError(f"{kind.title}: expected a whole number, got {text.strip()[:40]!r}")
         return round(numbers[0])
     return numbers[0]
+
+
+def _read(kind: Field, text: str, scales: Sequence[Scale]) -> list[float]:
+    return [_number(kind, cell) * _factor(kind, _scale_of(kind, scales, j)) for j, cell in enumerate(_cells(text))]
 
 
 def _cells(text: str) -> list[str]:

@@ -24,6 +24,7 @@ class PathExample:
 PATHS = {
     "line": [PathExample()],
     "polyline": [PathExample(continuity=0, knots=5)],
+    "hermite": [PathExample(continuity=1, rest=1, knots=5)],
     "circle": [PathExample(knots=3), PathExample({"full": True}, knots=3, meets="first", m=4)],
     "overfly": [
         PathExample(continuity=1, knots=5, meets="ends"),

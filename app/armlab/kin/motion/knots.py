@@ -21,7 +21,17 @@ UNTIMED = (("times", (None,)),)
 
 TIMES = (
     Field("times", "t_k", "times of the waypoints; left out: by the way below", "list", unit="s"),
-    Field("duration", "T", "time for all, when no times are given", "number", 1.0, low=0.0, above=True, unit="s", only=UNTIMED),
+    Field(
+        "duration",
+        "T",
+        "time for all, when no times are given",
+        "number",
+        1.0,
+        low=0.0,
+        above=True,
+        unit="s",
+        only=UNTIMED,
+    ),
     Field(
         "spacing",
         "",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import ClassVar, Self
 
 import numpy as np
@@ -15,8 +16,9 @@ from armlab.kin.arm import Arm
 from armlab.kin.motion.field import positive
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
-from armlab.session.plan_moves import MOST_WAYPOINTS, Move, Stretch, Waypoint, checked_q, stretch_at, stretches
+from armlab.session.plan_moves import Move, Stretch, Waypoint, checked_q, stretch_at, stretches
 from armlab.session.plan_question import (
+    LONGEST,
     TURN_ACCELERATION,
     TURN_SPEED,
     Limits,
@@ -25,6 +27,7 @@ from armlab.session.plan_question import (
     Recorded,
     Rows,
 )
+from armlab.session.plan_read import entry, route_from
 from armlab.session.state import Json, Part, PartType, State
 
 CLIP_KEY = "motion"
@@ -32,8 +35,14 @@ CLIP_KEY = "motion"
 SAMPLES, MOST_SAMPLES = 201, 1001
 """Poses along a Cartesian stretch for which the inverse kinematics is solved."""
 
-LONGEST = 600.0
-"""Seconds of a motion."""
+SHORTEST = 0.01
+"""Seconds of a motion at least."""
+
+LEAST, MOST = 1e-4, 1e6
+"""Limits in SI units: what is outside is a slip of the pen, or leaves the range of numbers."""
+
+LEAST_SHARE = 0.01
+"""Of the limits that is used at least."""
 
 FULL = 1.0, 1.0
 """Shares of the limits of velocity and acceleration that are used."""
@@ -73,6 +82,8 @@ class Plan(Part):
         Key of the example that is in place as it was put there; empty when it is none.
     before : tuple of float or None
         Where the arm stood when the motion was put on; None while it is not on.
+    kinds : str
+        Of the joints, such as ``"RRP"``.
     planned, other : Planned or None
         What has become of it, and of the one compared; may be of a question that has passed. Not saved.
     """
@@ -94,6 +105,7 @@ class Plan(Part):
     recorded: Recorded | None = None
     example: str = ""
     before: tuple[float, ...] | None = None
+    kinds: str = ""
     planned: Planned | None = None
     other: Planned | None = None
 
@@ -102,7 +114,7 @@ class Plan(Part):
         """Return one joint move from home, at the limits of the robot file."""
         arm = robot.arm
         points = tuple(Waypoint(checked_q(arm, q)) for q in (robot.home, _aside(robot)))
-        return cls(points, (Move(),), *default_limits(arm))
+        return cls(points, (Move(),), *default_limits(arm), kinds=_kinds(arm))
 
     def for_robot(self, robot: Robot) -> Self:
         """Begin anew: waypoints are of an arm."""
@@ -110,8 +122,9 @@ class Plan(Part):
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep all where the joints are the same; begin anew where there are others."""
-        arm = robot.arm
-        if origin != tuple(range(len(self.velocity))):
+        arm, same = robot.arm, origin == tuple(range(len(self.velocity)))
+        # Radians are no metres: a joint that has become a sliding one has neither values nor limits yet.
+        if not same or self.kinds != _kinds(arm):
             return self.initial(robot)
         points = tuple(Waypoint(checked_q(arm, point.q)) for point in self.waypoints)
         return replace(self, waypoints=points, recorded=None, example="", before=None, planned=None, other=None)
@@ -121,7 +134,7 @@ class Plan(Part):
         off = self.before is not None and now[Timeline].clip != CLIP_KEY
         return replace(self, before=None) if off else self
 
-    @property
+    @cached_property
     def parts(self) -> tuple[Stretch, ...]:
         """The stretches."""
         return stretches(self.moves)
@@ -167,27 +180,27 @@ class Plan(Part):
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read it back; raises when it is not usable with this arm."""
         arm, opened = robot.arm, cls.initial(robot)
-        points = tuple(Waypoint.from_json(each, arm) for each in data["waypoints"])
-        moves = tuple(Move.from_json(each) for each in data["moves"])
-        selected, before = int(data.get("selected", 0)), data.get("before")
-        if not 1 <= len(points) == len(moves) + 1 <= MOST_WAYPOINTS:
-            raise InputError(f"plan: expected 1 to {MOST_WAYPOINTS} waypoints and a move between each two")
+        points, moves = route_from(data, arm)
+        selected = entry(data, "selected", 0, int)
         return cls(
             points,
             moves,
-            checked_limits(arm, "velocity", data.get("velocity", opened.velocity)),
-            checked_limits(arm, "acceleration", data.get("acceleration", opened.acceleration)),
-            checked_shares(data.get("shares", FULL)),
-            optional_positive(data.get("jerk_time"), "jerk time"),
-            optional_positive(data.get("tool_speed"), "tool speed"),
-            checked_duration(data.get("duration")),
-            checked_samples(data.get("samples", SAMPLES)),
+            entry(data, "velocity", opened.velocity, lambda values: checked_limits(arm, "velocity", values)),
+            entry(
+                data, "acceleration", opened.acceleration, lambda values: checked_limits(arm, "acceleration", values)
+            ),
+            entry(data, "shares", FULL, checked_shares),
+            entry(data, "jerk_time", None, lambda value: optional_positive(value, "jerk time")),
+            entry(data, "tool_speed", None, lambda value: optional_positive(value, "tool speed")),
+            entry(data, "duration", None, checked_duration),
+            entry(data, "samples", SAMPLES, checked_samples),
             min(max(selected, 0), len(points) - 1),
             bool(data.get("handled", False)),
             bool(data.get("compared", False)),
-            _recorded_from(data.get("recorded"), arm),
+            entry(data, "recorded", None, lambda value: _recorded_from(value, arm)),
             str(data.get("example", "")),
-            None if before is None else checked_q(arm, before),
+            entry(data, "before", None, lambda q: None if q is None else checked_q(arm, q)),
+            _kinds(arm),
         )
 
 
@@ -200,6 +213,10 @@ def default_limits(arm: Arm) -> tuple[tuple[float, ...], tuple[float, ...]]:
     v = np.where(np.isfinite(arm.speed_limits), arm.speed_limits, TURN_SPEED * unit)
     a = np.where(np.isfinite(arm.acceleration_limits), arm.acceleration_limits, TURN_ACCELERATION * unit)
     return tuple(v.tolist()), tuple(a.tolist())
+
+
+def _kinds(arm: Arm) -> str:
+    return "".join(row.kind for row in arm.rows)
 
 
 def _aside(robot: Robot) -> np.ndarray:
@@ -239,26 +256,34 @@ def checked_limits(arm: Arm, name: str, values: ArrayLike) -> tuple[float, ...]:
     array = np.array(values, dtype=float)
     if array.shape != (arm.n,):
         raise InputError(f"limits of {name}: expected {arm.n}, one for each joint, got {array.size}")
-    return tuple(positive(value, f"limit of {name} of joint {i + 1}") for i, value in enumerate(array.tolist()))
+    return tuple(_in_range(value, f"limit of {name} of joint {i + 1}") for i, value in enumerate(array.tolist()))
+
+
+def _in_range(value: float, name: str) -> float:
+    """Return a positive number that a motion can be drawn with; `InputError` for any other."""
+    number = positive(value, name)
+    if not LEAST <= number <= MOST:
+        raise InputError(f"{name}: too {'small' if number < LEAST else 'large'}, no motion can be drawn with it")
+    return number
 
 
 def checked_shares(shares: ArrayLike) -> tuple[float, float]:
     """Return shares of the limits; `InputError` when they are not more than 0 and at most 1."""
     array = np.array(shares, dtype=float)
-    if array.shape != (2,) or not ((array > 0.0) & (array <= 1.0)).all():
-        raise InputError("share of the limits: expected more than 0 and at most 100 %")
+    if array.shape != (2,) or not ((array >= LEAST_SHARE) & (array <= 1.0)).all():
+        raise InputError(f"share of the limits: expected {100.0 * LEAST_SHARE:g} to 100 %")
     return float(array[0]), float(array[1])
 
 
 def optional_positive(value: float | None, name: str) -> float | None:
     """Return a positive number or None; `InputError` for anything else."""
-    return None if value is None else positive(value, name)
+    return None if value is None else _in_range(value, name)
 
 
 def checked_duration(duration: float | None) -> float | None:
     """Return a duration; `InputError` when it is not more than 0 and at most `LONGEST`."""
-    if duration is not None and not (0.0 < positive(duration, "duration") <= LONGEST):
-        raise InputError(f"duration: expected at most {LONGEST:g} s, got {duration:g}")
+    if duration is not None and not (SHORTEST <= positive(duration, "duration") <= LONGEST):
+        raise InputError(f"duration: expected {SHORTEST:g} to {LONGEST:g} s, got {duration:g}")
     return None if duration is None else float(duration)
 
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from armlab.session.parts.plan import Plan, last_planned
 from armlab.session.parts.robot import RobotPart
+from armlab.session.plan_plots import compared
 from armlab.session.plan_question import Feasible, Leg, Planned
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, VERDICT, Rgb, line_colour
@@ -42,15 +43,15 @@ class _Ways:
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
         self._nodes: list[viser.SceneNodeHandle] = []
-        self._shown: object = None
+        self._shown: tuple[Planned | None, Planned | None] = None, None
 
     def show(self, state: State) -> None:
         """Show the plan as it was worked out last, and the one it is compared with."""
         part, plan = state[Plan], last_planned(state)
-        other = part.other if part.compared else None
-        if self._shown == (id(plan), id(other)):
+        other = None if plan is None or not part.compared else compared(state, plan)
+        if self._shown[0] is plan and self._shown[1] is other:
             return
-        self._shown = (id(plan), id(other))
+        self._shown = plan, other
         for node in self._nodes:
             node.remove()
         self._nodes = []

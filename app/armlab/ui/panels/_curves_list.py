@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field
+from armlab.kin.motion.field import Field, seen_fields
 from armlab.kin.motion.law_types import law_types
 from armlab.session.chosen import Chosen, Value
 from armlab.session.curves_knots import MOST_KNOTS
@@ -96,7 +96,7 @@ def _summary(drawn: Drawn, scale: Scale) -> str:
 
 def _given(fields: tuple[Field, ...], chosen: Chosen, scale: Scale) -> list[str]:
     texts = []
-    for field in fields:
+    for field in seen_fields(fields, chosen.options):
         if field.key in chosen.options:
             value = chosen.options[field.key]
             words = dict(field.choices).get(value) if field.kind == "choice" else _numbers(value)

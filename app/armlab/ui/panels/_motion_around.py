@@ -10,6 +10,9 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.plugin import Points
 
+HANDLE = ("gizmo", "gap")
+"""Layers of the handle of the arm."""
+
 
 def way_around(state: State) -> Points:
     """Return the waypoints and the way between them, (k, 3), world."""
@@ -19,5 +22,10 @@ def way_around(state: State) -> Points:
 
 
 def in_the_way(state: State) -> tuple[str, ...]:
-    """Return the layers the motion hides: the arm's handle, while the motion or a waypoint is in the hand."""
-    return ("gizmo", "gap") if state[Timeline].clip == CLIP_KEY or state[Plan].handled else ()
+    """Return the layers the motion hides where waypoints have handles: that of the arm, while it moves or they do."""
+    return HANDLE if state[Plan].handled else while_on(state)
+
+
+def while_on(state: State) -> tuple[str, ...]:
+    """Return the layers the motion hides while it is on: the arm's handle."""
+    return HANDLE if state[Timeline].clip == CLIP_KEY else ()

@@ -132,5 +132,5 @@ def move_command(state: State, cell: str, text: str) -> tuple[Command, ...] | No
     if field is None:
         return None
     given = move.path.options if of == "path" else move.law.options
-    value = option_value(field, text, given.get(name), scales(state))
+    value = option_value(field.seen(given), text, given.get(name), scales(state))
     return (SetMoveOption(k, "path", name, value) if of == "path" else SetMoveOption(k, "law", name, value),)

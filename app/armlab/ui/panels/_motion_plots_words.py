@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from armlab.session.plan_plots import TOOL, Binding, Figures, Kind, Overrun, kind_of, same_time
 from armlab.session.plan_question import Planned
+from armlab.session.plan_words import exceeded_words
 from armlab.ui.format import capitalised, escaped, number, trimmed
 from armlab.ui.panels._motion_joint_marks import joint_mark
 from armlab.ui.panels._motion_plots_lines import DOTS, TIMES

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from armlab.kin import ik
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan
 from armlab.session.parts.target import HandleBy, Target
 from armlab.session.plan_files_commands import BackToWaypoints, MakeWaypoints
-from armlab.session.plan_moves import Move
+from armlab.session.plan_moves import Stretch
 from armlab.session.plan_paths import shortfall
 from armlab.session.plan_points import (
     AddWaypoint,
@@ -42,7 +39,8 @@ def points_markup(fields: Fields, state: State) -> str:
         return _recorded_markup(part.recorded, len(part.waypoints), channel)
     add = button(channel, "add", "+ Present pose", "chip", "Add where the arm stands, behind the selected waypoint")
     head = f'<h3>Waypoints<span class="copies">{add}</span></h3>'
-    rows = "".join(_row(state, fields, k) for k in range(len(part.waypoints)))
+    parts = part.parts
+    rows = "".join(_row(state, fields, parts, k) for k in range(len(part.waypoints)))
     return f'{head}<div class="mo-list">{rows}</div>{_selected(fields, state)}'
 
 
@@ -57,7 +55,7 @@ def _recorded_markup(recorded: Recorded, waypoints: int, channel: str) -> str:
     )
 
 
-def _row(state: State, fields: Fields, k: int) -> str:
+def _row(state: State, fields: Fields, parts: tuple[Stretch, ...], k: int) -> str:
     part, channel, units = state[Plan], fields.channel_id, units_of(state)
     last = k == len(part.waypoints) - 1
     name = f"waypoint {k + 1}"
@@ -81,7 +79,7 @@ def _row(state: State, fields: Fields, k: int) -> str:
         else ""
     )
     return (
-        _move_line(part.moves[k - 1], part, k) if k else ""
+        _move_line(part, parts, k) if k else ""
     ) + f'<div class="mo-row{now}">{select}<span class="mo-at">{_place(state, k, units)}</span>{bad}{tools}</div>'
 
 
@@ -91,8 +89,9 @@ def _place(state: State, k: int, units: Units) -> str:
     return ", ".join(units.text(float(value), False) for value in place) + f" {units.length_unit}"
 
 
-def _move_line(move: Move, part: Plan, k: int) -> str:
-    stretch = next(each for each in part.parts if each.first < k <= each.last)
+def _move_line(part: Plan, parts: tuple[Stretch, ...], k: int) -> str:
+    stretch = next(each for each in parts if each.first < k <= each.last)
+    move = stretch.move
     goes_on = "" if k - 1 == stretch.first else "… "
     stop = " · stop" if part.moves[k - 1].stop else ""
     title = escaped(move.kind.title[:1].lower() + move.kind.title[1:])
@@ -117,7 +116,7 @@ def _selected(fields: Fields, state: State) -> str:
     turn = _turning(state, channel) if part.handled else ""
     joints = f'<div class="it-numbers">{"".join(cells)}</div>'
     pose = pose_fields(fields, arm, point.wanted(arm), units, "pose ")
-    short = _shortfall(state, units)
+    short = _shortfall(state)
     return f'<h3>Waypoint {k + 1}<span class="copies">{take}</span></h3>{turn}{joints}{pose}{short}'
 
 
@@ -131,15 +130,10 @@ def _turning(state: State, channel: str) -> str:
     return f'<div class="bar"><span class="dim">Handle</span>{chips}</div>'
 
 
-def _shortfall(state: State, units: Units) -> str:
+def _shortfall(state: State) -> str:
     """Return how far a dragged waypoint is from what the arm reaches."""
-    arm, point = state[Joints].arm, state[Plan].waypoints[state[Plan].selected]
-    if point.pose is None:
-        return ""
-    apart = ik.judge(arm, point.wanted(arm), np.array(point.q)).position_error
-    if apart < 1e-5 * arm.length_scale:
-        return ""
-    return f'<p class="no">✕ out of reach by {units.length(apart)}</p>'
+    short = shortfall(state[Joints].arm, state[Plan].waypoints[state[Plan].selected])
+    return f'<p class="no">✕ {short}</p>' if short else ""
 
 
 def point_command(state: State, cell: str, text: str) -> tuple[Command, ...] | None:

@@ -24,10 +24,6 @@ OVERFLY = (
 )
 
 
-UNITS = '<p class="dim">d₁ and d₂ in m, ΔT in s.</p>'
-"""Of the option of a blend, whose unit depends on what it is given by."""
-
-
 def scales_of(units: Units) -> tuple[Scale, ...]:
     """Return what stands on screen for the coordinates of a waypoint."""
     return (Scale(units.length_unit, units.factor(False)),) * 3
@@ -64,9 +60,10 @@ def curve_form(fields: Fields, state: State) -> str:
         "Parametrise the curve by the distance gone along it (notes 6.13–6.17)",
         part.by_length,
     )
-    notes = UNITS + corrected(OVERFLY) if part.curve.key == "overfly" else ""
+    notes = corrected(OVERFLY) if part.curve.key == "overfly" else ""
     found = state.derived(curve_of)
-    remarks = "".join(f'<p class="dim">{escaped(text)}</p>' for text in found.given.remarks)
+    told = found.given.remarks_in(units.length_unit, units.factor(False))
+    remarks = "".join(f'<p class="dim">{escaped(text)}</p>' for text in told)
     return (
         f'<h3>Curve <span class="copies">{by_length}</span></h3><div class="it-head">{chooser}</div>{typed}'
         f'<div class="options sc-options">{form}</div>{notes}{remarks}'

@@ -122,7 +122,7 @@ def _of_curve(part: Curves, cell: str, text: str) -> tuple[Command, ...]:
     field = next((each for each in kind.fields if each.key == option), None)
     if field is None:
         raise InputError(f"option: {chosen.key} has none called {option[:40]!r}")
-    value = option_value(field, text, chosen.options.get(option), (Scale(part.unit),))
+    value = option_value(field.seen(chosen.options), text, chosen.options.get(option), (Scale(part.unit),))
     return (SetOption(int(number), of, option, value),)
 
 

@@ -20,7 +20,7 @@ from armlab.session.state import State
 from armlab.ui import recording
 from armlab.ui.format import number
 from armlab.ui.panels._dh_files import file_name
-from armlab.ui.panels._motion_around import way_around
+from armlab.ui.panels._motion_around import way_around, while_on
 from armlab.ui.panels._motion_files_markup import Shown, export_markup, import_markup
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.tried import plain_number
@@ -185,6 +185,7 @@ PANEL = Panel(
     build,
     tab="motion",
     rebuilds=(),
+    hides_then=while_on,
     around=way_around,
     about=(
         "S6.0-pipeline",

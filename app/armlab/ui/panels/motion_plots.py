@@ -20,7 +20,7 @@ from armlab.session.plan_plots import (
 from armlab.session.plan_question import Planned
 from armlab.session.state import State
 from armlab.ui import markup
-from armlab.ui.panels._motion_around import way_around
+from armlab.ui.panels._motion_around import in_the_way, way_around
 from armlab.ui.panels._motion_plots_curves import IN_SIGHT, NEAR, MotionPlot, Times
 from armlab.ui.panels._motion_plots_lines import DOTS, Slot, from_zero, lines_of, most_of, slots
 from armlab.ui.panels._motion_plots_words import OTHERS, comparison, legend, peaks_table, status
@@ -157,6 +157,7 @@ PANEL = Panel(
     build,
     tab="motion",
     page="Plots",
+    hides_then=in_the_way,
     around=way_around,
     about=(
         "S6.1-space-time",

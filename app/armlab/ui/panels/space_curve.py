@@ -160,7 +160,7 @@ def _option(state: State, prefix: str, key: str, text: str) -> Command:
     if key not in known:
         raise InputError(f"option: {chosen.key} has none that is called {key[:40]!r}")
     scales = {"scales": scales_of(units_of(state))} if of == "curve" else {}
-    return SetOption(of, key, option_value(known[key], text, chosen.options.get(key), **scales))
+    return SetOption(of, key, option_value(known[key].seen(chosen.options), text, chosen.options.get(key), **scales))
 
 
 def _around(state: State) -> Points:
