@@ -267,8 +267,8 @@ def test_wrong_input_is_named(T, arguments, text):
     ("T", "q", "locked", "text"),
     [
         (np.eye(3), [0.0, 0.0], None, r"T: expected shape \(4, 4\), got \(3, 3\)"),
-        (np.eye(4), [0.0], None, r"q: expected 2 finite numbers, got \[0.0\]"),
-        (np.eye(4), [0.0, np.nan], None, r"q: expected 2 finite numbers, got \[0.0, nan\]"),
+        (np.eye(4), [0.0], None, r"q: expected 2 finite numbers, got \[0\]"),
+        (np.eye(4), [0.0, np.nan], None, r"q: expected 2 finite numbers, got \[0, nan\]"),
         (np.eye(4), [0.0, 0.0], [True] * 3, "locked: expected 2 times True or False"),
     ],
 )

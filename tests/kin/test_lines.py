@@ -231,7 +231,7 @@ def test_directions_of_any_length_become_unit_vectors(size):
         (lambda z: Line([0, 0], [0, 0, 1]), r"point: expected three finite numbers, metres, got \[0, 0\]"),
         (lambda z: Line([0, 0, 0], [0, 0, np.inf]), "direction: expected three finite numbers, got"),
         (lambda z: Line([0, 0, 0], [0, 0, 0]), "direction: expected a vector that is not zero"),
-        (lambda z: common_normal(z, z, scale=0.0), "scale: expected a positive number of metres, got 0.0"),
+        (lambda z: common_normal(z, z, scale=0.0), "scale: expected a positive number of metres, got 0$"),
         (lambda z: common_normal(z, z, scale=float("nan")), "scale: expected a positive number of metres, got nan"),
     ],
 )

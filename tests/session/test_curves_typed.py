@@ -2,6 +2,7 @@
 
 import json
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -32,6 +33,7 @@ from armlab.session.curves_made import Made
 from armlab.session.jobs.curves import JOB, wanted, with_fastest
 from armlab.session.parts.curves import MOST_CURVES, UNITS, Curves
 from armlab.session.state import State, apply
+from armlab.ui.panels._curves_list import curves_markup
 
 ROBOT = catalogue()["puma560"]
 
@@ -42,6 +44,41 @@ def state():
 
 
 # -- what a person does ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "command",
+    [SetKnot(1, "t", 0.4), SetKnot(2, "t", 2.6), SetKnots(((0.0, 1.0), (0.2, 2.0), (3.0, 0.0))), RemoveKnot(0)],
+)
+def test_virtual_times_that_do_not_fit_other_knots_are_left_out_and_the_curve_says_so(state, command):
+    before = state[Curves].curves[2]
+    assert before.path.options == {"ends": "both", "virtual": (0.5, 2.5)}
+    part = apply(state, command)[Curves]
+    assert part.curves[2].path.options == {"ends": "both"}
+    assert [each.dropped for each in part.curves] == [False, False, True]
+    assert all(isinstance(each, Made) for each in part.outcomes)
+    page = SimpleNamespace(channel_id="c", field=lambda *cell: "", area=lambda *cell: "")
+    assert curves_markup(page, part).count("were left out") == 1
+    assert "were left out" not in curves_markup(page, state[Curves])
+    # What is chosen afterwards is kept, and nothing is said of the past.
+    first, last = part.knots[0][0] + 0.1, part.knots[-1][0] - 0.1
+    chosen = apply(apply(state, command), SetOption(2, "path", "virtual", [first, last]))[Curves].curves[2]
+    assert chosen.path.options["virtual"] == (first, last)
+    assert not chosen.dropped
+
+
+def test_virtual_times_that_fit_stay(state):
+    part = apply(apply(state, SetKnot(1, "q", 5.0)), SetKnot(1, "t", 0.6))[Curves]
+    assert part.curves == state[Curves].curves
+
+
+def test_virtual_times_are_left_out_where_the_fastest_intervals_do_not_fit_them(state):
+    for limit in ("v_max", "a_max"):
+        state = apply(state, SetLimit(limit, 40.0))
+    found = apply(with_fastest(apply(state, FindFastest())), TakeFastest())
+    assert found[Curves].knots[1][0] < 0.5
+    assert found[Curves].curves[2].dropped
+    assert all(isinstance(each, Made) for each in found[Curves].outcomes)
 
 
 def test_knots_are_added_moved_and_removed(state):
@@ -142,7 +179,7 @@ def test_the_fastest_intervals_need_limits_and_knots_that_move(state):
     with pytest.raises(InputError, match="knot 2: the same q as knot 1"):
         apply(apply(state, SetKnot(1, "q", 0.0)), FindFastest())
     many = tuple((float(k), float(k % 2)) for k in range(MOST_KNOTS))
-    with pytest.raises(InputError, match=f"at most 16, there are {MOST_KNOTS}"):
+    with pytest.raises(InputError, match=f"at most 8, there are {MOST_KNOTS}"):
         apply(apply(state, SetKnots(many)), FindFastest())
 
 
@@ -173,7 +210,7 @@ def test_limits_at_the_edge_of_what_can_be_typed_are_answered_or_refused(state):
         (SetKnots(tuple((float(k), 0.0) for k in range(10_000))), "knots: expected 2 to 31, got 10000"),
         (AddKnot(9), "knot: expected 1 to 4, got 10"),
         (RemoveKnot(-1), "knot: expected 1 to 4, got 0"),
-        (SetOption(0, "path", "virtual", [9.0, 1.0]), "virtual: cannot be given with ends='clamped'"),
+        (SetOption(0, "path", "virtual", [9.0, 1.0]), "virtual: cannot be used while velocities are given at both ends"),
         (SetOption(2, "path", "virtual", [9.0, 1.0]), "virtual: expected one time inside the first interval"),
         (SetOption(0, "path", "speed", 1.0), "option of spline: unknown name 'speed'"),
         (SetOption(0, "path", "v_start", [1.0, 2.0]), "v_start: expected 1 numbers"),

@@ -185,7 +185,7 @@ def test_the_bound_holds_on_the_path():
         (SetBound("knots", [[0.0] * 4, [1.0] * 4]), "1 to 3 joints"),
         (SetBound("knots", [[float(i)] for i in range(41)]), "at most 40 rows"),
         (SetBound("knots", [[0.0, math.nan], [1.0, 1.0]]), "knots: expected finite numbers"),
-        (SetBound("v_max", [0.0, 1.0]), "v_max: expected more than 0"),
+        (SetBound("v_max", [0.0, 1.0]), "v_max: expected a positive number"),
         (SetBound("v_max", [1.0, 1.0, 1.0]), "v_max: expected 2 positive numbers"),
         (SetBound("v_max", None), "v_max: expected limits of speed, a joint each, got nothing"),
         (SetBound("speed", 0.6), "speed: expected more than 0 and at most V = 0.5"),

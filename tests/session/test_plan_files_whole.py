@@ -120,13 +120,13 @@ BROKEN = [
     (("version",), 2, "expected version 1 of the format, got 2"),
     (("robot",), "pumpa560", "unknown name 'pumpa560'"),
     (("robot",), {"toml": "nonsense"}, "plan: the file does not hold what a plan needs"),
-    (("plan",), [], "plan: the file does not hold what a plan needs"),
+    (("plan",), [], "plan: expected waypoints and moves by name"),
     (("plan", "waypoints"), [], "expected 1 to 100 waypoints"),
-    (("plan", "waypoints"), {}, "expected 1 to 100 waypoints"),
-    (("plan", "waypoints", 1, "q"), [0.0], "waypoint: expected 2 finite joint values"),
+    (("plan", "waypoints"), {}, "plan, waypoints: expected a list"),
+    (("plan", "waypoints", 1, "q"), [0.0], "waypoint 2: expected 2 finite joint values"),
     (("plan", "waypoints", 1, "q"), [0.0, 400.0], "plan, waypoint 2: joint 2 is outside its limits"),
     (("plan", "waypoints", 1, "q"), [0.0, float("nan")], "expected finite numbers, got NaN"),
-    (("plan", "waypoints", 1, "q"), None, "plan: the file does not hold|waypoint"),
+    (("plan", "waypoints", 1, "q"), None, "waypoint 2: expected 2 finite joint values"),
     (("plan", "moves", 0, "path"), {"key": "polynominal"}, "unknown name 'polynominal'"),
     (("plan", "velocity"), [1.0], "limits of velocity: expected 2"),
     (("plan", "duration"), -1.0, "duration"),
@@ -218,12 +218,36 @@ def own_table():
     return apply(state, SetMove(1, law="septic"))
 
 
+def each_joint_by_itself():
+    """Return a move in which each joint goes by itself, slowed by the tool, and one that begins where it ended."""
+    state = opened("puma560", points=3, law="double_s")
+    for command in (SetMove(1, apart=True), SetMove(2, apart=True, law="quintic"), LimitJerk(0.2), LimitTool(0.4)):
+        state = apply(state, command)
+    return state
+
+
+def each_joint_by_itself_in_a_time():
+    return apply(each_joint_by_itself(), LastFor(9.0))
+
+
 def recorded():
     state = opened("planar_2r")
     return apply(apply(state, ReadMotion(table(state, 30.0))), LastFor(5.0))
 
 
-@pytest.mark.parametrize("make", [through_joints, in_space, by_the_wrist, aside, own_table, recorded])
+@pytest.mark.parametrize(
+    "make",
+    [
+        through_joints,
+        in_space,
+        by_the_wrist,
+        aside,
+        own_table,
+        each_joint_by_itself,
+        each_joint_by_itself_in_a_time,
+        recorded,
+    ],
+)
 def test_a_script_makes_the_same_motion_and_says_nothing(make, tmp_path):
     state = with_plan(make())
     assert planned(state).whole

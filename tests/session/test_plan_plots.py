@@ -12,17 +12,14 @@ from armlab.session.chosen import Chosen
 from armlab.session.jobs.plan import with_plan
 from armlab.session.parts.motion_plots import FIRST, QUANTITIES, MotionPlots, ShowMotionPlot
 from armlab.session.parts.plan import Plan
+from armlab.session.plan_figures import TOOL, Binding
 from armlab.session.plan_limits import CompareMoves, LastFor, LimitTool
 from armlab.session.plan_moves import Move, Waypoint
 from armlab.session.plan_plots import (
-    TOOL,
-    Binding,
     boundaries,
     can_compare,
     compared,
-    figures,
     kind_of,
-    overruns,
     same_time,
     shares,
 )
@@ -54,7 +51,7 @@ TWO = [[0.0, 0.5], [1.2, 0.5]]
 def test_the_figures_of_a_bang_bang_move_are_those_computed_by_hand():
     """With T = 1 s and D = 1.2 rad the velocity is 2 D / T at T/2 and the acceleration 4 D / T² throughout."""
     state = planned("planar_2r", TWO, LastFor(1.0), law="bang_bang", velocity=(2.0, 2.0), acceleration=(6.0, 6.0))
-    found = figures(state[Plan].planned)
+    found = state[Plan].planned.figures
     np.testing.assert_allclose(found.velocity, [2.4, 0.0], atol=1e-9)
     np.testing.assert_allclose(found.acceleration, [4.8, 0.0], atol=1e-9)
     np.testing.assert_allclose(found.velocity_share, [1.2, 0.0], atol=1e-9)
@@ -69,7 +66,7 @@ def test_the_figures_of_a_bang_bang_move_are_those_computed_by_hand():
 def test_exceeded_limits_are_told_with_their_times():
     """q̇ = 4 D t / T² passes v = 2 at t = v T² / 4 D = 5/12 s, and again as long before the end."""
     state = planned("planar_2r", TWO, LastFor(1.0), law="bang_bang", velocity=(2.0, 2.0), acceleration=(6.0, 6.0))
-    (only,) = overruns(state[Plan].planned)
+    (only,) = state[Plan].planned.overruns
     assert (only.joint, only.quantity) == (1, "velocity")
     np.testing.assert_allclose(only.spans, [(5 / 12, 7 / 12)], atol=1e-5)
 
@@ -78,19 +75,19 @@ def test_the_tool_is_too_fast_where_its_speed_passes_the_limit():
     radius = float(np.hypot(*catalogue()["planar_2r"].arm.position([0.0, 0.5])[:2]))
     limits = {"velocity": (9.0, 9.0), "acceleration": (9.0, 9.0)}
     state = planned("planar_2r", TWO, LimitTool(1.2 * radius), LastFor(1.0), law="bang_bang", **limits)
-    (only,) = overruns(state[Plan].planned)
+    (only,) = state[Plan].planned.overruns
     assert (only.joint, only.quantity) == (TOOL, "tool speed")
     np.testing.assert_allclose(only.spans, [(0.25, 0.75)], atol=1e-3)
     # As fast as allowed it meets its limit and does not exceed it.
     state = planned("planar_2r", TWO, LimitTool(1.2 * radius), law="bang_bang", **limits)
-    assert overruns(state[Plan].planned) == ()
-    assert figures(state[Plan].planned).binding == Binding(TOOL, "tool speed")
+    assert state[Plan].planned.overruns == ()
+    assert state[Plan].planned.figures.binding == Binding(TOOL, "tool speed")
 
 
 def test_limits_exceeded_in_several_legs_are_told_once_for_each_joint():
     points = [[0.0, 0.5], [1.0, 0.5], [0.0, 0.5], [1.0, 0.9]]
     state = planned("planar_2r", points, LastFor(1.0), velocity=(1.0, 1.0), acceleration=(90.0, 90.0))
-    found = [each for each in overruns(state[Plan].planned) if each.quantity == "velocity"]
+    found = [each for each in state[Plan].planned.overruns if each.quantity == "velocity"]
     assert [each.joint for each in found] == [1, 2]
     assert [len(each.spans) for each in found] == [3, 1]
     starts = [0.0, *boundaries(state[Plan].planned), 1.0]
@@ -108,8 +105,8 @@ def test_what_is_as_fast_as_allowed_meets_a_limit_and_exceeds_none(key, space):
     points = [start, start + 0.04 * (inside(robot, rng, 1)[0] - start)]
     plan = planned(key, points, space=space)[Plan].planned
     assert plan.whole, plan.trouble
-    found = figures(plan)
-    assert overruns(plan) == ()
+    found = plan.figures
+    assert plan.overruns == ()
     most = max(found.velocity_share.max(), found.acceleration_share.max())
     assert most == pytest.approx(1.0, abs=1e-6)
     assert found.binding is not None
@@ -127,8 +124,8 @@ def test_what_is_as_fast_as_allowed_meets_a_limit_and_exceeds_none(key, space):
 
 def test_a_motion_with_more_time_than_it_needs_is_held_back_by_nothing():
     plan = planned("puma560", None, LastFor(30.0))[Plan].planned
-    assert figures(plan).binding is None
-    assert overruns(plan) == ()
+    assert plan.figures.binding is None
+    assert plan.overruns == ()
 
 
 def test_where_all_joints_slide_both_kinds_of_moves_are_one():
@@ -137,7 +134,7 @@ def test_where_all_joints_slide_both_kinds_of_moves_are_one():
     other = compared(state, plan)
     assert (kind_of(plan.question), kind_of(other.question)) == ("joint", "cartesian")
     assert same_time(plan, other)
-    own, theirs = figures(plan), figures(other)
+    own, theirs = plan.figures, other.figures
     assert own.way == pytest.approx(theirs.way, rel=1e-6)
     assert own.way == pytest.approx(float(np.linalg.norm(plan.samples.tool[-1] - plan.samples.tool[0])), rel=1e-9)
 
@@ -149,7 +146,7 @@ def test_an_arm_with_turning_joints_is_slower_along_a_line_of_the_tool(key):
     other = compared(state, plan)
     assert not same_time(plan, other)
     assert plan.fastest < other.fastest
-    assert figures(plan).way > figures(other).way
+    assert plan.figures.way > other.figures.way
 
 
 def test_only_what_was_asked_for_and_belongs_to_the_plan_is_compared():
@@ -169,13 +166,13 @@ def test_a_motion_from_a_file_has_no_other_kind_of_moves():
     assert can_compare(State.initial(catalogue()["planar_2r"]))
     assert not can_compare(state)
     assert state[Plan].other is None
-    assert figures(state[Plan].planned).way > 0.0
+    assert state[Plan].planned.figures.way > 0.0
 
 
 def test_nothing_is_told_of_a_plan_that_cannot_be_run():
     state = planned("planar_2r", [[0.0, 0.5]])
-    assert figures(state[Plan].planned) is None
-    assert overruns(state[Plan].planned) == ()
+    assert state[Plan].planned.figures is None
+    assert state[Plan].planned.overruns == ()
     assert shares(state[Plan].planned) is None
 
 

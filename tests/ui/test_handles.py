@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.errors import InputError
+from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_about
 from armlab.kin.task import task_named
@@ -87,6 +87,12 @@ def test_what_is_no_number_is_refused(state, text):
 def test_absurd_numbers_are_refused(state, cell, text):
     with pytest.raises(InputError, match="expected at most"):
         typed_component(state[Joints].arm, target_pose(state), cell, text, UNITS)
+
+
+@pytest.mark.parametrize("cell", ["", "zz", "xy", "xyz", "yz", "q", "Yaw"])
+def test_components_that_are_none_are_refused(state, cell):
+    with pytest.raises(UnknownName, match="component: unknown name"):
+        typed_component(state[Joints].arm, target_pose(state), cell, "1", UNITS)
 
 
 def test_an_arm_on_the_wall_is_told_its_target_in_its_own_frame(state):

@@ -252,7 +252,7 @@ def test_scaling_and_bounds(url):
         await browser.press("b-knots", "0 0 0\n1 2 3")
         await says(browser, "<td>3</td>")
         await browser.press("b-v_max", "1 0 1")
-        await says(browser, "v_max: expected more than 0")
+        await says(browser, "v_max: expected a positive number")
         await browser.close()
 
     run(main())

@@ -19,9 +19,13 @@ from armlab.kin.motion import Trajectory, law_type, path_type
 from armlab.session.jobs.plan import with_plan
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import planned
+from armlab.session.parts.timeline import OpenClip
 from armlab.session.plan_files import column_names, motion_csv, plan_json
-from armlab.session.state import State
+from armlab.session.plan_points import SelectWaypoint
+from armlab.session.state import State, apply
 from armlab.ui.figure.anatomy import anatomy_of
+from armlab.ui.panels.motion_files import size_text
+from armlab.ui.plugin import layers, panels
 from armlab.ui.recording import LONGEST, POSES_PER_SECOND, Scenario, record
 from support.student import run, student
 
@@ -108,6 +112,22 @@ def test_a_recording_says_nothing_on_standard_output(capsys):
 # -- the page --------------------------------------------------------------------------------------------------------
 
 
+def test_sizes_are_told_in_kilobytes_or_megabytes():
+    sizes = [size_text(size) for size in (3, 1_640, 9_960, 312_400, 999_600, 1_234_567)]
+    assert sizes == ["0.1 kB", "1.6 kB", "10 kB", "312 kB", "1.00 MB", "1.23 MB"]
+
+
+@pytest.mark.parametrize("key", ["motion", "motion_plots", "motion_files"])
+def test_the_handle_of_the_arm_is_hidden_while_the_motion_is_on(key):
+    state = opened()
+    assert panels()[key].hides_then(state) == ()
+    on = apply(state, OpenClip("motion"))
+    assert set(panels()[key].hides_then(on)) == {"gizmo", "gap"} <= set(layers())
+    # A waypoint takes the handle only where it has one itself.
+    held = panels()[key].hides_then(apply(state, SelectWaypoint(1, handled=True)))
+    assert bool(held) == (key in layers()["motion_waypoints"].panels)
+
+
 async def at_files(url, path="/"):
     browser = await student(url, path=path)
     await browser.open("motion_files")
@@ -177,7 +197,7 @@ def test_what_cannot_be_read_is_told_on_the_page_and_the_plan_stays(url):
             ("\0", "got a binary file"),
             ("", "the file is empty"),
             ("{", "plan, row 1, column 2"),
-            ('{"format": "armlab plan", "version": 1}', "the file does not hold what a plan needs"),
+            ('{"format": "armlab plan", "version": 1}', "plan: &#x27;robot&#x27; is missing in the file"),
         ):
             await browser.press("read-motion", text)
             await browser.until(lambda says=says: says in browser.html())

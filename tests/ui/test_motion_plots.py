@@ -14,15 +14,16 @@ from armlab.session.chosen import Chosen
 from armlab.session.jobs.plan import with_plan
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.plan import Plan
+from armlab.session.plan_figures import TOOL, Overrun
 from armlab.session.plan_limits import CompareMoves, LastFor
 from armlab.session.plan_moves import Move, Waypoint
-from armlab.session.plan_plots import TOOL, Overrun, compared, figures, overruns
+from armlab.session.plan_plots import compared
 from armlab.session.plan_words import listed, sentences
 from armlab.session.state import State, apply
 from armlab.ui.colours import GREY, VERDICT, css, joint_colour
 from armlab.ui.panels._motion_plots_curves import POINTS, Line, MotionPlot, Times
 from armlab.ui.panels._motion_plots_lines import lines_of, most_of, slots
-from armlab.ui.panels._motion_plots_words import comparison, peaks_table, status
+from armlab.ui.panels._motion_plots_words import comparison, legend, peaks_table, status
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.units import Units
 from support.student import run, student
@@ -74,7 +75,7 @@ def state_of(key, points=None, *commands, space="joint", path="line"):
 def lines(state, quantity, of="", other=None, units=UNITS):
     plan = state[Plan].planned
     slot = next(s for s in slots(plan.question.arm, units) if (s.quantity, s.of) == (quantity, of))
-    return slot, lines_of(slot, plan, plan.samples, other, overruns(plan), units)
+    return slot, lines_of(slot, plan, plan.samples, other, plan.overruns, units)
 
 
 def by_label(chart, label):
@@ -148,6 +149,60 @@ def test_a_plot_draws_legs_limits_and_what_is_beyond_them():
     assert {0.5, 1.5} <= {round(float(value), 2) for value in inside}
 
 
+@pytest.mark.parametrize(
+    ("low", "high", "limit", "seen"),
+    [
+        (0.0, 90.0, 90.0, True),  # one-sided, at its limit
+        (0.0, 80.0, 82.0, True),
+        (0.0, 80.0, 150.0, False),  # -150 would flatten it
+        (0.0, 120.0, 90.0, True),  # beyond its limit
+        (60.0, 80.0, 81.0, False),  # 81 would lie in the room above the curve
+        (60.0, 80.0, 80.0, True),
+        (-80.0, 80.0, 150.0, True),
+        (-80.0, 80.0, 400.0, False),
+    ],
+)
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_limit_in_both_directions_is_drawn_twice_or_not_at_all(low, high, limit, seen, sign):
+    t = np.linspace(0.0, 1.0, 401)
+    gui = Maker()
+    line = Line("a", (1, 1, 1), sign * (low + (high - low) * t), limits=(-limit, limit), both=True)
+    MotionPlot(gui, "x", "x").draw(Times(t), [line])
+    drawn = sorted(float(values[0]) for _, values in by_label(gui.chart, "limit"))
+    assert drawn == ([-limit, limit] if seen else [])
+    bottom, top = gui.chart.scales["y"]["range"]
+    assert all(bottom < level < top for level in drawn)
+    assert top - bottom < 5.0 * limit
+
+
+def test_rates_have_limits_in_both_directions_and_positions_have_two():
+    state = state_of("puma560")
+    for quantity, both in (("q", False), ("q_dot", True), ("q_ddot", True)):
+        _, found = lines(state, quantity, "turn")
+        assert [line.both for line in found] == [both] * 6
+
+
+def test_joints_of_one_colour_have_other_lines_and_marks():
+    state = state_of("trunk9")
+    assert joint_colour(7) == joint_colour(0)
+    gui = Maker()
+    for quantity, of in (("q_dot", "turn"), ("load", "velocity")):
+        _, found = lines(state, quantity, of)
+        assert [bool(line.dash) for line in found] == [False] * 7 + [True] * 2
+        other = [replace(line, other=line.values) for line in found]
+        samples = state[Plan].planned.samples
+        MotionPlot(gui, "x", "x").draw(Times(samples.t, samples.t), other)
+        looks = [
+            (series["stroke"], tuple(series.get("dash", ())))
+            for series in gui.chart.series
+            if series["label"] in {line.name for line in found}
+        ]
+        assert len(looks) == len(set(looks)) == 18
+    named = legend(state[Plan].planned, UNITS, False)
+    marks = re.findall(r"<span>(<.*?>)</?", named)
+    assert len(marks) == len(set(marks)) == 9 + 1
+
+
 def test_what_it_is_compared_with_is_dashed_and_may_last_longer():
     gui = Maker()
     plot = MotionPlot(gui, "x", "x")
@@ -210,12 +265,12 @@ def test_a_way_that_is_almost_straight_is_drawn_as_a_straight_line_and_a_cusp_is
 def test_sentences_put_joints_together_that_exceed_a_limit_together():
     span = ((0.42, 0.71),)
     found = (
-        Overrun(2, "velocity", span),
-        Overrun(3, "velocity", span),
-        Overrun(1, "velocity", span),
-        Overrun(4, "position", ((0.5, 0.5),)),
-        Overrun(5, "acceleration", tuple((k, k + 0.25) for k in range(4))),
-        Overrun(TOOL, "tool speed", ((1.0, 2.0), (3.0, 4.0))),
+        Overrun.of(2, "velocity", span),
+        Overrun.of(3, "velocity", span),
+        Overrun.of(1, "velocity", span),
+        Overrun.of(4, "position", ((0.5, 0.5),)),
+        Overrun.of(5, "acceleration", tuple((k, k + 0.25) for k in range(4))),
+        Overrun.of(TOOL, "tool speed", ((1.0, 2.0), (3.0, 4.0))),
     )
     assert sentences(found[:1]) == ["joint 2 exceeds its velocity limit from 0.42 to 0.71 s"]
     assert sentences(found) == [
@@ -230,7 +285,7 @@ def test_sentences_put_joints_together_that_exceed_a_limit_together():
 def test_the_page_says_what_keeps_a_motion_from_being_run_or_from_being_faster():
     def said(state):
         plan = state[Plan].planned
-        return status(plan, figures(plan), overruns(plan))
+        return status(plan, plan.figures, plan.overruns)
 
     assert "being planned" in status(None, None, ())
     assert "One waypoint is no motion" in said(state_of("planar_2r", [[0.1, 0.2]]))
@@ -264,7 +319,7 @@ def test_the_comparison_says_who_is_faster_and_why():
         state = state_of(key, None, CompareMoves(True), *commands)
         plan = state[Plan].planned
         other = compared(state, plan)
-        return comparison(plan, figures(plan), other, figures(other), UNITS)
+        return comparison(plan, plan.figures, other, other.figures, UNITS)
 
     slides = said("cartesian_3p")
     assert "all joints slide, so that a straight line in joint space is a straight line of the tool" in slides
@@ -277,18 +332,18 @@ def test_the_comparison_says_who_is_faster_and_why():
     assert "<td>within limits, s</td>" in given
     assert "held back" not in given
     plan = state_of("puma560")[Plan].planned
-    assert "…" in comparison(plan, figures(plan), None, None, UNITS)
+    assert "…" in comparison(plan, plan.figures, None, None, UNITS)
 
 
 def test_the_table_of_peaks_marks_what_is_above_a_limit():
     plan = state_of("scara")[Plan].planned
-    table = peaks_table(plan, figures(plan), UNITS)
+    table = peaks_table(plan, plan.figures, UNITS)
     assert table.count("<tr>") == 5
     assert "✕" not in table
     assert "100 %" in table
     assert re.search(r"\d mm/s²</td>", table)
     plan = state_of("scara", None, LastFor(0.2))[Plan].planned
-    assert '<td class="no">✕ ' in peaks_table(plan, figures(plan), UNITS)
+    assert '<td class="no">✕ ' in peaks_table(plan, plan.figures, UNITS)
 
 
 def charts(browser):

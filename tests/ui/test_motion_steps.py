@@ -3,6 +3,7 @@
 import csv
 import io
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,8 +19,9 @@ from armlab.session.plan_steps import steps
 from armlab.session.state import State, apply
 from armlab.ui.format import mathml
 from armlab.ui.panels import _motion_steps_words as words
+from armlab.ui.panels._motion_joint_marks import joint_dots
 from armlab.ui.panels._motion_steps_formulas import formula_of, says_of
-from armlab.ui.panels._motion_steps_plots import JointPlot
+from armlab.ui.panels._motion_steps_plots import JointPlot, StepPlot
 from armlab.ui.units import Units, units_of
 from support.student import run, student
 
@@ -149,7 +151,7 @@ def test_the_table_of_a_plot_has_the_values_once():
     class Bare(JointPlot):
         def __init__(self):
             self._x, self._which, self._table = "s", np.array([0, 1, 3]), ()
-            self._names, self._colours, self._unit, self._factor = ["q₁", "q₂", "q₄"], [(0, 0, 0)] * 3, "°", 1.0
+            self._names, self._unit, self._factor = {0: "q₁", 1: "q₂", 3: "q₄"}, "°", 1.0
 
         def show_over(self, s, curves):
             self._table = (s, *curves)
@@ -165,6 +167,48 @@ def test_the_table_of_a_plot_has_the_values_once():
     np.testing.assert_allclose(np.array(rows[1:], dtype=float)[:, 1], found.apart.q[:, 0])
     plot.show_samples(found.followed.s, found.followed.q)
     assert len(list(csv.reader(io.StringIO(plot.csv())))) == 1 + 4
+
+
+def test_values_of_many_joints_stand_in_blocks():
+    def blocks(key):
+        found = looked(key)
+        tables = re.findall(r"<table.*?</table>", words.joint_table("knot", ["1", "2"], found.knot_q, found, UNITS))
+        return [texts(table).split() for table in tables]
+
+    assert [row.count("°") for row in blocks("panda")] == [7]
+    first, second = blocks("trunk9")
+    assert (first.count("°"), second.count("°")) == (4, 5)
+    q = [f"{each:.1f}".replace("-", "−") for each in np.degrees(looked("trunk9").knot_q[0])]
+    row = first.index("1")
+    assert first[row + 1 : row + 5] == q[:4]
+    row = second.index("1")
+    assert second[row + 1 : row + 6] == q[4:]
+
+
+class Painted(StepPlot):
+    """A plot without a page."""
+
+    def __init__(self):
+        self._zero, self._handle = True, SimpleNamespace(scales={})
+
+    def show(self, s, curves):
+        self.drawn = curves
+
+
+def test_a_distance_of_nothing_but_rounding_is_drawn_as_zero():
+    s, plot = np.linspace(0.0, 1.0, 11), Painted()
+    plot.show_over(s, [1e-8 * s], 1e-3)
+    assert plot._handle.scales["y"]["range"] == (0.0, 0.5)
+    plot.show_over(s, [2e-3 * s], 1e-3)
+    assert plot._handle.scales["y"]["range"] == pytest.approx((0.0, 2.16e-3))
+
+
+def test_samples_of_joints_of_one_colour_are_dots_and_rings():
+    for i, clear in ((0, False), (7, True)):
+        series = joint_dots(i, "q", 6.0).series
+        assert series["width"] == 0
+        assert (series["points"]["fill"] == "rgba(0,0,0,0)") == clear
+        assert series["points"]["size"] == 6.0
 
 
 def pressed(browser):
@@ -225,11 +269,17 @@ def test_a_student_goes_through_the_steps_and_types_samples(url):
         await browser.until(lambda: "poses</span><span>4<" in browser.html())
         await browser.press("step 5")
         found = looked("planar_2r", SetMove(1, space="cartesian"), SampleBy(4))
+        assert ": less than 0.001" not in texts(browser.html())
         most = 1e3 * found.apart.distance.max()
         far = f"{most:.1f} mm at s = {found.apart.s[found.apart.worst]:.2f}"
         await browser.until(lambda: far in texts(browser.html()))
         await browser.until(lambda: scene.shown() >= {"path", "arms", "result", "gap", "yes"})
         assert f"{most:.1f} mm apart, drawn × {found.larger:g}" in scene.texts
+        await browser.press("step 3")
+        await browser.until(lambda: 'data-cell="samples"' in browser.html())
+        await browser.press("samples", "201")
+        await browser.press("step 5")
+        await browser.until(lambda: "Distance from the path, mm: less than 0.001" in texts(browser.html()))
         await browser.press("step 2")
         await browser.until(lambda: scene.shown() & {"samples", "arms", "result", "gap", "yes"} == set())
         assert "path" in scene.shown()

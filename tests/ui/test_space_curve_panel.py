@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 
 import numpy as np
 import pytest
@@ -78,7 +79,10 @@ def test_a_kind_of_path_brings_its_form_and_names_a_wrong_waypoint(url):
         await browser.until(lambda: 'data-cell="o-amount"' in browser.html())
         assert "6.118–6.119 want p̈ = 0 at both ends of the blend" in browser.html()
         assert "<th>2</th><td>0.800</td><td>200.0</td><td>400.0</td>" in browser.html()
-        await browser.press("o-amount", "5")
+        assert "d₁ and d₂ in m" not in browser.html()
+        assert re.search('value="200"[^>]*data-cell="o-amount".{0,200}?<i>mm</i>', browser.html())
+        assert "the acceleration jumps by up to 1400 mm/s² where" in browser.html()
+        await browser.press("o-amount", "5000")
         await browser.until(lambda: 'aria-invalid="true"' in browser.html() and "waypoint 2" in browser.html())
         await browser.press("p 1 0", "0")
         await browser.until(lambda: "waypoint 2: the same as waypoint 1" in browser.html())

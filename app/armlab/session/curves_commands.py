@@ -10,7 +10,7 @@ from armlab.kin.motion.law_types import law_types
 from armlab.session.chosen import Chosen
 from armlab.session.curves_fastest import Asked
 from armlab.session.curves_knots import Knot, checked, inserted, without
-from armlab.session.curves_made import Drawn, form, in_knots, kinds, made, why_not
+from armlab.session.curves_made import Drawn, fitted, form, in_knots, kinds, made, why_not
 from armlab.session.parts.curves import MOST_CURVES, Curves, checked_degree, checked_limit, checked_unit
 from armlab.session.state import Command, State
 
@@ -19,11 +19,15 @@ LIMITS: tuple[Limit, ...] = ("v_max", "a_max")
 
 
 def _with_knots(state: State, knots: tuple[Knot, ...]) -> State:
-    """Return the state with other knots; a curve that does not take them stays in the list and says so."""
+    """Return the state with other knots; a curve that does not take them stays in the list and says so.
+
+    Times of virtual knots that do not fit them are left out, and the curve says that.
+    """
     part = state[Curves]
     if knots == part.knots:
         return state
-    return state.replace(replace(part, knots=knots, example="", asked=None, fastest=None))
+    curves = tuple(fitted(knots, each) for each in part.curves)
+    return state.replace(replace(part, knots=knots, curves=curves, example="", asked=None, fastest=None))
 
 
 def _curve(part: Curves, i: int) -> Drawn:
@@ -38,6 +42,7 @@ def _with_curve(state: State, i: int, drawn: Drawn) -> State:
     if drawn == part.curves[i]:
         return state
     made(part.knots, drawn)
+    drawn = replace(drawn, dropped=False)
     return state.replace(replace(part, curves=(*part.curves[:i], drawn, *part.curves[i + 1 :]), example=""))
 
 
@@ -284,4 +289,5 @@ class TakeFastest(Command):
             raise InputError("fastest intervals: none have been found yet")
         if part.knots == part.fastest.knots:
             return state
-        return state.replace(replace(part, knots=part.fastest.knots, example=""))
+        curves = tuple(fitted(part.fastest.knots, each) for each in part.curves)
+        return state.replace(replace(part, knots=part.fastest.knots, curves=curves, example=""))

@@ -26,6 +26,9 @@ Floats = NDArray[np.float64]
 FROM_KNOTS = ("times", "duration", "spacing")
 """Options of a path that the times of the knots take the place of."""
 
+VIRTUAL = "virtual"
+"""Option of a path: the times of its virtual knots."""
+
 CONSTANT = Chosen("constant")
 
 LEAST_CUTS, MOST_CUTS = 2, 24
@@ -88,11 +91,14 @@ class Drawn:
         Kind of path, by `armlab.kin.motion.path_types`.
     law : Chosen
         Timing law by which s goes from 0 to 1; with the constant one timed paths meet the knots at their times.
+    dropped : bool
+        Whether its virtual times did not fit other knots and were left out; not written down.
     """
 
     colour: int
     path: Chosen
     law: Chosen = CONSTANT
+    dropped: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -208,6 +214,24 @@ def made(knots: tuple[Knot, ...], drawn: Drawn) -> Made:
     if not all(size < LARGEST for size in sizes):
         raise InputError("options: with these numbers a derivative of the curve becomes larger than 10¹⁵")
     return found
+
+
+def fitted(knots: tuple[Knot, ...], drawn: Drawn) -> Drawn:
+    """Return a curve for other knots: times of virtual knots that are not where they have to be are left out."""
+    kind = kinds()[drawn.path.key]
+    if VIRTUAL not in drawn.path.options:
+        return drawn
+    without = replace(drawn, path=drawn.path.with_option(kind, VIRTUAL, None), dropped=True)
+    # Where these knots give no curve at all, the times are not to blame.
+    return without if _refused(knots, drawn) and not _refused(knots, without) else drawn
+
+
+def _refused(knots: tuple[Knot, ...], drawn: Drawn) -> bool:
+    try:
+        path_through(knots, drawn.path)
+    except InputError:
+        return True
+    return False
 
 
 def grid(knots: tuple[Knot, ...], count: int = 400) -> Floats:

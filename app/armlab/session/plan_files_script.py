@@ -14,6 +14,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.motion import law_types
 from armlab.session.parts.robot import RobotPart
 from armlab.session.plan_files import column_names, refuse_long
+from armlab.session.plan_laws import RAMPS
 from armlab.session.plan_moves import EULER_AXES
 from armlab.session.plan_paths import joint_scales, places
 from armlab.session.plan_question import Leg, Planned, Question
@@ -148,7 +149,7 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
     else:
         start = _array(q) if first else "legs[-1].at(legs[-1].duration)"
         yield from _in_space(question, leg, q, start)
-    if question.duration is not None:
+    if question.duration is not None and RAMPS & set(move.law.options):
         yield f"law = {_call('law_type', law.key)}.law({_options({'duration': motion.duration, **move.law.options})})"
         yield "legs.append(Trajectory(path, law))"
     else:
@@ -158,7 +159,7 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
 
 
 def _apart(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
-    """Yield a straight move in which each joint goes by itself, as `armlab.session.plan_laws.apart` makes it."""
+    """Yield a straight move in which each joint goes by itself, as `armlab.session.plan_laws.independent_motion` makes it."""
     assert leg.stretch is not None
     assert leg.motion is not None
     law, limits = leg.stretch.move.law, question.limits

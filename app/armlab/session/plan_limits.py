@@ -15,6 +15,7 @@ from armlab.session.parts.plan import (
     optional_positive,
 )
 from armlab.session.plan_commands import PlanCommand
+from armlab.session.plan_moves import checked_joint
 from armlab.session.state import Command, State
 
 
@@ -71,6 +72,7 @@ class LimitJoint(PlanCommand):
         """Return the state with the limit."""
         part = state[Plan]
         values = list(getattr(part, self.of))
+        checked_joint(state[Joints].arm, self.joint)
         values[self.joint] = self.value
         checked = checked_limits(state[Joints].arm, self.of, values)
         return state.replace(

@@ -200,6 +200,13 @@ def checked_q(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
     return tuple(np.asarray(arm.clip(values)).tolist())
 
 
+def checked_joint(arm: Arm, joint: int) -> int:
+    """Return the index of a joint, from 0; `InputError` when the arm has none such."""
+    if not 0 <= joint < arm.n:
+        raise InputError(f"joint: expected 1 to {arm.n}, got {joint + 1}")
+    return joint
+
+
 def flat_pose(pose: ArrayLike) -> tuple[float, ...]:
     """Return the 16 numbers of a pose; `InputError` when it is none."""
     return tuple(np.asarray(as_pose(pose, "pose of the waypoint"), dtype=float).reshape(16).tolist())

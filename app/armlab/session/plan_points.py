@@ -17,7 +17,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan
 from armlab.session.parts.target import FARTHEST
 from armlab.session.plan_commands import PlanCommand, checked_index, edited, refitted, with_plan
-from armlab.session.plan_moves import MOST_WAYPOINTS, Move, Waypoint, checked_q, flat_pose
+from armlab.session.plan_moves import MOST_WAYPOINTS, Move, Waypoint, checked_joint, checked_q, flat_pose
 from armlab.session.state import Command, State
 
 SEARCHES = 8
@@ -156,7 +156,7 @@ class SetWaypointJoint(PlanCommand):
         """Return the state with the value; outside the limits it is refused."""
         part, arm = state[Plan], state[Joints].arm
         q = list(part.waypoints[checked_index(part, self.k)].q)
-        low, high = arm.limits[self.joint]
+        low, high = arm.limits[checked_joint(arm, self.joint)]
         if not low - 1e-9 <= self.value <= high + 1e-9:
             least, most = (_size(float(limit), bool(arm.revolute[self.joint])) for limit in (low, high))
             raise InputError(f"waypoint {self.k + 1}: joint {self.joint + 1} goes from {least} to {most}")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.motion import Followed, LawBounds, Motion, Path, ToolPath, Trajectory, Violation
+from armlab.session.plan_figures import Figures, Overrun
 from armlab.session.plan_moves import Move, Stretch, Waypoint, stretches
 
 Floats = NDArray[np.float64]
@@ -199,6 +200,10 @@ class Planned:
         Seconds within the limits; nan when there is no motion.
     unkept : tuple of str
         Limits that it cannot keep in any time, such as a velocity that would have to jump.
+    overruns : tuple of Overrun
+        The limits it exceeds, each once, in the order of time; that of the tool speed among them.
+    figures : Figures or None
+        The largest values of that motion; None when there is none. See `armlab.session.plan_measured`.
     """
 
     question: Question
@@ -208,6 +213,8 @@ class Planned:
     violations: tuple[Violation, ...]
     fastest: float
     unkept: tuple[str, ...] = ()
+    overruns: tuple[Overrun, ...] = ()
+    figures: Figures | None = None
 
     @property
     def whole(self) -> bool:

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from armlab.session.plan_plots import TOOL, Overrun, overruns
+from armlab.session.plan_figures import TOOL, Overrun
 from armlab.session.plan_question import Leg, Planned
 
-MOST_SPANS = 2
+MOST_TOLD = 2
 """Times at which a limit is exceeded that are told one by one."""
 
 
@@ -44,7 +44,7 @@ def judged(plan: Planned) -> Said:
 
 def exceeded_words(plan: Planned) -> list[str]:
     """Return the limits a plan exceeds in words, without full stops."""
-    return [*sentences(overruns(plan)), *plan.unkept]
+    return [*sentences(plan.overruns), *plan.unkept]
 
 
 def rounded_up(seconds: float) -> float:
@@ -83,8 +83,8 @@ def listed(words: Sequence[str]) -> str:
 
 def _when(overrun: Overrun) -> str:
     """Return when a limit is exceeded: the first times, and how often more."""
-    spans = [_span(*each) for each in overrun.spans[:MOST_SPANS]]
-    more = len(overrun.spans) - MOST_SPANS
+    spans = [_span(*each) for each in overrun.spans[:MOST_TOLD]]
+    more = overrun.count - MOST_TOLD
     if more > 0:
         spans.append("once more" if more == 1 else f"{more} more times")
     return listed(spans)

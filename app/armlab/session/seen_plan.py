@@ -13,7 +13,6 @@ from armlab.content.live import OF_MOTION
 from armlab.content.seen_motion import SeenMotion, SeenMove
 from armlab.session.parts.plan import CLIP_KEY, Plan, planned, question
 from armlab.session.parts.timeline import Timeline
-from armlab.session.plan_plots import overruns
 from armlab.session.plan_question import Planned
 from armlab.session.state import State
 
@@ -60,7 +59,7 @@ def _facts(plan: Planned, velocity: tuple[float, ...], acceleration: tuple[float
     return SeenMotion(
         planned=True,
         whole=plan.whole,
-        within=plan.whole and not overruns(plan),
+        within=plan.whole and not plan.overruns,
         duration=plan.duration,
         fastest=plan.fastest if math.isfinite(plan.fastest) else 0.0,
         velocity=0.0 if samples is None else _share(samples.qdot, velocity),

@@ -150,6 +150,7 @@ class TypeFormula(Command):
     def apply(self, state: State) -> State:
         """Return the state with the formula."""
         texts = list(state[SpaceCurve].formula)
+        _refuse_index("axis", self.axis)
         texts[self.axis] = self.text.strip()
         return _curve(state, formula=(texts[0], texts[1], texts[2]))
 
@@ -276,6 +277,7 @@ class SetAngle(Command):
     def apply(self, state: State) -> State:
         """Return the state with the angle."""
         angles = list(_angles(state, self.end))
+        _refuse_index(f"angle of {self.end}", self.k)
         angles[self.k] = self.value
         return _turned(state, self.end, point_of(angles, f"angles of {self.end}"))
 
@@ -314,6 +316,12 @@ class GoLongWay(Command):
 
 def _curve(state: State, **fields: Any) -> State:
     return changed(state, replace(state[SpaceCurve], example="", **fields))
+
+
+def _refuse_index(name: str, k: int) -> None:
+    """Raise `InputError` where one of three is meant by a number, from 0, that is none of theirs."""
+    if not 0 <= k < 3:
+        raise InputError(f"{name}: expected 1 to 3, got {k + 1}")
 
 
 def _angles(state: State, end: End) -> Point:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import InputError
+from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.kin.transforms import inverse
@@ -16,7 +16,8 @@ from armlab.ui.markup import row
 from armlab.ui.units import Units
 from armlab.ui.widgets import Fields
 
-ANGLES = ("yaw", "pitch", "roll")
+AXES, ANGLES = ("x", "y", "z"), ("yaw", "pitch", "roll")
+COMPONENTS = (*AXES, *ANGLES, "phi")
 PRODUCT = r"R=R_z(yaw)\,R_y(pitch)\,R_x(roll)"
 FARTHEST = 1e3
 MOST_TURNED = 20.0 * math.pi
@@ -31,17 +32,19 @@ def typed_component(arm: Arm, pose: Floats, cell: str, text: str, units: Units) 
     Raises
     ------
     InputError
-        Not a finite number, or an absurd one.
+        Not a finite number, or an absurd one; `UnknownName` for a component that is none.
     """
-    turns = cell not in "xyz"
+    if cell not in COMPONENTS:
+        raise UnknownName("component", cell, COMPONENTS)
+    turns = cell not in AXES
     value = units.read(text, turns, cell)
     most = MOST_TURNED if turns else FARTHEST
     if abs(value) > most:
         raise InputError(f"{cell}: expected at most {units.angle(most) if turns else units.length(most)}, got {text}")
     reference = _reference(arm)
     local = inverse(reference) @ pose
-    if cell in "xyz":
-        local["xyz".index(cell), 3] = value
+    if not turns:
+        local[AXES.index(cell), 3] = value
     else:
         angles = list(euler_zyx(local[:3, :3])[0])
         angles[0 if cell == "phi" else ANGLES.index(cell)] = value
@@ -70,7 +73,7 @@ def pose_fields(fields: Fields, arm: Arm, pose: Floats, units: Units, prefix: st
                 f"{axis} in {units.length_unit}",
                 axis not in task.position,
             )
-            for k, axis in enumerate("xyz")
+            for k, axis in enumerate(AXES)
         ],
     )
     yaw, pitch, roll = (units.turned(float(value)) for value in euler_zyx(local[:3, :3])[0])

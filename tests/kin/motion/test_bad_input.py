@@ -1,5 +1,7 @@
 """Waypoints, times and options that cannot be: a sentence that names the waypoint."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -83,14 +85,24 @@ def test_what_is_no_list_of_points_is_refused(knots, told):
         ("spline", 4, {"times": [0, 1, NAN, 2]}, "times: expected finite numbers"),
         ("spline", 4, {"duration": 0.0}, "duration: expected more than 0, got 0"),
         ("spline", 4, {"ends": "free"}, "ends: unknown name 'free'"),
-        ("spline", 4, {"ends": "natural", "v_start": [1, 0, 0]}, "v_start: cannot be given with ends='natural'"),
-        ("spline", 4, {"a_start": [1, 0, 0]}, "a_start: cannot be given with ends='clamped'"),
+        (
+            "spline",
+            4,
+            {"ends": "natural", "v_start": [1, 0, 0]},
+            "v_start: cannot be used while accelerations are given at both ends of the spline; choose velocities",
+        ),
+        (
+            "spline",
+            4,
+            {"a_start": [1, 0, 0]},
+            "a_start: cannot be used while velocities are given at both ends of the spline; choose accelerations",
+        ),
         ("spline", 4, {"v_start": [1, 0]}, "v_start: expected 3 numbers"),
         (
             "spline",
             4,
             {"ends": "both", "times": [0, 1, 2, 3], "virtual": [1.5, 2.5]},
-            "virtual: expected one time inside",
+            r"virtual: expected one time inside .*, got 1\.5 s and 2\.5 s$",
         ),
         ("spline", 4, {"tension": 1}, "options of spline: unknown name 'tension'"),
         ("cubic", 2, {"duration": -1.0}, "duration: expected more than 0"),
@@ -100,12 +112,20 @@ def test_what_is_no_list_of_points_is_refused(knots, told):
         ("exponential", 2, {"rate": 0.0}, "rate: expected a number that is not 0"),
         ("clothoid", 2, {"turn": 0.0}, "turn: expected an angle that is not 0"),
         ("helix", 2, {"turns": 1.5}, "turns: expected a whole number that is not 0"),
-        ("helix", 2, {"radius": 0.0}, "radius: expected more than 0"),
+        ("helix", 2, {"radius": 0.0}, "radius: expected a positive number$"),
         ("blends", 3, {"times": [0, 1, 2], "blend": [0.1, 1.9, 0.2]}, "waypoint 2: its blend does not fit"),
         ("blends", 3, {"blend": [0.1, 0.2]}, "blend: expected one number, or 3: one for each waypoint; got 2"),
         ("overfly", 4, {"amount": 100.0}, "waypoint 2: its blend does not fit: between waypoints 1 and 2"),
-        ("overfly", 4, {"amount": -1.0}, "amount: expected at least 0"),
-        ("overfly", 4, {"speed": [1.0, 0.0, 1.0]}, "speed: expected more than 0"),
+        ("overfly", 4, {"amount": -1.0}, "amount: expected no negative number$"),
+        ("overfly", 4, {"speed": [1.0, -math.radians(1.0), 1.0]}, "speed: expected a positive number$"),
+        (
+            "overfly",
+            4,
+            {"speed": np.array([[0.5, 1 / 3]])},
+            r"speed: expected numbers in one row, got \[\[0\.5, 0\.333333\]\]",
+        ),
+        ("clothoid", 2, {"turn": 100.0}, "turn: expected at least -3600° and at most 3600°$"),
+        ("blends", 3, {"times": [0, 1, 2], "blend": [0.1, 1.9, 0.2]}, "the blends take 1.05 s and there are 1 s$"),
     ],
 )
 def test_wrong_options_are_named(key, count, options, told, rng):
@@ -118,6 +138,24 @@ def test_three_points_on_a_line_have_no_circle():
         path_type("circle").path([[0, 0, 0], [1, 1, 1], [3, 3, 3]])
     with pytest.raises(InputError, match="waypoint 3: the same as waypoint 1"):
         path_type("circle").path([[0, 0, 0], [1, 1, 1], [0, 0, 0]])
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_three_points_almost_on_a_line_have_no_circle_to_be_drawn(size):
+    # The middle one is h beside the chord of length 1: the radius is h/2 + 1/(8 h).
+    def through(h):
+        return path_type("circle").path(size * np.array([[0.0, 0.0, 0.0], [0.5, h, 0.0], [1.0, 0.0, 0.0]]))
+
+    assert through(1.0 / 7900.0).radius == pytest.approx(size * (0.5 / 7900.0 + 7900.0 / 8.0), rel=1e-6)
+    with pytest.raises(InputError, match=r"waypoint 3: .* almost on a straight line, their circle would be 1020 times"):
+        through(1.0 / 8160.0)
+
+
+def test_blends_that_do_not_fit_are_told_in_parts_of_the_line():
+    with pytest.raises(
+        InputError, match=r"waypoint 2: .* between waypoints 2 and 3 the blends take 125\.1 % of the line$"
+    ):
+        path_type("overfly").path([[0, 0], [2, 0], [2, 1], [4, 1]], by="d2", amount=[0.6255, 0.3], speed=[1, 1, 0.48])
 
 
 def test_a_helix_needs_three_coordinates():

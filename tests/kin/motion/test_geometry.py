@@ -41,6 +41,32 @@ def test_the_frenet_formulas_hold(rng):
         np.testing.assert_allclose(change, exact, rtol=0, atol=1e-6 * (np.abs(exact).max() + 1))
 
 
+@pytest.mark.parametrize("kind", ["quintic", "cubic", "polynomial"])
+def test_a_straight_path_that_rests_at_its_ends_bends_nowhere(rng, kind):
+    """Not even where p' is so small that its direction, and p'' over its square, are rounding."""
+    near = 10.0 ** rng.uniform(-6.0, -1.0, 200)
+    places = np.concatenate([S, near, 1.0 - near])
+    for _ in range(30):
+        start, change = rng.normal(size=3) * 10.0 ** rng.uniform(-2, 2), rng.normal(size=3) * 10.0 ** rng.uniform(-2, 2)
+        found = frenet(path_type(kind).path([start, start + change]), places)
+        assert not found.bends.any()
+        assert not found.curvature.any()
+        assert not found.normal.any()
+
+
+def test_a_path_that_bends_does_so_close_to_its_rest_too(rng):
+    """With p' = a s + j s^2/2 about s = 0 the curvature is |a x j| / (2 |a|^3 s)."""
+    for _ in range(20):
+        a = rng.normal(size=3)
+        path = path_type("quintic").path(rng.normal(size=(2, 3)), a_start=a)
+        s = np.array([1e-6, 3e-6, 1e-5])
+        found = frenet(path, s)
+        assert found.bends.all()
+        expected = np.linalg.norm(np.cross(a, path.at(0.0, 3))) / (2.0 * np.linalg.norm(a) ** 3 * s)
+        np.testing.assert_allclose(found.curvature, expected, rtol=1e-2)
+        np.testing.assert_allclose(np.linalg.norm(found.normal, axis=1), 1.0, rtol=1e-12)
+
+
 def test_a_clothoid_bends_in_proportion_to_its_length():
     path = path_type("clothoid").path([[0, 0, 0], [1, 1, 0]], turn=2.0)
     found = frenet(path, S)

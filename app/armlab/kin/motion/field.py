@@ -106,6 +106,8 @@ class Field:
             if array.ndim != 2:
                 raise wrong(self.key, "rows of numbers", value)
             return array
+        if array.ndim > 1:
+            raise wrong(self.key, "numbers in one row", value)
         return np.atleast_1d(array)
 
     def _check_range(self, array: np.ndarray[Any, np.dtype[np.float64]], value: Any) -> None:

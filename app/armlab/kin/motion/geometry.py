@@ -26,6 +26,13 @@ STRAIGHT = 1e-9
 ZERO_SQUARE = 1e-14
 """Of the largest |p'|^2: below it is zero, as far as its series can tell."""
 
+ALONG = 1e-9
+"""Part of p'' across p' that counts as none: the direction of p' is not known better."""
+
+NOISE = 1e-13
+"""Rounding of p' and p'' relative to the largest p, p' and p'' of the path: some hundred times that of a number, as
+derivatives come from sums that cancel."""
+
 STEPS = 60
 """Of Newton's method for the inverse of the arc length at most; it takes four."""
 
@@ -122,16 +129,18 @@ def frenet(path: Path, s: ArrayLike) -> Frenet:
     Notes 6.136-6.149; 6.145 multiplies the position by the norm where p' must be divided by it.
     """
     p, d1, d2, d3 = path.derivatives(s)
+    scales = _scales(path)
     speed = np.linalg.norm(d1, axis=-1)
-    moves = speed > STANDS * _speed_scale(path)
-    safe = np.where(moves, speed, 1.0)[..., None]
-    tangent = np.where(moves[..., None], d1 / safe, 0.0)
-    kappa = np.where(moves, curvature(d1, d2), 0.0)
-    bends = moves & (kappa > STRAIGHT / _speed_scale(path))
-    kappa = np.where(bends, kappa, 0.0)
+    moves = speed > STANDS * scales[1]
+    safe = np.where(moves, speed, 1.0)
+    tangent = np.where(moves[..., None], d1 / safe[..., None], 0.0)
     across = d2 - tangent * np.sum(tangent * d2, axis=-1, keepdims=True)
-    size = np.where(bends, np.linalg.norm(across, axis=-1), 1.0)[..., None]
-    normal = np.where(bends[..., None], across / size, 0.0)
+    size, whole = np.linalg.norm(across, axis=-1), np.linalg.norm(d2, axis=-1)
+    # Near a standstill the direction of p' is rounding, and p'' divided by the square of a small speed is large.
+    known = ALONG * whole + NOISE * (sum(scales[:2]) * whole / safe + sum(scales))
+    bends = moves & (size > known) & (size > safe**2 * (STRAIGHT / scales[1]))
+    kappa = np.where(bends, size / safe**2, 0.0)
+    normal = np.where(bends[..., None], across / np.where(bends, size, 1.0)[..., None], 0.0)
     if path.m == 3:
         binormal = np.cross(tangent, normal)
         tau = np.where(bends, torsion(d1, d2, d3), 0.0)
@@ -140,10 +149,10 @@ def frenet(path: Path, s: ArrayLike) -> Frenet:
     return Frenet(p, tangent, normal, binormal, kappa, tau, moves, bends)
 
 
-def _speed_scale(path: Path) -> float:
-    """Return the largest |p'| on a coarse grid: what is small is small against this."""
-    grid = np.linspace(0.0, 1.0, 33)
-    return float(np.linalg.norm(path.at(np.append(grid, path.pieces[:1000]), 1), axis=-1).max())
+def _scales(path: Path) -> list[float]:
+    """Return the largest |p|, |p'| and |p''| on a coarse grid: what is small is small against these."""
+    grid = np.append(np.linspace(0.0, 1.0, 33), path.pieces[:1000])
+    return [float(np.linalg.norm(values, axis=-1).max()) for values in path.derivatives(grid)[:3]]
 
 
 def standstills(path: Path) -> Floats:

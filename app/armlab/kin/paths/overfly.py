@@ -56,7 +56,8 @@ class Overfly(PolynomialPath):
     def remarks_in(self, unit: str, size: float) -> tuple[str, ...]:
         """Return the remarks, with the largest jump of a parabolic blend in numbers."""
         jump = float(np.linalg.norm(self.accelerations, axis=1).max())
-        known = PARABOLA.format(jump=f" by up to {jump / size:.3g} {unit}/s²")
+        # Three digits, and never with an exponent that a length would not have.
+        known = PARABOLA.format(jump=f" by up to {float(f'{jump / size:.3g}'):g} {unit}/s²")
         return tuple(known if remark == PARABOLA.format(jump="") else remark for remark in self.remarks)
 
 

@@ -11,6 +11,7 @@ from armlab.session.job import Job, Wanted
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.plan import CLIP_KEY, Plan, question
 from armlab.session.parts.timeline import Timeline
+from armlab.session.plan_measured import measuring
 from armlab.session.plan_other import other_way
 from armlab.session.plan_question import Planned, Question
 from armlab.session.planning import making
@@ -60,7 +61,7 @@ def run(missing: Asked) -> Iterator[Found | None]:
     for name, whole in zip(missing._fields, missing, strict=True):
         if whole is None:
             continue
-        for plan in making(whole):
+        for plan in measuring(making(whole)):
             found = found if plan is None else found._replace(**{name: plan})
             yield None if plan is None else found
 

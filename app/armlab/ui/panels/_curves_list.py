@@ -69,7 +69,8 @@ def _curve(fields: Fields, part: Curves, i: int) -> str:
     last = len(part.curves) == 1
     head += button(channel, f"remove-{i}", "✕", "chip", "Remove this curve", f"Remove curve {i + 1}", off=last)
     chosen = _form(fields, part, i) if i == part.selected else _summary(drawn, Scale(part.unit))
-    return f'<div class="cu-curve"><div class="cu-head">{head}</div>{chosen}{_said(outcome, part.unit)}</div>'
+    said = _dropped(drawn) + _said(outcome, part.unit)
+    return f'<div class="cu-curve"><div class="cu-head">{head}</div>{chosen}{said}</div>'
 
 
 def _form(fields: Fields, part: Curves, i: int) -> str:
@@ -122,6 +123,12 @@ def _kinds(part: Curves, drawn: Drawn) -> str:
         text = f"{kind.title} ({why})" if why else kind.title
         found.append(f'<option value="{escaped(key)}"{marks}>{escaped(text)}</option>')
     return "".join(found)
+
+
+def _dropped(drawn: Drawn) -> str:
+    """Return what was changed so that the curve goes through other knots."""
+    text = "Its virtual times lay outside the first and last interval, and were left out."
+    return f'<p class="warn">◐ {text}</p>' if drawn.dropped else ""
 
 
 def _said(outcome: Made | InputError, of: str) -> str:

@@ -6,6 +6,7 @@ from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan, last_planned
 from armlab.session.plan_limits import LastFor, LimitJerk, LimitJoint, LimitTool, UseShare
+from armlab.session.plan_moves import checked_joint
 from armlab.session.plan_words import rounded_up
 from armlab.session.state import Command, State
 from armlab.ui.format import readable
@@ -93,7 +94,7 @@ def limit_command(state: State, cell: str, text: str) -> tuple[Command, ...] | N
         return (LimitJerk(_number(text, "jerk time") if text.strip() else None),)
     of, _, joint = cell.partition(" ")
     if of in ("vmax", "amax") and joint.isdecimal():
-        i = int(joint)
+        i = checked_joint(state[Joints].arm, int(joint))
         revolute = bool(state[Joints].arm.revolute[i])
         value = units.read(text, revolute, f"limit of joint {i + 1}")
         return (LimitJoint(i, "velocity" if of == "vmax" else "acceleration", value),)

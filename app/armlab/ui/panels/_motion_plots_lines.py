@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.session.parts.motion_plots import Quantity
-from armlab.session.plan_plots import TOOL, Limited, Overrun, shares
+from armlab.session.plan_figures import TOOL, Limited, Overrun
+from armlab.session.plan_plots import shares
 from armlab.session.plan_question import Planned, Samples
 from armlab.ui.colours import GREY, joint_colour
 from armlab.ui.panels._motion_joint_marks import joint_dash

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from armlab.session.plan_plots import TOOL, Binding, Figures, Kind, Overrun, kind_of, same_time
+from armlab.session.plan_figures import TOOL, Binding, Figures, Overrun
+from armlab.session.plan_plots import Kind, kind_of, same_time
 from armlab.session.plan_question import Planned
 from armlab.session.plan_words import exceeded_words
 from armlab.ui.format import capitalised, escaped, number, trimmed

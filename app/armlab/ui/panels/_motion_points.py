@@ -6,7 +6,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan
 from armlab.session.parts.target import HandleBy, Target
 from armlab.session.plan_files_commands import BackToWaypoints, MakeWaypoints
-from armlab.session.plan_moves import Stretch
+from armlab.session.plan_moves import Stretch, checked_joint
 from armlab.session.plan_paths import shortfall
 from armlab.session.plan_points import (
     AddWaypoint,
@@ -170,7 +170,7 @@ def point_command(state: State, cell: str, text: str) -> tuple[Command, ...] | N
         }
         return (made[name],)
     if name == "q" and rest.isdecimal():
-        i = int(rest)
+        i = checked_joint(state[Joints].arm, int(rest))
         value = units.read(text, bool(state[Joints].arm.revolute[i]), f"joint {i + 1} of waypoint {k + 1}")
         return (SetWaypointJoint(k, i, value),)
     if name == "pose":

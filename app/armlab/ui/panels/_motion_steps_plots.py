@@ -144,7 +144,7 @@ class Plots:
             what = "the path" if found.in_space else "the straight lines"
             factor, unit = units.factor(False), units.length_unit
             tiny = float(apart.distance.max()) < APART
-            said = f" <small>less than {trimmed(APART / factor, 6)} {unit}</small>" if tiny else ""
+            said = f": less than {trimmed(APART / factor, 6)}" if tiny else ""
             self._apart.name(f"<span>Distance from {what}, {unit}{said}</span>")
             self._apart.show_over(apart.s, [apart.distance / factor], APART / factor)
 

@@ -8,14 +8,10 @@ from armlab.session.parts.plan import CLIP_KEY, Plan, last_planned
 from armlab.session.parts.timeline import Timeline
 from armlab.session.plan_limits import CompareMoves
 from armlab.session.plan_plots import (
-    Figures,
-    Overrun,
     boundaries,
     can_compare,
     compared,
-    figures,
     kind_of,
-    overruns,
 )
 from armlab.session.plan_question import Planned
 from armlab.session.state import State
@@ -43,22 +39,15 @@ COMPARE = "compare"
 
 
 class _Answer:
-    """What is known about the plan on screen and the one beside it; each is worked out once."""
+    """The plan on screen, and the one beside it."""
 
     def __init__(self) -> None:
         self.plan: Planned | None = None
         self.other: Planned | None = None
-        self.own: Figures | None = None
-        self.theirs: Figures | None = None
-        self.found: tuple[Overrun, ...] = ()
 
     def of(self, plan: Planned | None, other: Planned | None) -> bool:
         """Turn to these plans; return whether they are others."""
         same = plan is self.plan and other is self.other
-        if plan is not self.plan:
-            self.own, self.found = (None, ()) if plan is None else (figures(plan), overruns(plan))
-        if other is not self.other:
-            self.theirs = None if other is None else figures(other)
         self.plan, self.other = plan, other
         return not same
 
@@ -112,12 +101,13 @@ class _Page:
         self._choice.show(markup.row("Show", chips) + markup.row("Compare", compare))
 
     def _tell(self, state: State) -> None:
-        answer, units, on = self._answer, units_of(state), state[Plan].compared and can_compare(state)
-        plan, own = answer.plan, answer.own
-        self._status.show(status(plan, own, answer.found))
+        plan, other, units = self._answer.plan, self._answer.other, units_of(state)
+        on = state[Plan].compared and can_compare(state)
+        own, theirs = None if plan is None else plan.figures, None if other is None else other.figures
+        self._status.show(status(plan, own, () if plan is None else plan.overruns))
         self._legend.show("" if plan is None or own is None else legend(plan, units, on))
         self._peaks.show("" if plan is None or own is None else peaks_table(plan, own, units))
-        self._beside.show("" if plan is None or not on else comparison(plan, own, answer.other, answer.theirs, units))
+        self._beside.show("" if plan is None or not on else comparison(plan, own, other, theirs, units))
 
     def _draw(self, state: State) -> None:
         plan, other, units = self._answer.plan, self._answer.other, units_of(state)
@@ -131,7 +121,7 @@ class _Page:
             if plan is None or samples is None or not there:
                 continue
             times = Times(samples.t, None if beside is None else beside.t, boundaries(plan))
-            lines = lines_of(slot, plan, samples, other, self._answer.found, units)
+            lines = lines_of(slot, plan, samples, other, plan.overruns, units)
             plot.draw(times, lines, most_of(slot, plan.question.arm, lines))
 
     def _place_cursors(self, state: State) -> None:

@@ -1,0 +1,84 @@
+"""The form of the options of a path: units, symbols, and only what can be used."""
+
+import re
+
+import numpy as np
+import pytest
+
+from armlab.kin.motion.path_types import path_type
+from armlab.ui.option_form import Scale, option_markup, option_value
+
+DEG, MM = Scale("°", np.pi / 180.0), Scale("mm", 1e-3)
+
+
+class Form:
+    """What a form needs of `armlab.ui.widgets.Fields`: cells that show their text."""
+
+    channel_id = "channel"
+
+    def field(self, cell, text, title):
+        return f"<input {cell}={text}>"
+
+    def area(self, cell, text, title, lines):
+        return f"<textarea {cell}={text}>"
+
+
+def form(key, scales, **given):
+    return option_markup(Form(), "", path_type(key).fields, given, scales)
+
+
+def cells(markup):
+    return re.findall(r"<(?:input|textarea) (\w+)=", markup)
+
+
+def unit_of(markup, cell):
+    return re.search(rf"<input {cell}=[^>]*><i>([^<]*)</i>", markup)[1]
+
+
+def field(key, name, **given):
+    return next(each for each in path_type(key).fields if each.key == name).seen(given)
+
+
+@pytest.mark.parametrize(
+    ("by", "unit", "symbol"), [("d1", "mm", "d<sub>1</sub>"), ("d2", "mm", "d<sub>2</sub>"), ("time", "s", "ΔT")]
+)
+def test_the_amount_of_an_over_fly_has_the_unit_of_what_it_is(by, unit, symbol):
+    markup = form("overfly", [MM] * 3, by=by, amount=(0.05,))
+    assert unit_of(markup, "amount") == unit
+    assert f"<span>{symbol}</span><input amount={'0.05' if by == 'time' else '50'}>" in markup
+    typed = option_value(field("overfly", "amount", by=by), "50", None, [MM] * 3)
+    assert typed == pytest.approx([50.0 if by == "time" else 0.05])
+
+
+@pytest.mark.parametrize("scales", [[DEG, MM], [MM, DEG], [DEG, DEG]])
+def test_a_length_over_joints_of_both_kinds_is_an_angle(scales):
+    markup = form("overfly", scales, amount=(np.radians(5.0),))
+    assert (unit_of(markup, "amount"), unit_of(markup, "speed")) == ("°", "°/s")
+    assert "<input amount=5>" in markup
+    assert option_value(field("overfly", "amount"), "5", None, scales) == pytest.approx([np.radians(5.0)])
+
+
+def test_lengths_of_sliding_joints_alone_are_lengths():
+    assert unit_of(form("overfly", [MM, MM]), "amount") == "mm"
+
+
+@pytest.mark.parametrize(
+    ("given", "shown"),
+    [
+        ({}, ["v_start", "v_end", "times", "duration"]),
+        ({"ends": "natural"}, ["a_start", "a_end", "times", "duration"]),
+        ({"ends": "both"}, ["v_start", "v_end", "a_start", "a_end", "virtual", "times", "duration"]),
+        ({"ends": "clamped", "times": (0.0, 1.0)}, ["v_start", "v_end", "times"]),
+    ],
+)
+def test_a_form_shows_only_what_can_be_used(given, shown):
+    assert cells(form("spline", [DEG, DEG], **given)) == shown
+
+
+def test_rows_of_derivatives_are_in_the_unit_on_screen():
+    scales, rows = [DEG, MM], ((np.radians(30.0), 0.2), (np.radians(-4.0), 0.0))
+    markup = form("polynomial", scales, start=rows)
+    assert "<i>°/s, mm/s</i>" in markup
+    assert "start=30  200\n−4  0>" in markup
+    typed = option_value(field("polynomial", "start"), "30  200\n−4  0", None, scales)
+    np.testing.assert_allclose(typed, rows, rtol=0, atol=1e-15)
