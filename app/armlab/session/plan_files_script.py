@@ -159,7 +159,7 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
 
 
 def _apart(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
-    """Yield a straight move in which each joint goes by itself, as `armlab.session.plan_laws.independent_motion` makes it."""
+    """Yield a straight move in which each joint goes by itself; see `armlab.session.plan_laws.independent_motion`."""
     assert leg.stretch is not None
     assert leg.motion is not None
     law, limits = leg.stretch.move.law, question.limits

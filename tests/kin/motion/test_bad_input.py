@@ -82,6 +82,8 @@ def test_what_is_no_list_of_points_is_refused(knots, told):
         ("spline", 4, {"times": [0, 1, 1, 2]}, "waypoint 3: its time 1 s must be later than the 1 s of waypoint 2"),
         ("spline", 4, {"times": [0, 2, 1, 3]}, "waypoint 3: its time 1 s must be later than the 2 s of waypoint 2"),
         ("spline", 4, {"times": [0, 1, 2]}, "times: expected 4, one for each waypoint, got 3"),
+        ("spline", 4, {"times": [[0, 1, 2, 3]]}, r"times: expected numbers in one row, got \[\[0, 1, 2, 3\]\]"),
+        ("spline", 4, {"v_start": [[1, 0, 0]]}, "v_start: expected numbers in one row"),
         ("spline", 4, {"times": [0, 1, NAN, 2]}, "times: expected finite numbers"),
         ("spline", 4, {"duration": 0.0}, "duration: expected more than 0, got 0"),
         ("spline", 4, {"ends": "free"}, "ends: unknown name 'free'"),

@@ -89,5 +89,5 @@ def test_the_remark_of_a_jump_has_a_unit_or_no_number():
     jump = np.linalg.norm(np.array([-0.5, 1.0]) / 0.8)
     assert not any(letter.isdigit() for letter in path.remarks[0])
     assert "units of the way" not in path.remarks[0]
-    assert f"jumps by up to {jump * 1000.0:.3g} mm/s² where" in path.remarks_in("mm", 1e-3)[0]
+    assert f"jumps by up to {round(jump * 1000.0, -1):.0f} mm/s² where" in path.remarks_in("mm", 1e-3)[0]
     assert path_type("line").path([0, 1]).remarks_in("m", 1.0) == ()
