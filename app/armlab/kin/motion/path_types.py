@@ -45,6 +45,10 @@ class PathType:
         Allowed numbers of coordinates; empty for any.
     apart : bool
         Whether neighbouring waypoints must differ.
+    formula : str
+        LaTeX, with X for what runs along it.
+    says : str
+        What it is, in a sentence.
     """
 
     key: str
@@ -57,6 +61,8 @@ class PathType:
     fields: tuple[Field, ...] = ()
     dimensions: tuple[int, ...] = ()
     apart: bool = True
+    formula: str = ""
+    says: str = ""
 
     def path(self, knots: ArrayLike, *, scales: ArrayLike | None = None, **options: Any) -> Path:
         """Return the path through waypoints.

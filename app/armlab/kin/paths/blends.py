@@ -68,4 +68,6 @@ PATH = PathType(
         *TIMES,
     ),
     apart=False,
+    formula=r"X''(s)=0\ \text{or}\ \text{const.}",
+    says="Straight lines, with a parabola instead of each corner.",
 )

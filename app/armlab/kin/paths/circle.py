@@ -106,4 +106,6 @@ PATH = PathType(
     most=3,
     spaces=("cartesian",),
     fields=(Field("full", "", "the whole circle, back to the first point", "flag", False),),
+    formula=r"X(s)=c+r\,(u\cos\alpha s+v\sin\alpha s)",
+    says="Centre c and radius r from the three knots; u, v span their plane.",
 )

@@ -98,4 +98,6 @@ PATH = PathType(
         Field("normal", "n", "normal of its plane; left out: z", "vector"),
     ),
     dimensions=(2, 3),
+    formula=r"\kappa(s)=\kappa_0+\kappa_1s",
+    says="The curvature grows evenly with the length.",
 )

@@ -35,4 +35,14 @@ def make(knots: NDArray[np.float64], options: dict[str, Any]) -> PolynomialPath:
     return PolynomialPath(Piecewise(np.array([0.0, 1.0]), boundary_polynomial(*ends)[None]), duration)
 
 
-PATH = PathType("cubic", "Cubic with end velocities", 6, make, least=2, most=2, fields=(*VELOCITIES, DURATION))
+PATH = PathType(
+    "cubic",
+    "Cubic with end velocities",
+    6,
+    make,
+    least=2,
+    most=2,
+    fields=(*VELOCITIES, DURATION),
+    formula=r"X(s)=a_0+a_1s+a_2s^2+a_3s^3",
+    says="Four coefficients for both ends and the velocities there.",
+)

@@ -27,4 +27,14 @@ def make(knots: Floats, options: dict[str, Any]) -> Template:
     return Template(knots, course)
 
 
-PATH = PathType("cycloidal", "Cycloidal", 13, make, least=2, most=2, spaces=("joint",))
+PATH = PathType(
+    "cycloidal",
+    "Cycloidal",
+    13,
+    make,
+    least=2,
+    most=2,
+    spaces=("joint",),
+    formula=r"X(s)=X_A+(s-\frac{\sin 2\pi s}{2\pi})(X_B-X_A)",
+    says="Its first two derivatives are zero at both ends.",
+)

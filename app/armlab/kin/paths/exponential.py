@@ -43,4 +43,6 @@ PATH = PathType(
     most=2,
     spaces=("joint",),
     fields=(Field("rate", "λ", "rate; negative: slow first", "number", 3.0, low=-MOST_RATE, high=MOST_RATE),),
+    formula=r"X(s)=X_A+\frac{1-e^{-\lambda s}}{1-e^{-\lambda}}(X_B-X_A)",
+    says="Fast first, slow at the end; with negative λ the other way round.",
 )

@@ -27,4 +27,14 @@ def make(knots: Floats, options: dict[str, Any]) -> Template:
     return Template(knots, course)
 
 
-PATH = PathType("harmonic", "Harmonic", 12, make, least=2, most=2, spaces=("joint",))
+PATH = PathType(
+    "harmonic",
+    "Harmonic",
+    12,
+    make,
+    least=2,
+    most=2,
+    spaces=("joint",),
+    formula=r"X(s)=X_A+\frac{1-\cos\pi s}{2}(X_B-X_A)",
+    says="At rest at both ends as far as s is concerned.",
+)

@@ -83,4 +83,6 @@ PATH = PathType(
         Field("side", "", "from the axis to the first point; left out: upwards", "vector"),
     ),
     dimensions=(3,),
+    formula=r"X(s)=c+r\,(u\cos\alpha s+v\sin\alpha s)+h\,s\,w",
+    says="A circle that advances along w.",
 )

@@ -43,7 +43,7 @@ def make(knots: Floats, options: dict[str, Any]) -> PolynomialPath:
 PATH = PathType(
     "hermite",
     "Cubics with given velocities",
-    17,
+    6,
     make,
     fields=(
         Field(
@@ -56,4 +56,6 @@ PATH = PathType(
         *TIMES,
     ),
     apart=False,
+    formula=r"X_j(s)=\sum_{k=0}^{3}a_{jk}(s-s_j)^k",
+    says="A cubic from each knot to the next, with the given velocities where two meet.",
 )

@@ -67,4 +67,6 @@ PATH = PathType(
     spaces=("joint", "cartesian"),
     fields=TIMES,
     apart=False,
+    formula=r"X(s)=\sum_{k=0}^{N-1}a_ks^k",
+    says="One polynomial through all N knots; with many knots it wanders.",
 )

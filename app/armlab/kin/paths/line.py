@@ -17,4 +17,13 @@ def make(knots: NDArray[np.float64], options: dict[str, Any]) -> PolynomialPath:
     return PolynomialPath(Piecewise(np.array([0.0, 1.0]), np.stack([knots[0], knots[1] - knots[0]])[None]))
 
 
-PATH = PathType("line", "Straight line", 1, make, least=2, most=2)
+PATH = PathType(
+    "line",
+    "Straight line",
+    1,
+    make,
+    least=2,
+    most=2,
+    formula=r"X(s)=X_A+s\,(X_B-X_A)",
+    says="Notes 6.1.",
+)

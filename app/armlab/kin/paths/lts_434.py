@@ -93,4 +93,6 @@ PATH = PathType(
     most=4,
     fields=TIMES,
     apart=False,
+    formula=r"X_j(s)=\sum_{k=0}^{n_j}a_{jk}(s-s_j)^k",
+    says="Degrees 4, 3, 4: lift-off, travel, set-down.",
 )

@@ -130,4 +130,6 @@ PATH = PathType(
         Field("speed", "v", "constant speed on the lines", "list", 1.0, low=0.0, above=True, unit="q/s"),
         SHAPE,
     ),
+    formula=r"X''(s)=0\ \text{or}\ \text{const.}",
+    says="Straight lines, with a parabola instead of each corner: the knots between are flown over, not met.",
 )

@@ -32,4 +32,11 @@ def make(knots: NDArray[np.float64], options: dict[str, Any]) -> PolynomialPath:
     return PolynomialPath(Piecewise(places, np.stack([knots[:-1], slopes], axis=1)), remarks=remarks)
 
 
-PATH = PathType("polyline", "Straight lines with corners", 2, make)
+PATH = PathType(
+    "polyline",
+    "Straight lines with corners",
+    2,
+    make,
+    formula=r"X(s)=X_k+\frac{s-s_k}{s_{k+1}-s_k}(X_{k+1}-X_k)",
+    says="With corners at the knots: the arm has to stop there.",
+)

@@ -189,4 +189,6 @@ PATH = PathType(
         Field("end", "", "velocity, acceleration, … at the end, one row each", "rows", unit="q/s", only=ANY_DEGREE),
         DURATION,
     ),
+    formula=r"X(s)=\sum_{k=0}^{N}a_ks^k",
+    says="As many coefficients as conditions at both ends.",
 )

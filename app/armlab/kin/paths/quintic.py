@@ -45,4 +45,6 @@ PATH = PathType(
     least=2,
     most=2,
     fields=(*VELOCITIES, *ACCELERATIONS, DURATION),
+    formula=r"X(s)=\sum_{k=0}^{5}a_ks^k",
+    says="Six coefficients for both ends, velocities and accelerations.",
 )

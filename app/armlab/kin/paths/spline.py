@@ -164,4 +164,6 @@ PATH = PathType(
         *TIMES,
     ),
     apart=False,
+    formula=r"X_j(s)=\sum_{k=0}^{3}a_{jk}(s-s_j)^k",
+    says="A cubic from each knot to the next, with equal velocities and accelerations where two meet.",
 )
