@@ -166,12 +166,14 @@ def test_a_list_that_fits_no_more_is_dropped_and_one_that_fits_is_kept():
     assert dict(single[Plan].moves[0].path.given)["blend"] == (0.01,)
 
 
-def test_a_waypoint_that_a_path_passes_again_at_its_end_leaves_room_for_the_next():
-    points = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 0.7], [1.0, 0.0]])
-    path = path_type("polyline").path(points)
+@pytest.mark.parametrize("kind", ["polyline", "spline", "interpolating", "blends"])
+def test_a_waypoint_that_a_path_passes_again_at_its_end_is_taken_where_it_is_meant(kind):
+    """A path that rests at its end is near its last point for long: room for one sample each would not be enough."""
+    points = np.array([[0.0, 0.0], [1.0, 0.0], [1.1, 0.7], [1.0, 0.0]])
+    path = path_type(kind).path(points)
     found = places(path, points)
-    assert (np.diff(found) > 0.0).all()
-    np.testing.assert_allclose(path.at(found), points, rtol=0, atol=1e-9)
+    assert (np.diff(found) > 0.1).all()
+    np.testing.assert_allclose(path.at(found), points, rtol=0, atol=0.15 if kind == "blends" else 2e-3)
 
 
 @pytest.mark.parametrize("joint", [-1, 6, 9])

@@ -78,17 +78,26 @@ def _orientation(stretch: Stretch, position: Path, points: Floats, R: Floats, tu
 
 
 def places(path: Path, points: Floats) -> Floats:
-    """Return the s at which a path passes points (k, m), or comes nearest to them, increasing from 0 to 1."""
+    """Return the s at which a path passes points (k, m), or comes nearest to them all, increasing from 0 to 1.
+
+    Together, and not one after the other: a path may pass a point again where a later one is meant.
+    """
     s = np.linspace(0.0, 1.0, FINE)
-    curve = path.at(s)
-    found = [0.0]
-    for k, point in enumerate(points[1:-1]):
-        # Each behind the one before, and with room for those that follow.
-        low = int(np.searchsorted(s, found[-1], side="right"))
-        high = FINE - (len(points) - 2 - k)
-        near = np.linalg.norm(curve[low:high] - point, axis=1)
-        found.append(float(s[low + int(np.argmin(near))]))
-    exact = [_snapped(place, path.pieces) for place in found[1:]]
+    if len(points) < 3:
+        return np.array([0.0, 1.0])
+    curve, places = path.at(s), np.arange(FINE)
+    # Least sum of squared distances of all points so far with the last of them at each sample, and where the one
+    # before it is then; the first and last sample belong to the ends.
+    total, before = np.where(places == 0, 0.0, np.inf), []
+    for point in points[1:-1]:
+        least = np.minimum.accumulate(total)[:-1]
+        first = np.concatenate([[True], least[1:] < least[:-1]])
+        before.append(np.concatenate([[0], np.maximum.accumulate(np.where(first, places[:-1], 0))]))
+        total = np.concatenate([[np.inf], least]) + np.sum((curve - point) ** 2, axis=1)
+    found = [int(np.argmin(total[:-1]))]
+    for each in reversed(before[1:]):
+        found.append(int(each[found[-1]]))
+    exact = [_snapped(float(s[place]), path.pieces) for place in reversed(found)]
     return np.array([0.0, *exact, 1.0])
 
 
