@@ -38,3 +38,12 @@ def is_open(browser: FakeBrowser) -> bool:
 def arm_nodes(browser: FakeBrowser) -> list[str]:
     """Return the nodes of the joints, from the base on."""
     return sorted(name for name in browser.nodes if "/arm/" in name and name.rsplit("/", 1)[1].isdigit())
+
+
+async def settled(browser: FakeBrowser, seconds: float = 0.35) -> None:
+    """Wait until nothing has come for a while."""
+    while True:
+        before = browser.bytes
+        await asyncio.sleep(seconds)
+        if browser.bytes == before:
+            return

@@ -12,7 +12,7 @@ import pytest
 from armlab.content.robots import catalogue
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
-from support.student import arm_nodes, run, student
+from support.student import arm_nodes, run, settled, student
 
 PUMA = catalogue()["puma560"]
 HAND = np.array(PUMA.arm.position(PUMA.home))
@@ -20,15 +20,6 @@ HAND = np.array(PUMA.arm.position(PUMA.home))
 
 def slider_values(browser):
     return [browser.slider(i + 1)["value"] for i in range(6)]
-
-
-async def settled(browser, seconds=0.35):
-    """Wait until nothing has come for a while."""
-    while True:
-        before = browser.bytes
-        await asyncio.sleep(seconds)
-        if browser.bytes == before:
-            return
 
 
 async def drag_by(browser, shift, steps=10):

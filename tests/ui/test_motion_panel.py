@@ -9,7 +9,7 @@ from armlab.session.plan_examples import EXAMPLES
 from armlab.session.plan_question import Feasible
 from armlab.ui.layers.motion_path import COLOURS, WORDS
 from armlab.ui.layers.motion_waypoints import names_of
-from support.student import run, student
+from support.student import run, settled, student
 
 
 async def at_plan(url):
@@ -39,6 +39,7 @@ def test_waypoints_are_added_typed_exchanged_and_removed(url):
         browser = await at_plan(url)
         assert len(places(browser)) == 2
         await browser.press("go")
+        await settled(browser)
         await browser.press("add")
         # Here the arm is at waypoint 2 already: no move would have a length.
         await browser.until(lambda: "waypoint 3: the same configuration as waypoint 2" in browser.html())
@@ -90,6 +91,7 @@ def test_moves_laws_time_and_limits_are_chosen_and_nonsense_is_refused(url):
         await browser.press("duration", "0")
         await browser.until(lambda: "duration: expected a positive number, got 0" in browser.html())
         await browser.press("time-fastest")
+        await settled(browser)
         await browser.press("speed", "20")
         await browser.until(lambda: "within all limits" in browser.html())
         await browser.press("vmax 0", "0")
