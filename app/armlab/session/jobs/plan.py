@@ -17,8 +17,8 @@ from armlab.session.plan_question import Planned, Question
 from armlab.session.planning import making
 from armlab.session.state import State
 
-PANELS = frozenset({"motion", "motion_plots", "motion_steps", "motion_files"})
-"""Panels that show the plan."""
+PANELS = "motion"
+"""How the keys of panels that show the plan begin."""
 
 
 class Asked(NamedTuple):
@@ -47,7 +47,8 @@ def asked(state: State) -> Asked:
 
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
     """Return what to work out while it is seen, is on, or a lesson asks for it."""
-    if not (panels & PANELS or state[Timeline].clip == CLIP_KEY or state[LessonPart].asks_for_motion):
+    seen = any(key.startswith(PANELS) for key in panels)
+    if not (seen or state[Timeline].clip == CLIP_KEY or state[LessonPart].asks_for_motion):
         return None
     missing = state.derived(asked)
     if missing == Asked(None, None):
