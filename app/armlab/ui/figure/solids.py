@@ -93,6 +93,13 @@ def drum(radius: float, half_length: float, bevel: float, z: float = 0.0, soft: 
     return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], soft=soft)
 
 
+def disc(radius: float, half_length: float, bevel: float, z: float = 0.0, sides: int = SIDES) -> Solid:
+    """Return a cylinder about z whose edges are cut once: for what is small, or sits in something else."""
+    r, h, b = radius, half_length, bevel
+    rim = [(r - b, -h), (r, -h + b), (r, h - b), (r - b, h)]
+    return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], sides)
+
+
 def block(size: ArrayLike, bevel: float, at: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
     """Return a box with bevelled edges around a point."""
     full, less, normals, faces = _facets()
