@@ -15,7 +15,7 @@ from armlab.ui.figure.figure import build_figure
 from armlab.ui.figure.glb import merged
 from armlab.ui.figure.marks import SYMBOL_STEP, symbol_height, symbols_of
 from armlab.ui.figure.mesh import placed
-from armlab.ui.figure.solids import CREASE, block, drum, lathe
+from armlab.ui.figure.solids import CREASE, SIDES, block, drum, lathe
 from armlab.ui.figure.tubes import tube
 from support.arms import random_arm, random_q
 
@@ -159,9 +159,9 @@ def test_normals_are_of_unit_length_and_near_those_of_their_faces(solid):
 
 
 def test_volumes_of_simple_solids():
-    """Box 1 x 2 x 3 without bevel; cylinder of 28 sides: area n/2 sin(2 pi/n) r^2."""
+    """Box 1 x 2 x 3 without bevel; cylinder of n sides: area n/2 sin(2 pi/n) r^2."""
     assert closed(block((1.0, 2.0, 3.0), 1e-9)).volume == pytest.approx(6.0, abs=1e-6)
-    area = 14.0 * np.sin(2.0 * np.pi / 28.0)
+    area = 0.5 * SIDES * np.sin(2.0 * np.pi / SIDES)
     assert closed(drum(1.0, 2.0, 1e-6)).volume == pytest.approx(4.0 * area, abs=1e-4)
 
 

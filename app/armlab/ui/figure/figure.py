@@ -15,7 +15,7 @@ from armlab.ui.figure.gripper import NATURAL, SHORTEST, gripper, pointer
 from armlab.ui.figure.housings import HALF_LENGTH, RADIUS, half_length, housing_offsets
 from armlab.ui.figure.mesh import placed, shifted
 from armlab.ui.figure.slides import is_rail, rail, ram
-from armlab.ui.figure.solids import block, disc, drum, lathe
+from armlab.ui.figure.solids import WIDE_SIDES, block, disc, drum, lathe
 from armlab.ui.figure.tubes import tube
 
 BOLT_SIDES = 12
@@ -102,8 +102,8 @@ def _base(anatomy: Anatomy, housing: float) -> tuple[list[Part], float]:
     top = max(housing - 1.15 * r, foot + 0.6 * r)
     cone = [(0.0, 0.2), (1.75, 0.28), (1.62, 0.5)]
     parts: list[Part] = [
-        ("dark", drum(2.5 * r, 0.14 * r, 0.1 * r, foot + 0.14 * r)),
-        ("dark", lathe([*((x * r, foot + z * r) for x, z in cone), (1.5 * r, top), (0.0, top + 1e-4)])),
+        ("dark", drum(2.5 * r, 0.14 * r, 0.1 * r, foot + 0.14 * r, sides=WIDE_SIDES)),
+        ("dark", lathe([*((x * r, foot + z * r) for x, z in cone), (1.5 * r, top), (0.0, top + 1e-4)], WIDE_SIDES)),
     ]
     bolt = disc(0.17 * r, 0.08 * r, 0.03 * r, foot + 0.34 * r, BOLT_SIDES)
     for k in range(4):

@@ -6,7 +6,7 @@ import math
 
 from armlab.ui.figure.anatomy import Anatomy
 from armlab.ui.figure.glb import Part, joint_material
-from armlab.ui.figure.solids import block, drum
+from armlab.ui.figure.solids import WIDE_SIDES, block, drum
 
 
 def is_rail(anatomy: Anatomy, i: int) -> bool:
@@ -38,7 +38,7 @@ def rail(anatomy: Anatomy, i: int) -> tuple[list[Part], list[Part], float]:
     moving.extend((colour, band) for band in bands)
     foot = bottom - 0.5 * r
     if i == 0:
-        fixed.append(("dark", drum(2.6 * r, 0.14 * r, 0.1 * r, foot + 0.14 * r)))
+        fixed.append(("dark", drum(2.6 * r, 0.14 * r, 0.1 * r, foot + 0.14 * r, sides=WIDE_SIDES)))
     return fixed, moving, foot
 
 

@@ -12,7 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.ui.figure.mesh import Solid
 
-SIDES = 28
+SIDES = 20
+"""Of what is round: in a software renderer a picture takes as long as its bodies have vertices."""
+
+WIDE_SIDES = 32
+"""Of a base plate, the edge of which is seen against the ground."""
 
 CREASE = math.radians(35.0)
 """Edges that turn more than this stay sharp."""
@@ -86,11 +90,13 @@ def skin(creases: tuple[bool, ...], sides: int) -> NDArray[np.int64]:
     return np.vstack(faces)
 
 
-def drum(radius: float, half_length: float, bevel: float, z: float = 0.0, soft: bool = False) -> Solid:
+def drum(
+    radius: float, half_length: float, bevel: float, z: float = 0.0, soft: bool = False, sides: int = SIDES
+) -> Solid:
     """Return a cylinder about z with rounded edges, its middle at height z; ``soft`` is that of `lathe`."""
     r, h, b = radius, half_length, bevel
     rim = [(r - b, -h), (r - 0.3 * b, -h + 0.3 * b), (r, -h + b), (r, h - b), (r - 0.3 * b, h - 0.3 * b), (r - b, h)]
-    return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], soft=soft)
+    return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], sides, soft)
 
 
 def disc(radius: float, half_length: float, bevel: float, z: float = 0.0, sides: int = SIDES) -> Solid:

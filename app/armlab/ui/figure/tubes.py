@@ -13,7 +13,7 @@ from armlab.ui.figure.mesh import Solid
 from armlab.ui.figure.solids import SIDES, circle, skin
 
 FILLET_POINTS = 9
-DOME_RINGS = 5
+DOME_RINGS = 4
 
 Array = NDArray[np.float64]
 
