@@ -15,7 +15,7 @@ from armlab.ui.figure.gripper import NATURAL, SHORTEST, gripper, pointer
 from armlab.ui.figure.housings import HALF_LENGTH, RADIUS, half_length, housing_offsets
 from armlab.ui.figure.mesh import placed, shifted
 from armlab.ui.figure.slides import is_rail, rail, ram
-from armlab.ui.figure.solids import WIDE_SIDES, block, disc, drum, lathe
+from armlab.ui.figure.solids import WIDE_SIDES, band, block, drum, lathe, lid
 from armlab.ui.figure.tubes import tube
 
 BOLT_SIDES = 12
@@ -105,7 +105,7 @@ def _base(anatomy: Anatomy, housing: float) -> tuple[list[Part], float]:
         ("dark", drum(2.5 * r, 0.14 * r, 0.1 * r, foot + 0.14 * r, sides=WIDE_SIDES)),
         ("dark", lathe([*((x * r, foot + z * r) for x, z in cone), (1.5 * r, top), (0.0, top + 1e-4)], WIDE_SIDES)),
     ]
-    bolt = disc(0.17 * r, 0.08 * r, 0.03 * r, foot + 0.34 * r, BOLT_SIDES)
+    bolt = lid(0.17 * r, 0.14 * r, 0.03 * r, foot + 0.28 * r, sides=BOLT_SIDES)
     for k in range(4):
         angle = math.pi / 4.0 + k * math.pi / 2.0
         parts.append(("steel", shifted(bolt, (2.05 * r * math.cos(angle), 2.05 * r * math.sin(angle), 0.0))))
@@ -118,9 +118,9 @@ def _revolute(anatomy: Anatomy, i: int, at: float) -> list[Part]:
     R, h = RADIUS * r, half_length(anatomy, i, at)
     parts: list[Part] = [("shell", drum(R, h, 0.16 * r, at, soft=True))]
     for side in (1.0, -1.0):
-        parts.append((colour, disc(1.035 * R, 0.17 * r, 0.04 * r, at + side * (h - 0.34 * r))))
+        parts.append((colour, band(1.035 * R, 0.17 * r, 0.05 * r, at + side * (h - 0.34 * r))))
         # An inset cap with a bar along x: it shows the turn.
-        parts.append(("dark", disc(0.74 * R, 0.05 * r, 0.02 * r, at + side * (h + 0.02 * r))))
+        parts.append(("dark", lid(0.74 * R, 0.07 * r, 0.02 * r, at + side * h, side > 0.0)))
         bar = block((0.62 * R, 0.16 * r, 0.1 * r), 0.02 * r, (0.36 * R, 0.0, at + side * (h + 0.05 * r)))
         parts.append((colour, bar))
     thin = 0.15 * float(anatomy.radius[0])

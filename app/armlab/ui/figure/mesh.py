@@ -45,6 +45,13 @@ def placed(solid: Solid, pose: NDArray[np.floating]) -> Solid:
     return Solid(solid.vertices @ R + pose[:3, 3], solid.normals @ R, solid.faces)
 
 
+def cut(solid: Solid, first: int, last: int) -> Solid:
+    """Return the solid without so many of its first and last faces, and without the vertices that only they have."""
+    kept = solid.faces[first : len(solid.faces) - last]
+    used, places = np.unique(kept, return_inverse=True)
+    return Solid(solid.vertices[used], solid.normals[used], places.reshape(kept.shape))
+
+
 def joined(solids: Sequence[Solid]) -> Solid:
     """Return several solids as one."""
     first = np.cumsum([0, *(len(solid.vertices) for solid in solids)])

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.ui.figure.mesh import Solid
+from armlab.ui.figure.mesh import Solid, cut
 
 SIDES = 20
 """Of what is round: in a software renderer a picture takes as long as its bodies have vertices."""
@@ -99,11 +99,24 @@ def drum(
     return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], sides, soft)
 
 
-def disc(radius: float, half_length: float, bevel: float, z: float = 0.0, sides: int = SIDES) -> Solid:
-    """Return a cylinder about z whose edges are cut once: for what is small, or sits in something else."""
+def band(radius: float, half_length: float, bevel: float, z: float = 0.0) -> Solid:
+    """Return the outside of a cylinder about z with cut edges: a ring around what hides its level ends."""
     r, h, b = radius, half_length, bevel
-    rim = [(r - b, -h), (r, -h + b), (r, h - b), (r - b, h)]
-    return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], sides)
+    rim = [(r - b, z - h), (r, z - h + b), (r, z + h - b), (r - b, z + h)]
+    return cut(_turned(rim, SIDES), SIDES, SIDES)
+
+
+def lid(radius: float, height: float, bevel: float, z: float, up: bool = True, sides: int = SIDES) -> Solid:
+    """Return a flat cylinder that stands on something at height z, or hangs below it, without the end that it hides."""
+    r, h, b = radius, height, bevel
+    if up:
+        return cut(_turned([(r, z), (r, z + h - b), (r - b, z + h)], sides), sides, 0)
+    return cut(_turned([(r - b, z - h), (r, z - h + b), (r, z)], sides), 0, sides)
+
+
+def _turned(rim: list[tuple[float, float]], sides: int) -> Solid:
+    """Return the solid of a rim, its level ends closed."""
+    return lathe([(0.0, rim[0][1]), *rim, (0.0, rim[-1][1])], sides)
 
 
 def block(size: ArrayLike, bevel: float, at: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
