@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, BrowserContext, Page
 
 import drag
 import servers
+import swinging
 from rounds import quantile
 from support.page import LabPage, chromium
 
@@ -22,70 +23,6 @@ WINDOWS = {(640, 420): (0, 10), (1400, 850): (0,)}
 ROUNDS, SECONDS = 3, 5.0
 EASING = 4.0
 """Seconds in which the page finds out how much it can draw."""
-
-SPEED = 0.08
-"""rad/s of joint 1, which so tells the time that is shown; the others swing."""
-
-MOVED = f"""
-def moved(time, joints):
-    swing = 0.9 * np.sin((0.5 + 0.1 * np.arange(joints)) * time + np.arange(joints))
-    swing[0] = {SPEED} * time - 2.4
-    return swing
-"""
-
-OURS = (
-    """
-import sys
-sys.path[:0] = {paths!r}
-from dataclasses import replace
-import numpy as np
-from armlab.session.clips.sweep import CLIP
-from armlab.session.parts.joints import Joints
-from armlab.session.parts.timeline import clips
-
-def at(state, time):
-    joints = state[Joints]
-    there = joints.moved_to(moved(time, joints.arm.n))
-    return state if there is joints else state.replace(there)
-"""
-    + MOVED
-    + """
-# Opened with the button of the sweep, but every joint moves, for a minute.
-clips()["sweep"] = replace(CLIP, duration=lambda state: 60.0, stops=lambda state: (), at=at, closed=lambda state: state)
-"""
-    + servers.LAB
-)
-
-BARE = (
-    """
-import sys
-sys.path[:0] = {paths!r}
-import threading, time
-import numpy as np
-import bare_server
-"""
-    + MOVED
-    + """
-class Playing(bare_server.Student):
-    first = True
-
-    def __init__(self, client, wake, waiting):
-        super().__init__(client, wake, waiting)
-        if Playing.first:
-            Playing.first = False
-            threading.Thread(target=self.play, args=(client._viser_server.get_event_loop(),), daemon=True).start()
-
-    def play(self, loop):
-        began = time.perf_counter()
-        while True:
-            now = time.perf_counter() - began
-            loop.call_soon_threadsafe(self.write, np.array([0.5, 0.0, 0.5]), moved(now, 6))
-            time.sleep(max(0.0, began + now + 1 / 60 - time.perf_counter()))
-
-bare_server.Student = Playing
-bare_server.main()
-"""
-)
 
 COUNT = """(() => {
   const kind = WebGL2RenderingContext.prototype, draw = kind.drawElements;
@@ -143,27 +80,30 @@ def row(seen: list[Seen]) -> str:
 
 def played(browser: Browser, window: tuple[int, int], others: int, ours: bool) -> Seen:
     """Show one student a clip while others drag."""
-    paths = [str(servers.HERE), str(servers.HERE.parent / "app"), str(servers.HERE.parent / "tests")]
-    code = (OURS if ours else BARE).format(paths=paths, labs=0)
-    with servers._started(["-c", code], has_front=ours) as server, browser.new_context() as context:
+    started = servers.lab() if ours else servers.started([str(servers.HERE / "bare_playback.py")], has_front=False)
+    with started as server, browser.new_context() as context:
         context.add_init_script(COUNT)
         page, node = (open_ours if ours else open_bare)(context, server.url, window)
         page.wait_for_timeout(1000 * EASING)
         with dragging(server, others, ours) as latencies:
             seen, pictures, seconds, ratio = page.evaluate(WATCH, [node, SECONDS, "z" if ours else "y"])
         times, angles = np.array(seen).T
-        clock = np.polyfit(times, np.unwrap(angles, period=4.0 * np.pi), 1)[0] / SPEED
+        clock = np.polyfit(times, np.unwrap(angles, period=4.0 * np.pi), 1)[0] / swinging.SPEED
         p95 = quantile(latencies, 0.95) if others else float("nan")
         return Seen(len(seen) / seconds, pictures / seconds, ratio, float(clock), p95)
 
 
 def open_ours(context: BrowserContext, url: str, window: tuple[int, int]) -> tuple[Page, str]:
-    """Play the clip and turn to the joints; return the page, and the node of joint 1."""
+    """Read the motion from a file, play it with its plan in sight; return the page, and the node of joint 1."""
     lab = LabPage(context, url, window)
-    lab.open_tab("Ellipsoid")
-    lab.page.get_by_role("button", name="Sweep").click()
+    lab.open_tab("Motion")
+    lab.press("motion_files")
+    file = {"name": "motion.csv", "mimeType": "text/csv", "buffer": swinging.table().encode()}
+    lab.page.locator('input[type=file][data-cell="read-motion"]').set_input_files(file)
+    lab.page.get_by_text("From a file").wait_for()
+    lab.press("motion")
+    lab.press("play-motion")
     lab.page.locator(".al-time").wait_for()
-    lab.open_tab("Joints")
     return lab.page, lab.node("/arm/1")
 
 

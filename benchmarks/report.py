@@ -7,12 +7,11 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-HELPERS = ("__main__", "report", "rounds", "peers", "servers", "bare_server")
 
 
 def main(names: list[str]) -> int:
     sys.path.append(str(HERE.parent / "tests"))
-    known = sorted(path.stem for path in HERE.glob("*.py") if path.stem not in HELPERS)
+    known = sorted(path.stem for path in HERE.glob("*.py") if "\nTITLE = " in path.read_text(encoding="utf-8"))
     unknown = [name for name in names if name not in known]
     if unknown:
         print(f"benchmarks: no benchmark {unknown[0]!r}; there are {', '.join(known)}", file=sys.stderr)

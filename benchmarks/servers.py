@@ -49,19 +49,20 @@ class Server:
 def lab(labs: int = 0) -> Iterator[Server]:
     """Run Armlab: one process, or a front with so many labs behind it."""
     paths = [str(HERE.parent / "app"), str(HERE.parent / "tests")]
-    with _started(["-c", LAB.format(paths=paths, labs=labs)]) as server:
+    with started(["-c", LAB.format(paths=paths, labs=labs)]) as server:
         yield server
 
 
 @contextmanager
 def bare() -> Iterator[Server]:
     """Run the bare viser server."""
-    with _started([str(HERE / "bare_server.py")], has_front=False) as server:
+    with started([str(HERE / "bare_server.py")], has_front=False) as server:
         yield server
 
 
 @contextmanager
-def _started(arguments: Sequence[str], has_front: bool = True) -> Iterator[Server]:
+def started(arguments: Sequence[str], has_front: bool = True) -> Iterator[Server]:
+    """Run a Python script that prints its port and ends with its input."""
     process = subprocess.Popen(
         [sys.executable, *arguments],
         stdin=subprocess.PIPE,

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import logging
 import os
+import queue
 import signal
 import sys
 import threading
@@ -54,9 +56,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(running: Running, options: argparse.Namespace) -> int:
-    done = threading.Event()
+    # A signal may come at any point of this thread; of all that waits only this queue can be told in the middle of it.
+    ended: queue.SimpleQueue[None] = queue.SimpleQueue()
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: done.set())
+        signal.signal(number, lambda *_: ended.put(None))
     own, others = addresses(options.host, running.port)
     print(f"Armlab is open at {own}")
     for other in others:
@@ -64,10 +67,16 @@ def _run(running: Running, options: argparse.Namespace) -> int:
     print("Stop it with Ctrl-C.", flush=True)
     if not options.no_browser:
         threading.Thread(target=_open_browser, args=(own,), daemon=True).start()
-    while not done.wait(3600.0):
-        pass
+    _wait(ended)
     running.stop()
     return 0
+
+
+def _wait(ended: queue.SimpleQueue[None]) -> None:
+    while True:
+        # Where a waiting thread hears no signal, it does now and then.
+        with contextlib.suppress(queue.Empty):
+            return ended.get(timeout=1.0)
 
 
 def _open_browser(address: str) -> None:

@@ -1,4 +1,4 @@
-"""A clip that moves the arm, in a real page: the clock is true, and the picture is whole again at rest."""
+"""An arm that moves, in a real page: the clock is true, and the picture is whole again at rest."""
 
 import numpy as np
 import pytest
@@ -109,3 +109,33 @@ def test_a_screen_that_shows_few_pictures_costs_no_shadows(visit):
     lab.until(lambda: lab.page.evaluate(LOOK)[0] == 0, 30.0)
     lab.until(lambda: lab.page.evaluate(LOOK) == whole, 60.0)
     assert lab.page.locator('.al-time button[aria-label="Pause (space)"]').count() == 1
+
+
+def test_edges_are_smooth_only_where_a_graphics_card_draws_them(visit):
+    """The browser of the tests has none; another is claimed to be there."""
+    lab = visit("robot/elbow_3r")
+    smooth = "canvas => canvas.getContext('webgl2', {antialias: true}).getContextAttributes().antialias"
+    assert not lab.page.evaluate(f"() => ({smooth})(window.__viserMutable.canvas)")
+    another = f"""card => {{
+      const kind = WebGL2RenderingContext.prototype, usual = kind.getParameter, NAME = 0x9246;
+      kind.getParameter = function (key) {{ return key === NAME ? card : usual.call(this, key); }};
+      const answer = ({smooth})(document.createElement('canvas'));
+      kind.getParameter = usual;
+      return answer;
+    }}"""
+    assert lab.page.evaluate(another, "ANGLE (NVIDIA GeForce RTX 3060 Direct3D11)")
+    assert not lab.page.evaluate(another, "llvmpipe (LLVM 15.0.6, 256 bits)")
+
+
+def test_while_a_hand_drags_a_picture_drawn_by_program_has_no_shadows(visit):
+    lab = visit("robot/elbow_3r")
+    lamps = lab.page.evaluate(LOOK)[0]
+    assert lamps > 0
+    lab.page.mouse.move(200, 300)
+    lab.page.mouse.down()
+    lab.page.mouse.move(202, 301)
+    assert lab.page.evaluate(LOOK)[0] == lamps
+    lab.page.mouse.move(260, 320)
+    lab.until(lambda: lab.page.evaluate(LOOK)[0] == 0)
+    lab.page.mouse.up()
+    lab.until(lambda: lab.page.evaluate(LOOK)[0] == lamps)

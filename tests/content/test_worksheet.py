@@ -10,11 +10,12 @@ import pytest
 
 from armlab.content.markdown import to_html
 from armlab.content.robots import catalogue, own_robot
-from armlab.content.worksheet import FORMATS, task_jacobian, unit_of_w, worksheet
+from armlab.content.worksheet import FORMATS, task_jacobian, worksheet
 from armlab.content.worksheet_formats import LONGEST_NAME, latex_text, markdown_text
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.ellipsoid import velocity_ellipsoid
+from armlab.kin.length_power import length_power
 from armlab.kin.rotations import rotation_from_axis_angle, rotation_from_sequence
 from support.arms import frames_by_products, jacobian_by_differences, random_arm, random_q
 
@@ -255,7 +256,7 @@ def test_the_unit_of_w_is_how_it_changes_with_the_unit_of_length(kinds, task):
         lengths = np.where(small.revolute, 1.0, ratio)
         w, w_longer = float(small.manipulability(q)), float(large.manipulability(q * lengths))
         factors.append(math.log10(w_longer / w))
-    unit = unit_of_w(Arm.from_dh(rows, task=task))
+    unit = length_power(Arm.from_dh(rows, task=task))
     if unit is None:
         assert np.ptp(factors) > 1e-3
     else:

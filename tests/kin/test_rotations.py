@@ -91,6 +91,16 @@ def test_quaternions_are_unit_and_scalar_first_and_not_negative(rng):
     np.testing.assert_allclose(np.abs(np.sum(q * expected, axis=1)), 1.0, atol=1e-14)
 
 
+def test_one_rotation_is_as_many(rng):
+    """One matrix goes a way of its own; signs of half turns included."""
+    r = rng.normal(size=(200, 3))
+    r /= np.linalg.norm(r, axis=1)[:, None]
+    half_turns = 2.0 * r[:, :, None] * r[:, None, :] - np.eye(3)
+    exact = [np.eye(3), *(np.diag(signs) for signs in ([1.0, -1, -1], [-1.0, 1, -1], [-1.0, -1, 1]))]
+    R = np.array([*half_turns, *(random_pose(rng)[:3, :3] for _ in range(200)), *exact])
+    np.testing.assert_allclose([quaternion_from_rotation(each) for each in R], quaternion_from_rotation(R), atol=1e-15)
+
+
 def test_yaw_pitch_roll_come_back(rng):
     angles = rng.uniform(-1.5, 1.5, (200, 3))
     found, singular = euler_zyx(rotation_from_sequence("zyx", angles))

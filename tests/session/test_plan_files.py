@@ -11,11 +11,10 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.jobs.plan import with_plan
-from armlab.session.parts.joints import Joints, RandomPose
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan, planned
 from armlab.session.parts.timeline import OpenClip
-from armlab.session.plan_commands import SetMove
-from armlab.session.plan_files import MOST_SAMPLES, motion_csv
+from armlab.session.plan_files import MOST_SAMPLES
 from armlab.session.plan_files_commands import (
     MOST_MADE,
     BackToWaypoints,
@@ -25,24 +24,8 @@ from armlab.session.plan_files_commands import (
 )
 from armlab.session.plan_files_table import MOST_BYTES, MOST_ROWS
 from armlab.session.plan_limits import LastFor
-from armlab.session.plan_points import AddWaypoint
 from armlab.session.state import State, apply
-
-ROBOTS = ["puma560", "ur10e", "panda", "planar_2r", "scara", "cartesian_3p"]
-
-
-def opened(key="puma560", points=2, law=None):
-    """Return the state of an arm with a plan of so many waypoints, worked out."""
-    state = State.initial(catalogue()[key])
-    for _ in range(points - 2):
-        state = apply(apply(state, RandomPose()), AddWaypoint())
-    if law is not None:
-        state = apply(state, SetMove(1, law=law))
-    return with_plan(state)
-
-
-def table(state, rate=200.0):
-    return motion_csv(state[Joints].arm, planned(state).motion, rate)
+from support.plans import ROBOTS, opened, table
 
 
 def sines(arm, t):

@@ -14,12 +14,12 @@ from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.session.edits import SetLimits
 from armlab.session.jobs.plan import with_plan
-from armlab.session.parts.joints import Joints, RandomPose
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan, planned, question
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip
 from armlab.session.plan_commands import SetMove
-from armlab.session.plan_files import column_names, motion_csv, plan_json
+from armlab.session.plan_files import column_names, plan_json
 from armlab.session.plan_files_commands import (
     ReadMotion,
     ReadPlan,
@@ -28,25 +28,8 @@ from armlab.session.plan_files_commands import (
 from armlab.session.plan_files_script import motion_script
 from armlab.session.plan_limits import LastFor, LimitJerk, LimitTool, UseShare
 from armlab.session.plan_moves import Waypoint
-from armlab.session.plan_points import AddWaypoint
 from armlab.session.state import State, apply
-
-ROBOTS = ["puma560", "ur10e", "panda", "planar_2r", "scara", "cartesian_3p"]
-
-
-def opened(key="puma560", points=2, law=None):
-    """Return the state of an arm with a plan of so many waypoints, worked out."""
-    state = State.initial(catalogue()[key])
-    for _ in range(points - 2):
-        state = apply(apply(state, RandomPose()), AddWaypoint())
-    if law is not None:
-        state = apply(state, SetMove(1, law=law))
-    return with_plan(state)
-
-
-def table(state, rate=200.0):
-    return motion_csv(state[Joints].arm, planned(state).motion, rate)
-
+from support.plans import ROBOTS, opened, table
 
 # -- plans -----------------------------------------------------------------------------------------------------------
 

@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import law_types
 from armlab.kin.motion.geometry import curvature
@@ -26,7 +25,6 @@ from armlab.session.space_curve_commands import (
     ChooseCurve,
     ChooseLaw,
     GoLongWay,
-    GoTo,
     SetAngle,
     SetPoint,
     TakeOrientation,
@@ -38,25 +36,8 @@ from armlab.session.space_curve_formula import formula_path
 from armlab.session.space_curve_laid import FORMULA, kinds, moment
 from armlab.session.space_curve_stage import sphere_of, stage_of
 from armlab.session.space_curve_turn import rotation_of
-from armlab.session.state import State, apply
-
-S = np.linspace(0.0, 1.0, 41)
-
-
-def opened(robot="puma560"):
-    return State.initial(catalogue()[robot])
-
-
-def after(*commands, state=None):
-    state = state or opened()
-    for command in commands:
-        state = apply(state, command)
-    return state
-
-
-def at(state, s):
-    return moment_of(apply(state, GoTo(s)))
-
+from armlab.session.state import apply
+from support.space_curves import S, after, at, opened
 
 # -- the numbers of the notes -----------------------------------------------------------------------------------------
 

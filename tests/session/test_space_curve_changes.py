@@ -14,7 +14,6 @@ from armlab.session.parts.space_curve import (
     MOST_POINTS,
     SpaceCurve,
     curve_of,
-    moment_of,
     time_of,
 )
 from armlab.session.parts.timeline import Seek, Step, Timeline
@@ -37,24 +36,8 @@ from armlab.session.space_curve_commands import (
 )
 from armlab.session.space_curve_examples import EXAMPLES, ChooseExample
 from armlab.session.space_curve_laid import moment
-from armlab.session.state import State, apply
-
-S = np.linspace(0.0, 1.0, 41)
-
-
-def opened(robot="puma560"):
-    return State.initial(catalogue()[robot])
-
-
-def after(*commands, state=None):
-    state = state or opened()
-    for command in commands:
-        state = apply(state, command)
-    return state
-
-
-def at(state, s):
-    return moment_of(apply(state, GoTo(s)))
+from armlab.session.state import apply
+from support.space_curves import after, at
 
 
 def test_points_are_added_moved_and_removed_and_the_film_rewinds():

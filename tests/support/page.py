@@ -12,6 +12,8 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
+from armlab.ui.plugin import panels
+
 ARGUMENTS = (
     "--no-sandbox",
     "--use-angle=swiftshader",
@@ -176,9 +178,13 @@ class LabPage:
     # -- the panels ----------------------------------------------------------------------------------------------
 
     def open_tab(self, title: str) -> None:
-        """Open a tab."""
-        self.page.locator(f'[role=tab][title="{title}"]').click()
+        """Open a tab, or the page of a tab that has this title."""
+        page = next((panel for panel in panels().values() if panel.title == title and panel.tab), None)
+        tab = title if page is None else panels()[page.tab].title
+        self.page.locator(f'[role=tab][title="{tab}"]').click()
         self.frames(3)
+        if page is not None:
+            self.press(page.key)
 
     def slider_track(self, joint: int) -> str:
         """Return a selector of the slider of a joint, 1-based."""

@@ -15,7 +15,7 @@ from armlab.ui.figure.figure import build_figure
 from armlab.ui.figure.glb import merged
 from armlab.ui.figure.marks import SYMBOL_STEP, symbol_height, symbols_of
 from armlab.ui.figure.mesh import placed
-from armlab.ui.figure.solids import CREASE, SIDES, block, drum, lathe
+from armlab.ui.figure.solids import CREASE, SIDES, along, band, block, drum, lathe, lid
 from armlab.ui.figure.tubes import tube
 from support.arms import random_arm, random_q
 
@@ -146,7 +146,29 @@ def test_solids_are_closed_and_face_outwards(solid):
     np.testing.assert_allclose(solid.bounds, mesh.bounds, rtol=0, atol=1e-12)
 
 
-@pytest.mark.parametrize("solid", SOLIDS.values(), ids=SOLIDS.keys())
+OPEN = {
+    "band": (band(1.0, 0.5, 0.1, z=0.2), [-0.3, 0.7]),
+    "lid that stands": (lid(1.0, 0.5, 0.1, z=0.3), [0.3]),
+    "lid that hangs": (lid(1.0, 0.5, 0.1, z=0.3, up=False), [0.3]),
+}
+"""Each with the heights at which it is open."""
+
+
+@pytest.mark.parametrize(("solid", "heights"), OPEN.values(), ids=OPEN.keys())
+def test_open_solids_are_open_where_they_touch_another_and_nowhere_else(solid, heights):
+    mesh = closed(solid)
+    edges, counts = np.unique(mesh.edges_sorted, axis=0, return_counts=True)
+    rims = mesh.vertices[edges[counts == 1]]
+    assert np.sum(counts == 1) == SIDES * len(heights)
+    assert np.all(counts <= 2)
+    np.testing.assert_allclose(np.unique(np.round(rims[:, :, 2], 9)), heights, rtol=0, atol=1e-9)
+    assert np.array_equal(np.unique(solid.faces), np.arange(len(solid.vertices)))
+
+
+BOTH = SOLIDS | {name: solid for name, (solid, _) in OPEN.items()}
+
+
+@pytest.mark.parametrize("solid", BOTH.values(), ids=BOTH.keys())
 def test_normals_are_of_unit_length_and_near_those_of_their_faces(solid):
     np.testing.assert_allclose(np.linalg.norm(solid.normals, axis=1), 1.0, rtol=0, atol=1e-12)
     a, b, c = (solid.vertices[solid.faces[:, k]] for k in range(3))
@@ -215,3 +237,13 @@ def test_what_a_rail_carries_sideways_is_drawn():
 def test_an_arm_without_length_still_has_a_size(length):
     arm = Arm.from_dh([("R", 0.0, 0.0, length, 0.0)])
     assert anatomy_of(arm).size == 1.0
+
+
+def test_a_pose_along_any_direction_is_one(rng):
+    directions = [*rng.normal(size=(50, 3)), *np.eye(3), *-np.eye(3), np.array([0.95, 0.2, 0.0])]
+    for direction in directions:
+        pose = along(direction, (1.0, 2.0, 3.0))
+        np.testing.assert_allclose(pose[:3, :3].T @ pose[:3, :3], np.eye(3), atol=1e-14)
+        assert np.linalg.det(pose[:3, :3]) == pytest.approx(1.0, abs=1e-14)
+        np.testing.assert_allclose(pose[:3, 2], direction / np.linalg.norm(direction), atol=1e-15)
+        np.testing.assert_array_equal(pose[:, 3], (1.0, 2.0, 3.0, 1.0))

@@ -115,13 +115,13 @@ def test_names_with_markup_stay_text():
     assert "&lt;b&gt;" in gui.marks[0].shown
 
 
-def test_the_curves_of_the_ellipsoid_are_shown_when_its_tab_is_open(url):
+def test_the_curves_of_the_ellipsoid_are_shown_when_its_page_is_open(url):
     async def main():
         browser = await student(url, path="/robot/planar_2r")
         assert not [c for c in browser.controls.values() if c["type"] == "GuiUplotMessage"]
         await browser.open("ellipsoid")
         await browser.until(lambda: "Well conditioned" in browser.html())
-        assert len([c for c in browser.controls.values() if c["type"] == "GuiUplotMessage"]) == 3
+        assert len([c for c in browser.controls.values() if c["type"] == "GuiUplotMessage"]) == 5
         assert "singular at −180.0°, 0.0°, 180.0°" in browser.html()
         await browser.set_value(browser.slider(2), 0.0)
         await browser.until(lambda: "✕ Singular" in browser.html())

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from armlab.content.check import PLAIN, Words, signed
 from armlab.content.observation import Observation
 from armlab.kin.arm import Arm
+from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
 
 NONE = "–"
@@ -20,7 +21,6 @@ NONE = "–"
 SINGULAR = 1e-9
 """A singular value not above this times the largest counts as zero."""
 
-_POWERS = {1: " m", 2: " m²", 3: " m³"}
 _DECIMALS = 4
 _UPRIGHT = 1e-9
 """How far a component of the base's z axis may be from that of the world's for the arm to turn about z."""
@@ -72,21 +72,6 @@ def task_jacobian(observation: Observation) -> NDArray[np.float64]:
     return np.vstack([linear[arm.task.coordinates], rotation[arm.task.rotation] @ angular])
 
 
-def length_power(arm: Arm) -> int | None:
-    """Return the power of metres in w of the task; None where w adds squares of different units.
-
-    w² is the sum of the squared minors of the task Jacobian, whose entries are m/rad and m/m in rows of position, 1
-    and 0 in rows of rotation.
-    """
-    position, slides, n = len(arm.task.position), int((~arm.revolute).sum()), arm.n
-    turning = arm.task.m - position
-    if position == 0 or slides == n:
-        return 0
-    if arm.task.m == n or (arm.task.m > n and turning == 0):
-        return max(min(position, n) - slides, 0)
-    return position if arm.task.m < n and slides == 0 else None
-
-
 def _always(arm: Arm) -> str:
     del arm
     return ""
@@ -132,8 +117,8 @@ def _reach(observation: Observation, words: Words) -> str:
 def _manipulability(observation: Observation, words: Words) -> str:
     del words
     power = length_power(observation.arm)
-    unit = " (mixed units)" if power is None else _POWERS.get(power, "")
-    return f"{signed(float(observation.arm.manipulability(observation.q)), _DECIMALS)}{unit}"
+    unit = "(mixed units)" if power is None else POWERS[power]
+    return f"{signed(float(observation.arm.manipulability(observation.q)), _DECIMALS)} {unit}".rstrip()
 
 
 def _not_square(arm: Arm) -> str:
@@ -144,8 +129,8 @@ def _not_square(arm: Arm) -> str:
 
 def _determinant(observation: Observation, words: Words) -> str:
     del words
-    unit = _POWERS.get(length_power(observation.arm) or 0, "")
-    return f"{signed(float(np.linalg.det(task_jacobian(observation))), _DECIMALS)}{unit}"
+    unit = POWERS[length_power(observation.arm) or 0]
+    return f"{signed(float(np.linalg.det(task_jacobian(observation))), _DECIMALS)} {unit}".rstrip()
 
 
 def _mixed(arm: Arm) -> str:

@@ -13,6 +13,8 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row, link_transform
 from armlab.kin.ellipsoid import velocity_ellipsoid
+from armlab.kin.joint_scale import counted_speeds
+from armlab.kin.length_power import length_power
 from armlab.kin.rotations import axis_angle, euler_zyx
 from armlab.kin.task import Task
 
@@ -20,9 +22,6 @@ Array = NDArray[np.float64]
 
 FORMATS = ("markdown", "latex")
 ANGLES = ("deg", "rad")
-
-DEFAULT_SPEED = 1.0
-"""rad/s or m/s: what counts as the limit of a joint that has none, where turning and sliding joints are compared."""
 
 PRODUCTS = {
     "standard": Text("Aᵢ = Rz(θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ).", r"$A_i = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$."),
@@ -96,20 +95,6 @@ def task_jacobian(arm: Arm, q: ArrayLike) -> Array:
     turns = {"none": np.eye(3)[:0], "phi": np.eye(3)[2:], "approach": tool[:, :2].T, "full": np.eye(3)}
     linear, angular = turn @ J[:3], turn @ J[3:]
     return np.vstack([linear[arm.task.coordinates], turns[arm.task.rotation] @ angular])
-
-
-def unit_of_w(arm: Arm) -> int | None:
-    """Return k where the manipulability of the task is in m^k, or None where its terms have different units.
-
-    The determinant is a sum of products of squared minors; sliding joints take a metre from each they are in.
-    """
-    p, m, n = len(arm.task.position), arm.task.m, arm.n
-    sliding = int(np.sum(~arm.revolute))
-    if n == m:
-        return p - sliding
-    if n > m:
-        return p if sliding == 0 else p - m if sliding == n else None
-    return n - sliding if p == m else -sliding if p == 0 else None
 
 
 class _Sheet:
@@ -223,11 +208,11 @@ class _Sheet:
         """Metres and radians are never in one singular value: each kind of velocity has its own."""
         out, arm = self.out, self.arm
         out.heading("Manipulability")
-        power = unit_of_w(arm)
+        power = length_power(arm)
         unit = "terms of different units" if power is None else _power_of_metre(out, power)
         body = [[f"manipulability {out.symbol('w')} of the task", out.number(float(arm.manipulability(self.q))), unit]]
         J, p = task_jacobian(arm, self.q), len(arm.task.position)
-        scale = self._speeds()
+        scale = counted_speeds(self.arm)
         blocks = (("linear velocity", J[:p], "m/s"), ("angular velocity", J[p:], "rad/s"))
         for name, block, speed in blocks:
             if len(block) == 0:
@@ -245,13 +230,6 @@ class _Sheet:
                 for value, turns in zip(scale, arm.revolute, strict=True)
             )
             out.line(f"Singular values are of joint speeds measured by these limits: {listed}; w is not scaled.")
-
-    def _speeds(self) -> Array | None:
-        """Return the speeds that make turning and sliding joints comparable; None where all are of one kind."""
-        arm = self.arm
-        if arm.revolute.all() or not arm.revolute.any():
-            return None
-        return np.where(np.isfinite(arm.speed_limits), arm.speed_limits, DEFAULT_SPEED)
 
 
 def _row_names(task: Task) -> list[str]:

@@ -16,6 +16,9 @@ from armlab.errors import InputError
 
 Array = NDArray[np.floating]
 
+SMALL = 1e-15
+"""Part of a unit quaternion that counts as zero where it would decide the sign."""
+
 _PERMUTED = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}
 
 
@@ -143,6 +146,8 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
     R = np.asarray(R, dtype=float)
     if R.shape[-2:] != (3, 3):
         raise InputError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    if R.ndim == 2:
+        return _of_one_rotation(*R.ravel().tolist())
     m = np.moveaxis(R, (-2, -1), (0, 1))
     trace = m[0, 0] + m[1, 1] + m[2, 2]
     squares = np.stack([trace, m[0, 0], m[1, 1], m[2, 2]])
@@ -157,12 +162,30 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
     return np.asarray(q * _sign_rule(q)[..., None])
 
 
+def _of_one_rotation(a: float, b: float, c: float, d: float, e: float, f: float, g: float, h: float, i: float) -> Array:
+    """Return the same for one rotation, given by rows, which every picture of a moving mark asks for."""
+    trace = a + e + i
+    largest = max(trace, a, e, i)
+    if largest == trace:
+        q = (1.0 + trace, h - f, c - g, d - b)
+    elif largest == a:
+        q = (h - f, 1.0 + 2.0 * a - trace, b + d, c + g)
+    elif largest == e:
+        q = (c - g, b + d, 1.0 + 2.0 * e - trace, f + h)
+    else:
+        q = (d - b, c + g, f + h, 1.0 + 2.0 * i - trace)
+    length = math.hypot(*q)
+    w, x, y, z = (part / length for part in q)
+    decides = next((part for part in (w, z, y, x) if abs(part) > SMALL), 1.0)
+    sign = math.copysign(1.0, decides)
+    return np.array([sign * w, sign * x, sign * y, sign * z])
+
+
 def _sign_rule(q: Array) -> Array:
     """Return 1 or -1: the scalar part becomes positive, or where it is zero the last non-zero vector component."""
-    small = 1e-15
-    sign = np.sign(np.where(np.abs(q[..., 0]) > small, q[..., 0], 0.0))
+    sign = np.sign(np.where(np.abs(q[..., 0]) > SMALL, q[..., 0], 0.0))
     for k in (3, 2, 1):
-        sign = np.where(sign == 0.0, np.sign(np.where(np.abs(q[..., k]) > small, q[..., k], 0.0)), sign)
+        sign = np.where(sign == 0.0, np.sign(np.where(np.abs(q[..., k]) > SMALL, q[..., k], 0.0)), sign)
     return np.where(sign == 0.0, 1.0, sign)
 
 

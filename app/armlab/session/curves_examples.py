@@ -6,11 +6,11 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from armlab.errors import UnknownName
 from armlab.kin.motion.law_types import law_types
 from armlab.session.chosen import Chosen
 from armlab.session.curves_knots import Knot
 from armlab.session.curves_made import Drawn, Made, kinds
+from armlab.session.examples import example_of
 from armlab.session.parts.curves import Curves
 from armlab.session.state import Command, State
 
@@ -199,9 +199,7 @@ class ChooseExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example."""
-        if self.key not in EXAMPLES:
-            raise UnknownName("example", self.key, EXAMPLES)
-        example = EXAMPLES[self.key]
+        example = example_of(EXAMPLES, self.key)
         part = Curves(
             example.knots,
             example.curves,

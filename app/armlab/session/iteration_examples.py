@@ -8,11 +8,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from armlab.content.robots import catalogue
-from armlab.errors import UnknownName
 from armlab.kin.ik.iterate import task_vector
 from armlab.kin.ik.iterate.record import Limits
 from armlab.kin.transforms import transform
+from armlab.session.examples import example_of, on_arm, with_clip_closed
 from armlab.session.iteration_runs import FLOW, run_of
 from armlab.session.parts.iterations import CLIP_KEY, Iterations
 from armlab.session.parts.robot import RobotPart
@@ -154,14 +153,8 @@ class ChooseExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        if self.key not in EXAMPLES:
-            raise UnknownName("example", self.key, EXAMPLES)
-        example = EXAMPLES[self.key]
-        timeline = state[Timeline]
-        if timeline.clip:
-            state = clips()[timeline.clip].closed(state)
-        if state[RobotPart].robot is not catalogue()[example.robot]:
-            state = state.with_robot(catalogue()[example.robot])
+        example = example_of(EXAMPLES, self.key)
+        state = on_arm(with_clip_closed(state), example.robot)
         on = replace(state[Timeline], clip=CLIP_KEY, time=0.0, playing=False)
         return clips()[CLIP_KEY].at(state.replace(_put(example, state), on), 0.0)
 

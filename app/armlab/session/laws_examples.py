@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
-from armlab.errors import UnknownName
 from armlab.kin.motion import law_types
 from armlab.kin.timing.table import BANG_COAST_BANG, PLUS_MINUS_ONE
 from armlab.session.chosen import Chosen
+from armlab.session.examples import example_of
 from armlab.session.laws_bounds import Bounded
 from armlab.session.laws_timing import Entry, Timing
 from armlab.session.parts.laws import CLIP_KEY, Laws, check
@@ -188,9 +188,7 @@ class ChooseLawExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        if self.key not in EXAMPLES:
-            raise UnknownName("example", self.key, EXAMPLES)
-        part = EXAMPLES[self.key].part()
+        part = example_of(EXAMPLES, self.key).part()
         check(part)
         timeline = state[Timeline]
         rewound = replace(timeline, time=0.0, playing=False) if timeline.clip == CLIP_KEY else timeline

@@ -8,13 +8,12 @@ from typing import ClassVar
 import numpy as np
 
 from armlab.content.robots import Robot, catalogue
-from armlab.errors import UnknownName
 from armlab.kin import ik
 from armlab.session.chosen import Chosen
+from armlab.session.examples import example_of, with_clip_closed
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.plan import Plan
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.timeline import Timeline, clips
 from armlab.session.plan_commands import refuse_pathless
 from armlab.session.plan_moves import Move, Waypoint, checked_q, flat_pose
 from armlab.session.state import Command, State
@@ -193,13 +192,8 @@ class TakeExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example's plan, its arm at the first waypoint."""
-        if self.key not in EXAMPLES:
-            raise UnknownName("example", self.key, EXAMPLES)
-        robot, part = EXAMPLES[self.key].plan()
-        timeline = state[Timeline]
-        if timeline.clip:
-            state = clips()[timeline.clip].closed(state)
-            state = state.replace(replace(timeline, clip="", time=0.0, playing=False))
+        robot, part = example_of(EXAMPLES, self.key).plan()
+        state = with_clip_closed(state)
         if state[RobotPart].robot is not robot:
             state = state.with_robot(robot)
         state = state.replace(part)

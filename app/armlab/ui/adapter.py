@@ -5,6 +5,7 @@ viser is pinned to the tested version; when the pin moves, the tests of this mod
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import io
 import logging
@@ -13,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import viser
+from numpy.typing import NDArray
 from viser import _messages
 
 from armlab.errors import ArmlabError
@@ -108,6 +110,13 @@ def set_position(handle: Any, position: tuple[float, float, float]) -> None:
     handle._impl.api._queue_scene_message(_messages.SetPositionMessage(handle._impl.name, position))
 
 
+def set_scale(handle: Any, scale: float | tuple[float, float, float]) -> None:
+    """Scale a scene node: the same message as assigning ``scale``, without the conversions around it."""
+    handle._impl.props.scale = scale
+    message = _messages.SceneNodeUpdateMessage(handle._impl.name, {"scale": scale})
+    handle._impl.api._queue_scene_message(message)
+
+
 def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> None:
     """Call back on an event of a student, on viser's loop, in order; echoes of the lab's own writes are left out.
 
@@ -126,3 +135,40 @@ def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> Non
             log.exception("an event failed")
 
     getattr(handle, register)(forward)
+
+
+def on_scene_click(client: Any, callback: Callable[[Any], None]) -> Callable[[], None]:
+    """Call back when a student clicks where no node takes the click; return what ends that.
+
+    While somebody listens viser shows another pointer over the scene; it turns and zooms as always.
+    """
+
+    async def forward(event: Any) -> None:
+        try:
+            callback(event)
+        except ArmlabError as refusal:
+            log.warning("a click was refused: %s", refusal)
+        except Exception:
+            log.exception("a click failed")
+
+    client.scene.on_click()(forward)
+    return lambda: client.scene.remove_click_callback(forward)
+
+
+async def picture_of(client: Any, seconds: float = 20.0) -> NDArray[np.uint8]:
+    """Return the scene as the browser draws it, shape (rows, columns, 4): red, green, blue, and opacity.
+
+    viser waits for the browser in the calling thread, so that is another one.
+
+    Raises
+    ------
+    TimeoutError
+        The browser has sent none.
+    """
+
+    def render() -> NDArray[np.uint8]:
+        camera = client.camera
+        height, width = camera.image_height, camera.image_width
+        return np.asarray(client.get_render(height, width, transport_format="png", timeout=seconds))
+
+    return await asyncio.get_running_loop().run_in_executor(None, render)

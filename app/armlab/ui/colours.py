@@ -53,3 +53,24 @@ def linear(rgb: ArrayLike) -> NDArray[np.float64]:
     """Return linear light, 0 to 1: what GLB materials and viser's line segments take."""
     c = np.asarray(rgb, dtype=float) / 255.0
     return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+
+
+_VIRIDIS = np.array(
+    [
+        (68, 1, 84), (72, 40, 120), (62, 74, 137), (49, 104, 142), (38, 130, 142),
+        (31, 158, 137), (53, 183, 121), (109, 205, 89), (180, 222, 44), (253, 231, 37),
+    ],
+    dtype=float,
+)  # fmt: skip
+"""Colours of equal steps of lightness, also for the colour-blind and in grey (van der Walt and Smith, 2015)."""
+
+
+def viridis(parts: ArrayLike) -> NDArray[np.uint8]:
+    """Return the colours (..., 3) of numbers from 0, dark, to 1, bright; what is outside is taken as an end."""
+    at = np.clip(np.asarray(parts, dtype=float), 0.0, 1.0) * (len(_VIRIDIS) - 1)
+    steps = np.arange(len(_VIRIDIS))
+    return np.stack([np.interp(at, steps, _VIRIDIS[:, k]) for k in range(3)], axis=-1).round().astype(np.uint8)
+
+
+VIRIDIS_CSS = f"linear-gradient(90deg, {', '.join(css((round(r), round(g), round(b))) for r, g, b in _VIRIDIS)})"
+"""The same from left to right."""

@@ -69,6 +69,11 @@ class MatrixView:
         head = f'<h3>{title}<span class="copies">{copy_buttons(values)}</span></h3>'
         self._fields.show(head + table.markup(columns, rows))
 
+    def visible(self, on: bool) -> None:
+        """Show or hide the matrix."""
+        if self._fields.html.visible != on:
+            self._fields.html.visible = on
+
     def _chosen(self, cell: str) -> None:
         """Post what a press on a cell selects."""
         indices = [int(text) if text else None for text in cell.split(",") if text.isdecimal() or not text]

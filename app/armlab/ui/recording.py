@@ -30,6 +30,8 @@ from armlab.ui.figure.figure import build_figure
 from armlab.ui.format import escaped
 from armlab.ui.layers import arm as arm_layer
 from armlab.ui.layers import stage
+from armlab.ui.layers._polyline import ROUGHNESS, simplified
+from armlab.ui.layers._strokes import polyline
 from armlab.ui.switches import DARK
 
 Floats = NDArray[np.float64]
@@ -152,7 +154,7 @@ def _moving(canvas: Canvas, poses: Floats, step: float) -> Iterator[float]:
 def _draw_way(server: viser.ViserServer, canvas: Canvas, points: Floats) -> None:
     if np.ptp(points, axis=0).max() < 1e-6 * canvas.size:
         return
-    segments = np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
+    segments = polyline(points[simplified(points, ROUGHNESS * canvas.size)])
     server.scene.add_line_segments(canvas.path("way"), segments, BLUE, thickness=TUBE * canvas.size)
 
 

@@ -15,6 +15,7 @@ import viser
 from armlab.ui import adapter, markup
 from armlab.ui.camera import Camera
 from armlab.ui.format import escaped
+from armlab.ui.png import rgba_png
 
 log = logging.getLogger(__name__)
 
@@ -185,6 +186,7 @@ class Gui:
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
         self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
         self._made: list[Any] = []
+        self._drawing: set[asyncio.Task[None]] = set()
 
     @property
     def origin(self) -> str:
@@ -297,6 +299,22 @@ class Gui:
         """Have the browser save a file: a text, or bytes."""
         data = content.encode() if isinstance(content, str) else content
         self._client.send_file_download(name, data, save_immediately=True)
+
+    def save_picture(self, name: str, on_failure: Callable[[str], None]) -> None:
+        """Have the browser draw the scene without what lies over it, and save that as a PNG file."""
+
+        async def draw() -> None:
+            try:
+                pixels = await adapter.picture_of(self._client)
+            except Exception as failure:
+                log.exception("no picture")
+                on_failure(f"the picture could not be made: {failure}")
+            else:
+                self.save(name, rgba_png(pixels))
+
+        task = asyncio.get_running_loop().create_task(draw())
+        self._drawing.add(task)
+        task.add_done_callback(self._drawing.discard)
 
     @contextmanager
     def folder(self, label: str, expanded: bool = False) -> Iterator[None]:

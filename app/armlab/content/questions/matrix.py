@@ -126,12 +126,12 @@ class MatrixQuestion:
 
 
 def typed(matrix: Matrix) -> str:
-    """Return a matrix as it is typed.
+    """Return a matrix as it is typed: without the crumbs of rounding that computed entries carry.
 
-    >>> typed(np.array([[1.0, 0.5], [-2.0, 0.0]]))
-    '1 0.5; -2 0'
+    >>> typed(np.array([[1.0, 0.5], [-2.0, 0.3 - 0.1]]))
+    '1 0.5; -2 0.2'
     """
-    return "; ".join(" ".join(shortest(float(entry)) for entry in row) for row in matrix)
+    return "; ".join(" ".join(shortest(float(f"{entry:.12g}")) for entry in row) for row in matrix)
 
 
 def _size(rows: int, columns: int) -> str:

@@ -28,6 +28,7 @@
       type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify([cell, value, Date.now()]) },
     });
   };
+  window.armlabSend = send;
   const typed = 'input[data-chan]:not([data-live]):not([type=file]), select[data-chan], textarea[data-chan]';
   document.addEventListener('change', event => {
     if (event.target.matches?.(typed)) send(event.target, event.target.value);
@@ -120,14 +121,6 @@
       button.blur();
       last = null;
     }
-  });
-
-  // <div data-chan=ID data-cell=NAME data-pick>: where it is clicked, as parts of its box from the upper left corner.
-  document.addEventListener('click', event => {
-    const picked = event.target.closest?.('[data-pick]');
-    if (!picked) return;
-    const box = picked.getBoundingClientRect();
-    send(picked, `${(event.clientX - box.left) / box.width},${(event.clientY - box.top) / box.height}`);
   });
 
   // A field that is left is sent, and its answer may replace the button that is being pressed: the press counts.

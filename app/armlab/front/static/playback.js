@@ -12,7 +12,6 @@
   let step = -1; // -1: the whole picture
   let began = 0, count = 0, settling = true; // of the present period, which does not count while things change
   let rest = 0, ours = 0; // pixel ratio at rest, and the one set here
-  const dim = new Set(); // lamps whose shadows are off
 
   const show = simple => {
     const scene = window.__viserMutable?.scene;
@@ -21,17 +20,7 @@
     if (state.viewport.dpr !== ours) rest = state.viewport.dpr; // set by viser
     ours = simple ? Math.min(rest, STEPS[step] * devicePixelRatio) : rest;
     if (state.viewport.dpr !== ours) state.setDpr(ours);
-    if (!simple) {
-      for (const lamp of dim) lamp.castShadow = true;
-      dim.clear();
-      return;
-    }
-    scene.traverse(object => {
-      if (object.isLight && object.castShadow) {
-        object.castShadow = false;
-        dim.add(object);
-      }
-    });
+    window.armlabShadows('playback', !simple);
   };
 
   const judge = rate => {

@@ -93,7 +93,10 @@ class Field:
                 raise UnknownName(self.key, value, keys)
             return value
         if self.kind == "whole":
-            return whole_number(value, self.key, int(self.low))
+            whole = whole_number(value, self.key, int(self.low))
+            if whole > self.high:
+                raise wrong(self.key, f"a whole number, at most {self.high:g}", value)
+            return whole
         array = as_floats(value, self.key, "numbers")
         if not np.isfinite(array).all():
             raise wrong(self.key, "finite numbers", value)

@@ -1,9 +1,8 @@
-"""Which velocities of the tool are looked at, and the ellipsoid of those the present configuration allows."""
+"""Which velocities or forces of the tool are looked at, and the ellipsoid of those the present configuration allows."""
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar, Literal, Self
 
@@ -13,23 +12,26 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.content.robots import Robot
 from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
-from armlab.kin.ellipsoid import Ellipsoid, velocity_ellipsoid
+from armlab.kin.ellipsoid import RANK_TOLERANCE, Ellipsoid, velocity_ellipsoid
+from armlab.kin.force_ellipsoid import ForceEllipsoid
+from armlab.kin.joint_scale import counted_speeds
 from armlab.session.parts.joints import Joints
+from armlab.session.round_numbers import round_below
 from armlab.session.state import Command, Json, Part, PartType, State
 
 Array = NDArray[np.float64]
 Block = Literal["translation", "rotation"]
+Kinds = Literal["velocity", "force", "both"]
 
 UNIT: dict[Block, str] = {"translation": "m/s", "rotation": "rad/s"}
-
-DEFAULT_SPEED = 1.0
-"""rad/s or m/s: what counts as the limit of a joint that has none, where joints are made comparable."""
+FORCE_UNIT: dict[Block, str] = {"translation": "N", "rotation": "N m"}
+KINDS: tuple[Kinds, ...] = ("velocity", "force", "both")
 
 SAMPLES = 64
 """Random configurations from which the size of a typical ellipsoid is taken."""
 
-DRAWN = 0.2
-"""Longest half axis of a typical ellipsoid on screen, in reaches of the arm."""
+DRAWN, DRAWN_FORCE = 0.2, 0.15
+"""Longest half axis of a typical ellipsoid on screen, and middle one of a force ellipsoid, in reaches of the arm."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,11 @@ class VelocityBlock:
         return UNIT[self.key]
 
     @property
+    def force_unit(self) -> str:
+        """The unit of the half axes of the force ellipsoid."""
+        return FORCE_UNIT[self.key]
+
+    @property
     def m(self) -> int:
         """Number of rows."""
         task = self.arm.task
@@ -63,10 +70,7 @@ class VelocityBlock:
 
         Joints that slide and joints that turn have no common unit: each is measured by its limit.
         """
-        if self.arm.revolute.all() or not self.arm.revolute.any():
-            return None
-        limits = self.arm.speed_limits
-        return np.where(np.isfinite(limits), limits, DEFAULT_SPEED)
+        return counted_speeds(self.arm)
 
     def axes(self, q: ArrayLike) -> Array:
         """Return the unit vectors of the rows in the world, shape (..., 3, m): frame 0's, or the tool's x and y."""
@@ -88,19 +92,40 @@ class VelocityBlock:
         return velocity_ellipsoid(self.rows(q), self.speeds)
 
     @cached_property
-    def typical(self) -> float:
-        """The median of the longest half axis over configurations inside the limits; 1 where that is 0."""
+    def _sigma(self) -> Array:
+        """Half axes of configurations inside the limits, (SAMPLES, min(m, n))."""
         limits = self.arm.limits
         q = np.random.default_rng(0).uniform(limits[:, 0], limits[:, 1], (SAMPLES, self.arm.n))
         rows = self.rows(q) if self.speeds is None else self.rows(q) * self.speeds
-        return float(np.median(np.linalg.norm(rows, ord=2, axis=(-2, -1)))) or 1.0
+        return np.asarray(np.linalg.svd(rows, compute_uv=False))
+
+    @cached_property
+    def typical(self) -> float:
+        """The median of the longest half axis over configurations inside the limits; 1 where that is 0."""
+        return float(np.median(self._sigma[:, 0])) or 1.0
+
+    @cached_property
+    def typical_force(self) -> float:
+        """The median of the geometric mean of the finite half axes of the force ellipsoid; 1 where there are none.
+
+        Not of the longest of them, which is anything near a singularity.
+        """
+        sigma = self._sigma[self._sigma[:, 0] > 0.0]
+        if len(sigma) == 0:
+            return 1.0
+        there = sigma > RANK_TOLERANCE * sigma[:, :1]
+        logarithms = np.where(there, -np.log(np.where(there, sigma, 1.0)), 0.0)
+        return float(np.median(np.exp(logarithms.sum(axis=1) / there.sum(axis=1))))
 
     @cached_property
     def drawn(self) -> float:
         """Metres on screen for 1 m/s or 1 rad/s, from the series 1, 2, 5: the same in every configuration."""
-        wanted = DRAWN * 2.0 * self.arm.length_scale / self.typical
-        power = 10.0 ** math.floor(math.log10(wanted))
-        return max(step * power for step in (1.0, 2.0, 5.0) if step * power <= wanted * (1.0 + 1e-9))
+        return round_below(DRAWN * 2.0 * self.arm.length_scale / self.typical)
+
+    @cached_property
+    def drawn_force(self) -> float:
+        """Metres on screen for 1 N or 1 N m, from the series 1, 2, 5: the same in every configuration."""
+        return round_below(DRAWN_FORCE * 2.0 * self.arm.length_scale / self.typical_force)
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,6 +147,18 @@ class PlacedEllipsoid:
     axes: Array
     sigma: Array
     ellipsoid: Ellipsoid
+
+    @cached_property
+    def force(self) -> ForceEllipsoid:
+        """The force ellipsoid, which has the same axes."""
+        return ForceEllipsoid(self.ellipsoid)
+
+    @cached_property
+    def half_forces(self) -> Array:
+        """Half axes of the force ellipsoid, (3,), N or N m; infinite where no torque is needed, 0 beyond its rows."""
+        half = np.zeros(3)
+        half[: len(self.ellipsoid.sigma)] = self.force.half_axes
+        return half
 
     @property
     def lost(self) -> tuple[int, ...]:
@@ -163,36 +200,50 @@ def blocks_of(arm: Arm) -> tuple[Block, ...]:
 
 @dataclass(frozen=True)
 class Manipulability(Part):
-    """Which velocities the ellipsoid is of.
+    """Of which velocities or forces the ellipsoid is.
 
     Attributes
     ----------
     block : VelocityBlock
+    shown : "velocity", "force" or "both"
     """
 
     key: ClassVar[str] = "ellipsoid"
     kept_by_undo: ClassVar[bool] = True
 
     block: VelocityBlock
+    shown: Kinds = "velocity"
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the translation, where the arm has one."""
+        """Return the velocities of translation, where the arm has one."""
         return cls(VelocityBlock(robot.arm, blocks_of(robot.arm)[0]))
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep the choice where the arm has it."""
         has = self.block.key in blocks_of(robot.arm)
-        return type(self)(VelocityBlock(robot.arm, self.block.key)) if has else self.initial(robot)
+        key = self.block.key if has else blocks_of(robot.arm)[0]
+        return type(self)(VelocityBlock(robot.arm, key), self.shown)
+
+    @property
+    def velocity(self) -> bool:
+        """Whether the velocity ellipsoid is shown."""
+        return self.shown != "force"
+
+    @property
+    def force(self) -> bool:
+        """Whether the force ellipsoid is shown."""
+        return self.shown != "velocity"
 
     def to_json(self) -> Json:
         """Write the choice."""
-        return self.block.key
+        return self.block.key if self.shown == "velocity" else [self.block.key, self.shown]
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read the choice."""
-        return cls(VelocityBlock(robot.arm, _block_named(robot.arm, data)))
+        key, shown = data if isinstance(data, list) else (data, "velocity")
+        return cls(VelocityBlock(robot.arm, _block_named(robot.arm, key)), _kinds_named(shown))
 
 
 PART = PartType(Manipulability, order=25)
@@ -214,11 +265,31 @@ class LookAtBlock(Command):
         """Return the state with the choice made."""
         block = state[Manipulability].block
         key = _block_named(block.arm, self.key)
-        return state if key == block.key else state.replace(Manipulability(VelocityBlock(block.arm, key)))
+        part = replace(state[Manipulability], block=VelocityBlock(block.arm, key))
+        return state if key == block.key else state.replace(part)
+
+
+@dataclass(frozen=True)
+class LookAtEllipsoid(Command):
+    """Look at the velocity ellipsoid, the force ellipsoid, or both."""
+
+    shown: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        part, shown = state[Manipulability], _kinds_named(self.shown)
+        return state if shown == part.shown else state.replace(replace(part, shown=shown))
 
 
 def _block_named(arm: Arm, key: Json) -> Block:
     known = blocks_of(arm)
-    if key not in known:
+    if not isinstance(key, str) or key not in known:
         raise UnknownName("velocities", key, known)
     return next(block for block in known if block == key)
+
+
+def _kinds_named(key: Json) -> Kinds:
+    if not isinstance(key, str) or key not in KINDS:
+        raise UnknownName("ellipsoid", key, KINDS)
+    return next(kinds for kinds in KINDS if kinds == key)

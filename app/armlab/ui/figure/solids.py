@@ -21,6 +21,9 @@ WIDE_SIDES = 32
 CREASE = math.radians(35.0)
 """Edges that turn more than this stay sharp."""
 
+NEAR_X = 0.9
+"""Part of a direction along x from which a pose along it takes its x axis from y instead."""
+
 _Corner = tuple[NDArray[np.float64], NDArray[np.bool_]]
 """A vertex of a bevelled box: the signs of its corner, and the axes along which the bevel moves it."""
 
@@ -164,11 +167,18 @@ def _counterclockwise(own: list[_Corner], normal: NDArray[np.float64]) -> list[_
 
 def along(direction: ArrayLike, at: ArrayLike = (0.0, 0.0, 0.0)) -> NDArray[np.float64]:
     """Return a 4 x 4 pose at a point with its z axis along a direction."""
-    z = np.asarray(direction, dtype=float)
-    z = z / np.linalg.norm(z)
-    x = np.array([1.0, 0.0, 0.0] if abs(z[0]) < 0.9 else [0.0, 1.0, 0.0])
-    x -= z * (x @ z)
-    x /= np.linalg.norm(x)
-    pose = np.eye(4)
-    pose[:3, 0], pose[:3, 1], pose[:3, 2], pose[:3, 3] = x, np.cross(z, x), z, np.asarray(at, dtype=float)
-    return pose
+    (x, y, z), (px, py, pz) = np.asarray(direction, dtype=float).tolist(), np.asarray(at, dtype=float).tolist()
+    length = math.hypot(x, y, z)
+    x, y, z = x / length, y / length, z / length
+    # The x axis of the pose: that of the world, or its y axis where that is too near, made square to z.
+    a, b, c = (1.0 - x * x, -x * y, -x * z) if abs(x) < NEAR_X else (-x * y, 1.0 - y * y, -y * z)
+    length = math.hypot(a, b, c)
+    a, b, c = a / length, b / length, c / length
+    return np.array(
+        [
+            [a, y * c - z * b, x, px],
+            [b, z * a - x * c, y, py],
+            [c, x * b - y * a, z, pz],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )

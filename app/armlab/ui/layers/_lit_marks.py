@@ -85,16 +85,24 @@ class _Segments:
 
 
 class Sketch:
-    """Draws marks; nodes are made when they are first needed and only written when something has changed."""
+    """Draws marks; nodes are made when they are first needed and only written when something has changed.
 
-    def __init__(self, canvas: LayerCanvas, name: str) -> None:
-        self._canvas, self._name = canvas, name
+    Parameters
+    ----------
+    canvas : LayerCanvas
+    name : str
+    weight : float
+        How thick, in usual thicknesses.
+    """
+
+    def __init__(self, canvas: LayerCanvas, name: str, weight: float = 1.0) -> None:
+        self._canvas, self._name, self._weight = canvas, name, weight
         self._arrows, self._strokes = (_Segments(canvas.path(f"{name}/{kind}")) for kind in ("arrows", "strokes"))
         self._label: viser.LabelHandle | None = None
 
     def draw(self, marks: Marks) -> None:
         """Draw these marks instead of those there are."""
-        size = self._canvas.size
+        size = self._weight * self._canvas.size
         self._arrows.draw(
             marks.arrows,
             lambda name, points, colours: self._canvas.scene.add_arrows(
@@ -119,7 +127,11 @@ class Sketch:
             if not text:
                 return
             self._label = self._canvas.scene.add_label(
-                self._canvas.path(f"{self._name}/label"), text, font_screen_scale=0.9, anchor="bottom-left"
+                self._canvas.path(f"{self._name}/label"),
+                text,
+                font_screen_scale=0.9,
+                anchor="bottom-left",
+                position=np.asarray(at, dtype=float),
             )
         seen(self._label, bool(text))
         if text:
@@ -137,6 +149,11 @@ class Triad:
         )
         self._corner = -0.25 * FRAME_LENGTH * canvas.size
         self._pose: NDArray[np.floating] | None = None
+
+    def visible(self, on: bool) -> None:
+        """Show or hide it."""
+        seen(self._node, on)
+        seen(self._label, on)
 
     def show(self, name: str, pose: NDArray[np.floating]) -> None:
         """Put it there, under this name."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import viser
 from numpy.typing import NDArray
@@ -14,6 +16,7 @@ from armlab.session.state import State
 from armlab.ui.colours import BLUE, VERDICT, Rgb, line_colour
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.layers._nodes import move
+from armlab.ui.layers._polyline import ROUGHNESS, simplified
 from armlab.ui.layers._strokes import add_name, polyline
 from armlab.ui.plugin import Layer, Show
 
@@ -65,8 +68,10 @@ class _Ways:
         legs = [leg for leg in plan.legs if len(leg.points) > 1]
         if not legs:
             return
-        segments = np.concatenate([polyline(leg.points) for leg in legs])
-        colours = np.concatenate([_colours(leg, name == "other") for leg in legs])
+        lines = [_drawn(leg, ROUGHNESS * self._canvas.size) for leg in legs]
+        segments = np.concatenate([polyline(points) for points, _ in lines])
+        worth = np.concatenate([worth for _, worth in lines])
+        colours = _colours(worth, name == "other")
         node = self._canvas.scene.add_line_segments(
             self._canvas.path(f"motion/{name}"), segments, colours, thickness=thickness * self._canvas.size
         )
@@ -78,19 +83,27 @@ class _Ways:
         stops = [stop for leg in plan.legs if leg.followed is not None for stop in leg.followed.stops[:1]]
         for k, stop in enumerate(stops):
             path = self._canvas.path(f"motion/stop{k}")
-            node = scene.add_icosphere(path, MARK * size, VERDICT["no"], cast_shadow=False, receive_shadow=False)
+            node = scene.add_icosphere(
+                path, MARK * size, VERDICT["no"], subdivisions=2, cast_shadow=False, receive_shadow=False
+            )
             move(node, stop.point)
             self._nodes.append(node)
             words = WORDS[stop.kind].format(stop.joint)
             add_name(scene, f"{path}/words", f"✕ {words}", np.zeros(3), "bottom-left")  # goes with the mark
 
 
-def _colours(leg: Leg, other: bool) -> NDArray[np.uint8]:
-    """Return the colours of the ends of the segments of a leg, (k, 2, 3)."""
-    if other:
-        return np.tile(np.array(line_colour(OTHER_COLOUR), dtype=np.uint8), (len(leg.points) - 1, 2, 1))
-    table = np.array([line_colour(COLOURS[worth]) for worth in Feasible], dtype=np.uint8)
+def _drawn(leg: Leg, tolerance: float) -> tuple[NDArray[np.float64], NDArray[np.int_]]:
+    """Return the points (k+1, 3) a leg is drawn with, and what each segment between them is worth (k,)."""
     worth = np.maximum(leg.worth[1:], leg.worth[:-1])
+    ends = [0, *(np.flatnonzero(np.diff(worth)) + 1), len(worth)]
+    runs = [first + simplified(leg.points[first : last + 1], tolerance) for first, last in itertools.pairwise(ends)]
+    starts = np.concatenate([run[:-1] for run in runs])
+    return leg.points[[*starts, len(worth)]], worth[starts]
+
+
+def _colours(worth: NDArray[np.int_], other: bool) -> NDArray[np.uint8]:
+    """Return the colours of the ends of segments, (k, 2, 3)."""
+    table = np.array([line_colour(OTHER_COLOUR if other else COLOURS[each]) for each in Feasible], dtype=np.uint8)
     return np.repeat(table[worth][:, None], 2, axis=1)
 
 

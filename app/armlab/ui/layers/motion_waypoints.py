@@ -93,7 +93,9 @@ class _Points:
             path = self._canvas.path(f"waypoints/{len(self._points)}")
             colour = BLUE if len(self._points) else GREY
             radius = POINT * self._canvas.size
-            node = self._canvas.scene.add_icosphere(path, radius, colour, cast_shadow=False, receive_shadow=False)
+            node = self._canvas.scene.add_icosphere(
+                path, radius, colour, subdivisions=2, cast_shadow=False, receive_shadow=False
+            )
             adapter.on_event(node, "on_click", self._chooser(len(self._points)))
             label = add_name(self._canvas.scene, f"{path}/name", "", np.zeros(3), "bottom-center")
             self._points.append((node, label))

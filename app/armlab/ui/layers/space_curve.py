@@ -20,6 +20,7 @@ from armlab.ui.format import trimmed
 from armlab.ui.layers._arrows import Arrow, pale_frame
 from armlab.ui.layers._frenet import FrenetFrame
 from armlab.ui.layers._nodes import add_triad, move, seen, turn, write
+from armlab.ui.layers._polyline import ROUGHNESS, simplified
 from armlab.ui.layers._strokes import add_line, add_name, dashes, polyline
 from armlab.ui.plugin import Layer, Show
 
@@ -93,7 +94,7 @@ class _Curve:
 
     def _draw(self, found: Laid, stage: Stage) -> None:
         drawn = stage.at(found.frame.position)
-        self._line.points = polyline(drawn)
+        self._line.points = polyline(drawn[simplified(drawn, ROUGHNESS * self._size)])
         self._frame.resize(stage.length)
         move(self._origin, stage.shift)
         self._origin.scale = min(FRAME_LENGTH * self._size, ORIGIN * stage.length)

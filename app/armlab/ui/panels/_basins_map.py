@@ -16,9 +16,10 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css
 from armlab.ui.format import capitalised, dot, escaped, number, trimmed
-from armlab.ui.panels._basins_picture import FULL, as_address, enlarged, pixels, png, scale_of, solution_colour
+from armlab.ui.panels._basins_picture import FULL, enlarged, pixels, png, scale_of, solution_colour
 from armlab.ui.panels._dh_files import file_name
 from armlab.ui.panels._iteration_words import lowered_index, vector_text
+from armlab.ui.png import as_address
 from armlab.ui.units import Units
 from armlab.ui.widgets import Fields
 

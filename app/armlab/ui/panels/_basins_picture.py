@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import base64
-import struct
-import zlib
-
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.ik.iterate import Basins
 from armlab.kin.ik.iterate.basins import FAILED, NOT_YET
 from armlab.ui.colours import GREY, JOINTS, Rgb
+from armlab.ui.png import indexed_png
 
 FULL = len(JOINTS)
 """Solutions with a colour of their own; those after them are grey."""
@@ -28,8 +25,6 @@ SPREAD = (0.02, 0.98)
 LEAST_SIDE = 512
 """Pixels of a side of the picture that is saved, at least."""
 
-QUICK = 1
-"""Level of compression: files a tenth larger than the smallest, in half the time."""
 
 _EMPTY, _WHITE, _FIRST = 0, 1, 2
 """Entries of the palette: still to come (see-through), failed, and the first of the colours."""
@@ -73,26 +68,8 @@ def palette() -> NDArray[np.uint8]:
 
 
 def png(entries: NDArray[np.uint8]) -> bytes:
-    """Return a picture of entries of the palette as a PNG file (indexed colours; W3C, *PNG*, 3rd edition, section 11).
-
-    Written by hand: no library of the lab writes pixels, and it takes but these lines.
-    """
-    rows, columns = entries.shape
-    lines = np.zeros((rows, columns + 1), dtype=np.uint8)  # each line begins with its filter, 0 for none
-    lines[:, 1:] = entries
-    head = struct.pack(">IIBBBBB", columns, rows, 8, 3, 0, 0, 0)
-    pieces = [(b"IHDR", head), (b"PLTE", palette().tobytes()), (b"tRNS", b"\0")]
-    pieces += [(b"IDAT", zlib.compress(lines.tobytes(), QUICK)), (b"IEND", b"")]
-    return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(kind, data) for kind, data in pieces)
-
-
-def _chunk(kind: bytes, data: bytes) -> bytes:
-    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-
-def as_address(picture: bytes) -> str:
-    """Return a PNG file as an address that holds it."""
-    return f"data:image/png;base64,{base64.b64encode(picture).decode()}"
+    """Return a picture of entries of the palette as a PNG file; its first entry is clear."""
+    return indexed_png(entries, palette())
 
 
 def enlarged(entries: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from armlab.kin.arm import Arm
+from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import RobotPart
@@ -16,7 +17,6 @@ from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui
 
-POWERS = ("", " m", " m²", " m³")
 """Of metres, as units."""
 
 
@@ -125,23 +125,8 @@ def _controlled(arm: Arm) -> str:
 
 def _manipulability(joints: Joints) -> str:
     power = length_power(joints.arm)
-    unit = " (mixed units)" if power is None else POWERS[power]
-    return f"{number(joints.manipulability, 4)}{unit}"
-
-
-def length_power(arm: Arm) -> int | None:
-    """Return the power of metres in w of the task; None where w adds squares of different units.
-
-    w² is the sum of the squared minors of the task Jacobian, whose entries are m/rad and m/m in rows of position, 1
-    and 0 in rows of rotation.
-    """
-    position, slides, n = len(arm.task.position), int((~arm.revolute).sum()), arm.n
-    turning = arm.task.m - position
-    if position == 0 or slides == n:
-        return 0
-    if arm.task.m == n or (arm.task.m > n and turning == 0):
-        return max(min(position, n) - slides, 0)
-    return position if arm.task.m < n and slides == 0 else None
+    unit = "(mixed units)" if power is None else POWERS[power]
+    return f"{number(joints.manipulability, 4)} {unit}".rstrip()
 
 
 PANEL = Panel(

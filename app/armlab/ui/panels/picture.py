@@ -119,7 +119,7 @@ PANEL = Panel(
     "picture",
     "View",
     "EYE",
-    40,
+    60,
     (Display, Notation),
     build,
     about=("camera", "theme", "labels", "units", "overlays"),

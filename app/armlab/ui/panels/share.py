@@ -133,7 +133,7 @@ PANEL = Panel(
     "share",
     "Share",
     "SHARE",
-    41,
+    61,
     (Shelf, *TABLE),
     build,
     tab="picture",

@@ -1,0 +1,44 @@
+"""The weighted pseudo-inverse: of all joint speeds that come closest to v those with the least qdot^T W qdot.
+
+    qdot = W^-1 J^T (J W^-1 J^T)^-1 v
+
+A large weight keeps a joint still; it makes no difference where J is square and regular. At a singularity it is taken
+in the sense of the pseudo-inverse of J W^(-1/2).
+
+References
+----------
+Whitney 1969; notes 5.116-5.123 with another norm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from armlab.errors import InputError
+from armlab.kin.control.decomposed import decomposed
+from armlab.kin.control.rate_inverse import Floats, RateInverse, RateStep, pseudo_inverse_speeds
+from armlab.kin.motion.field import Field
+
+
+def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:
+    """Return the weighted joint speeds; sigma_min is that of J itself."""
+    n = J.shape[1]
+    weights = np.ones(n) if options["weights"] is None else options["weights"]
+    if len(weights) not in (1, n):
+        raise InputError(f"weights: expected {n} positive numbers, one for each joint, got {len(weights)}")
+    root = 1.0 / np.sqrt(np.broadcast_to(weights, (n,)))
+    qdot = root * pseudo_inverse_speeds(decomposed(J * root), v)
+    return RateStep(qdot, 0.0, decomposed(J).sigma_min)
+
+
+INVERSE = RateInverse(
+    "weighted",
+    "Weighted pseudo-inverse",
+    5,
+    (Field("weights", "w", "weights, one for each joint: large keeps it still", "list", None, 1e-6, 1e6),),
+    speeds,
+    r"\dot q=W^{-1}J^T(JW^{-1}J^T)^{-1}v",
+)

@@ -1,0 +1,1 @@
+"""One file a control law; each holds a constant ``LAW``."""

@@ -1,0 +1,130 @@
+"""The arm as a plant: it does what joint speeds it is told, but late, limited, and not quite as the controller thinks.
+
+References
+----------
+Notes 7.1 (initial errors, discrete time, uncertain parameters) and 7.2 (the robot as an ideal integrator of joint
+speeds); 5.106.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.checks import finite_floats, whole_number, wrong
+from armlab.kin.control.encoder import Encoder
+from armlab.kin.control.saturation import checked_saturation
+from armlab.kin.motion.field import positive_bounds
+
+Floats = NDArray[np.float64]
+
+MOST_WRONG = 0.5
+"""Largest part by which links may be longer or shorter than the controller believes."""
+
+
+@dataclass(frozen=True)
+class Push:
+    """A sudden displacement of the tool point while the arm runs.
+
+    Attributes
+    ----------
+    time : float
+        Seconds.
+    by : (float, float, float)
+        Metres, in the world. The joints give way by the least squares J# by, as far as the arm can move so.
+    """
+
+    time: float
+    by: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Plant:
+    """What is not ideal; make one with `plant`.
+
+    Attributes
+    ----------
+    sampling : float
+        Seconds between two commands, which are held in between; 0: the law acts at every instant.
+    saturation : str
+        See `armlab.kin.control.saturation`.
+    speed_limits : tuple of float
+        rad/s or m/s, one for each joint, or one for all; empty for those of the arm.
+    encoder : Encoder or None
+        None: the controller knows the joint values exactly.
+    wrong : float
+        By which part of its length the link is longer than the controller believes.
+    link : int
+        Which link, 1-based; 0 for all.
+    pushes : tuple of Push
+    """
+
+    sampling: float = 0.0
+    saturation: str = "none"
+    speed_limits: tuple[float, ...] = ()
+    encoder: Encoder | None = None
+    wrong: float = 0.0
+    link: int = 0
+    pushes: tuple[Push, ...] = field(default=())
+
+    def limits(self, arm: Arm) -> Floats:
+        """Return the limits of the joint speeds, (n,)."""
+        given = np.array(self.speed_limits)
+        return arm.speed_limits if not len(given) else np.asarray(np.broadcast_to(given, (arm.n,)))
+
+
+IDEAL = Plant()
+
+
+def plant(
+    arm: Arm,
+    *,
+    sampling: float = 0.0,
+    saturation: str = "none",
+    speed_limits: ArrayLike | None = None,
+    encoder: Encoder | None = None,
+    wrong_by: float = 0.0,
+    link: int = 0,
+    pushes: tuple[Push, ...] = (),
+) -> Plant:
+    """Return a checked plant; see `Plant` for what each argument is.
+
+    Raises
+    ------
+    InputError
+        A number out of range, or a link the arm does not have.
+    """
+    held = float(finite_floats(sampling, "sampling time", (), "seconds, 0 for none"))
+    if held < 0.0:
+        raise wrong("sampling time", "seconds, 0 for none", sampling)
+    limits = () if speed_limits is None else tuple(positive_bounds(speed_limits, "speed limit", arm.n).tolist())
+    share = float(finite_floats(wrong_by, "link length", (), "a part of the length"))
+    if abs(share) > MOST_WRONG:
+        raise InputError(f"link length: expected at most {100.0 * MOST_WRONG:g} % wrong, got {100.0 * share:g} %")
+    if whole_number(link, "link", 0) > arm.n:
+        raise InputError(f"link: expected 1 to {arm.n}, or 0 for all, got {link}")
+    for push in pushes:
+        finite_floats(push.by, "push", (3,), "three finite numbers")
+        if not (math.isfinite(push.time) and push.time >= 0.0):
+            raise wrong("time of a push", "seconds, not negative", push.time)
+    return Plant(held, checked_saturation(saturation), limits, encoder, share, link, pushes)
+
+
+def believed(arm: Arm, plant: Plant) -> Arm:
+    """Return the arm as the controller knows it.
+
+    Its link is shorter by the factor 1 / (1 + wrong): the constant lengths of the row, a and, of a joint that turns, d.
+    """
+    if plant.wrong == 0.0:
+        return arm
+    factor = 1.0 / (1.0 + plant.wrong)
+    rows = tuple(
+        replace(row, a=row.a * factor, d=row.d * factor if row.revolute else row.d) if plant.link in (0, i + 1) else row
+        for i, row in enumerate(arm.rows)
+    )
+    return replace(arm, rows=rows)

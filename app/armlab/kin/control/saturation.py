@@ -1,0 +1,59 @@
+"""What motors do with joint speeds beyond their limits.
+
+References
+----------
+Notes 5.106, which should read |qdot_i| <= 300 degrees a second.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.errors import UnknownName
+
+Floats = NDArray[np.float64]
+
+SATURATIONS = {
+    "none": "no limit",
+    "clip": "each joint by itself",
+    "scale": "all joints slowed alike",
+}
+"""By key, in words. Each by itself bends the direction of the tool (5.106); all alike keeps it."""
+
+
+class Saturated(NamedTuple):
+    """Joint speeds within the limits, and whether they had to be changed."""
+
+    qdot: Floats
+    changed: bool
+
+
+def checked_saturation(key: str) -> str:
+    """Return the key of a way to saturate; `UnknownName` when there is none."""
+    if not isinstance(key, str) or key not in SATURATIONS:
+        raise UnknownName("saturation", key, SATURATIONS)
+    return key
+
+
+def saturate(key: str, qdot: Floats, limits: Floats) -> Saturated:
+    """Return joint speeds (n,) within limits (n,), positive or infinite.
+
+    Parameters
+    ----------
+    key : str
+        ``"clip"``: each component by itself; ``"scale"``: all by the same factor, so that the direction of motion is
+        kept; ``"none"``: they are left alone.
+    qdot : ndarray, shape (n,)
+        rad/s or m/s.
+    limits : ndarray, shape (n,)
+        Largest magnitudes, in the same units.
+    """
+    if key == "none":
+        return Saturated(qdot, False)
+    share = float(np.max(np.abs(qdot) / limits, initial=0.0))
+    if share <= 1.0:
+        return Saturated(qdot, False)
+    return Saturated(np.clip(qdot, -limits, limits) if key == "clip" else qdot / share, True)

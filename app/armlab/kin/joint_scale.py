@@ -1,0 +1,27 @@
+"""What counts as the same speed of joints that turn and of joints that slide: they have no common unit."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+
+DEFAULT_SPEED = 1.0
+"""rad/s or m/s: what counts as the limit of a joint that has none, where joints are made comparable."""
+
+
+def counted_speeds(arm: Arm) -> NDArray[np.float64] | None:
+    """Return the speed of each joint that counts as 1, shape (n,), rad/s or m/s; None where all turn or all slide.
+
+    It is the limit of the joint, `DEFAULT_SPEED` where none is known.
+    """
+    if arm.revolute.all() or not arm.revolute.any():
+        return None
+    return np.where(np.isfinite(arm.speed_limits), arm.speed_limits, DEFAULT_SPEED)
+
+
+def joint_scale(arm: Arm) -> NDArray[np.float64]:
+    """Return `counted_speeds`, or ones where all joints turn or all slide."""
+    speeds = counted_speeds(arm)
+    return np.ones(arm.n) if speeds is None else speeds

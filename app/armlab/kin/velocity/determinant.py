@@ -1,0 +1,210 @@
+"""Determinants of small arms in symbols: l1 l2 sin q2 and its kin, from the graph of the arm's own formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from itertools import combinations
+
+import numpy as np
+
+from armlab.kin.arm import Arm
+from armlab.kin.graph import vector as vec
+from armlab.kin.graph.chain import Chain
+from armlab.kin.graph.expression import Graph
+from armlab.kin.graph.vector import Vector
+from armlab.kin.graph.walker import ORIGIN, Frame, Walker
+from armlab.kin.symbolic import angle_offsets
+from armlab.kin.velocity._layout import layout_of
+from armlab.kin.velocity._trigonometric import (
+    Names,
+    Product,
+    Reader,
+    TooLong,
+    Trigonometric,
+    latex_of,
+    text_of,
+)
+
+MOST_JOINTS = 4
+"""Of an arm without a spherical wrist."""
+
+MOST_TERMS = 40
+"""A determinant with more terms is of no use to a reader."""
+
+Rows = list[list[Trigonometric]]
+
+
+@dataclass(frozen=True)
+class SymbolicMinor:
+    """The determinant of some columns.
+
+    Attributes
+    ----------
+    joints : tuple of int
+        1-based.
+    text : str
+        Python with ``sin``, ``cos``, the joint variables ``q1`` ... and the `constants` of the arm.
+    latex : str
+        With ``c_{23}`` for the cosine of q2 + q3, as in the notes.
+    """
+
+    joints: tuple[int, ...]
+    text: str
+    latex: str
+
+
+@dataclass(frozen=True)
+class SymbolicDeterminant:
+    """What must vanish where an arm is singular.
+
+    Attributes
+    ----------
+    minors : tuple of SymbolicMinor
+        One, the determinant, for as many joints as task components; else those of all choices of columns.
+    square : bool
+    """
+
+    minors: tuple[SymbolicMinor, ...]
+    square: bool
+
+
+@lru_cache(maxsize=64)
+def determinant(arm: Arm) -> SymbolicDeterminant | None:
+    """Return the determinant, or the minors, of the task Jacobian in symbols; None for arms without a short one.
+
+    Turning the axes in which velocities are written leaves a determinant alone, and so does, for a full pose, moving
+    the point whose velocity is meant. So the axes are tried in turn and the shortest result is kept, and with a
+    spherical wrist the point is its centre: the Jacobian is then block triangular.
+
+    Parameters
+    ----------
+    arm : Arm
+        Up to `MOST_JOINTS` joints, or six with a spherical wrist; its task in position and angle phi, or the pose.
+
+    References
+    ----------
+    Notes 5.84-5.91 (2R and RRP), 4.83 (the elbow arm); Siciliano et al., *Robotics*, 3.3.2.
+
+    Examples
+    --------
+    >>> arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0), ("R", 0.8, 0.0, 0.0, 0.0)])
+    >>> determinant(arm).minors[0].text
+    'a1*a2*sin(q2)'
+    """
+    try:
+        return _determinant(arm)
+    except TooLong:
+        return None
+
+
+def _determinant(arm: Arm) -> SymbolicDeterminant | None:
+    task, n = arm.task, arm.n
+    layout = layout_of(arm)
+    if layout.spherical and n == 6 and task.key == "pose":
+        return _decoupled(arm)
+    if n > MOST_JOINTS or task.rotation in ("approach", "full") or task.m > n:
+        return None
+    whole = arm.description.axes_parallel or task.key == "xyz"
+    views = [None, *range(n)] if whole else [None]
+    found = [_minors(arm, columns, views) for columns in combinations(range(n), task.m)]
+    minors = tuple(minor for minor in found if minor is not None)
+    return SymbolicDeterminant(minors, task.m == n) if len(minors) == len(found) else None
+
+
+def _minors(arm: Arm, columns: tuple[int, ...], views: Sequence[int | None]) -> SymbolicMinor | None:
+    products = []
+    for view in views:
+        with suppress(TooLong):
+            products.append(determinant_of(_task_rows(arm, view, columns)))
+    if not products:
+        raise TooLong
+    return _shortest(arm, columns, products)
+
+
+def _shortest(arm: Arm, columns: Sequence[int], products: Sequence[Product]) -> SymbolicMinor | None:
+    best = min(products, key=lambda product: product.size)
+    if best.terms > MOST_TERMS:
+        return None
+    names = Names(arm.n, angle_offsets(arm))
+    return SymbolicMinor(tuple(k + 1 for k in columns), text_of(best, names), latex_of(best, names))
+
+
+def _decoupled(arm: Arm) -> SymbolicDeterminant | None:
+    """Return det J = det J_11 det J_22: the first three joints move the centre of the wrist, the last turn the hand."""
+    firsts, lasts = [], []
+    for view in (None, *range(6)):
+        graph, axes, _ = _symbolic_axes(arm, view)
+        linear, angular = _columns(arm, axes, axes[4].p)
+        read = Reader(graph, arm.n, arm.revolute.tolist())
+        firsts.append(determinant_of([[read(column[k]) for column in linear[:3]] for k in range(3)]))
+        lasts.append(determinant_of([[read(column[k]) for column in angular[3:]] for k in range(3)]))
+    first, last = (min(products, key=lambda product: product.size) for products in (firsts, lasts))
+    minor = _shortest(arm, range(6), [first.times(last)])
+    return None if minor is None else SymbolicDeterminant((minor,), True)
+
+
+def _task_rows(arm: Arm, view: int | None, columns: tuple[int, ...]) -> Rows:
+    graph, axes, walker = _symbolic_axes(arm, view)
+    if not np.array_equal(arm.tool, np.eye(4)):
+        walker.place(arm.tool.tolist())
+    tool = walker.frame()
+    linear, angular = _columns(arm, axes, tool.p)
+    rows = arm.task.jacobian_rows(linear, angular, tool)
+    read = Reader(graph, arm.n, arm.revolute.tolist())
+    return [[read(row[k]) for k in columns] for row in rows]
+
+
+def _symbolic_axes(arm: Arm, view: int | None) -> tuple[Graph, list[Frame], Walker]:
+    """Return the joint axes in the axes of frame 0, or those joint ``view`` has before it moves."""
+    graph, offsets = Graph(), angle_offsets(arm)
+    rows = [replace(row, theta=0.0) if i + 1 in offsets else row for i, row in enumerate(arm.rows)]
+    chain = Chain(graph, rows, arm.convention, lambda name, _value: graph.parameter(name))
+    axes, walker = chain.axes(ORIGIN) if view is None else chain.axes_seen_from(view)
+    return graph, axes, walker
+
+
+def _columns(arm: Arm, axes: Sequence[Frame], point: Vector) -> tuple[list[Vector], list[Vector]]:
+    """Return the linear and the angular columns at a point. Notes 5.56-5.65."""
+    linear: list[Vector] = []
+    angular: list[Vector] = []
+    for row, axis in zip(arm.rows, axes, strict=True):
+        if row.revolute:
+            linear.append(vec.cross(axis.z, vec.subtract(point, axis.p)))
+            angular.append(axis.z)
+        else:
+            linear.append(axis.z)
+            angular.append((0.0, 0.0, 0.0))
+    return linear, angular
+
+
+def determinant_of(rows: Rows) -> Product:
+    """Return the determinant as a product: what stands alone in a row or a column is a factor."""
+    n = len(rows)
+    for i, j in _places(n):
+        row = [k for k in range(n) if not rows[i][k].is_zero]
+        column = [k for k in range(n) if not rows[k][j].is_zero]
+        if not row or not column:
+            return Product.of(Trigonometric.number(0.0, rows[0][0].joints))
+        if row == [j] or column == [i]:
+            rest = [[rows[a][b] for b in range(n) if b != j] for a in range(n) if a != i]
+            factor = rows[i][j] if (i + j) % 2 == 0 else -rows[i][j]
+            return Product.of(factor).times(determinant_of(rest)) if rest else Product.of(factor)
+    return Product.of(_laplace(rows))
+
+
+def _places(n: int) -> Iterator[tuple[int, int]]:
+    return ((i, j) for i in range(n) for j in range(n))
+
+
+def _laplace(rows: Rows) -> Trigonometric:
+    if len(rows) == 1:
+        return rows[0][0]
+    total = Trigonometric.number(0.0, rows[0][0].joints)
+    for j, entry in enumerate(rows[0]):
+        if not entry.is_zero:
+            minor = _laplace([[row[k] for k in range(len(rows)) if k != j] for row in rows[1:]])
+            total = total + entry * minor if j % 2 == 0 else total - entry * minor
+    return total

@@ -1,0 +1,287 @@
+"""At which kind of singularity an arm stands, what has become dependent, and which motion of the tool is lost.
+
+Where position and orientation separate, the determinant is a product, and each factor has a name: the shoulder (the
+centre of the wrist in the plane through axis 1), the elbow (a planar part stretched or folded) and the wrist (two of
+its axes in line). Of any other arm the columns that have become dependent are named.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.checks import finite_floats
+from armlab.kin.joint_scale import joint_scale
+from armlab.kin.velocity import _centre
+from armlab.kin.velocity._layout import Layout, Posture, layout_of
+from armlab.kin.velocity.dependence import Dependence, dependent_columns
+from armlab.kin.velocity.subspaces import Subspaces, task_lengths, task_matrix, task_subspaces
+
+Array = NDArray[np.float64]
+Kind = Literal["shoulder", "elbow", "wrist", "dependent"]
+
+VANISHES = 1e-5
+"""A factor of the determinant, as a sine or a length over the length scale, that is the one which vanishes. The rank
+has decided before that one does; this only tells which."""
+
+BOUNDARY = " The tool is at the boundary of its workspace."
+
+CURVED = 1e-6
+"""Second derivatives over the length scale above this bend the way the tool takes."""
+
+DIFFERENCE, FAR = 1e-4, 0.3
+"""Steps, rad or m: of the central differences of the Jacobian, with an error of 1e-8, and of a motion that is not
+small."""
+
+
+@dataclass(frozen=True, eq=False)
+class Singularity:
+    """One reason why an arm is singular.
+
+    Attributes
+    ----------
+    kind : "shoulder", "elbow", "wrist" or "dependent"
+    says : str
+        Sentences that name the joints (1-based) and what is lost.
+    joints : tuple of int
+        The joints of which it depends, 1-based.
+    direction : ndarray, shape (3,), or None
+        Unit vector in the world of the lost motion, of either sense; None where it is no pure motion.
+    turning : bool
+        Whether turning about it is lost, else moving along it.
+    boundary : bool
+        Whether the tool point is at the boundary of its workspace (near this configuration): whatever the joints do,
+        it goes to one side only.
+    """
+
+    kind: Kind
+    says: str
+    joints: tuple[int, ...]
+    direction: Array | None
+    turning: bool = False
+    boundary: bool = False
+
+
+def singularities(arm: Arm, q: ArrayLike) -> tuple[Singularity, ...]:
+    """Return why an arm is singular in a configuration; empty where it is not.
+
+    It is singular where the rank of its task Jacobian is below the usual one. An arm that never reaches all components
+    of its task, because it has too few joints, is not singular for that.
+
+    Parameters
+    ----------
+    arm : Arm
+    q : array_like, shape (n,)
+        Radians and metres.
+
+    Raises
+    ------
+    InputError
+        Not n finite numbers.
+
+    References
+    ----------
+    Notes, section 5.1.4; Siciliano et al., *Robotics*, 3.3.
+
+    Examples
+    --------
+    >>> arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0), ("R", 1.0, 0.0, 0.0, 0.0)])
+    >>> [(each.kind, each.boundary) for each in singularities(arm, [0.4, 0.0])]
+    [('elbow', True)]
+    """
+    values = finite_floats(q, "q", (arm.n,), f"{arm.n} finite numbers")
+    spaces = task_subspaces(arm, values)
+    layout = layout_of(arm)
+    if spaces.rank >= layout.rank:
+        return ()
+    posture = Posture(arm, values, layout)
+    boundary = _on_boundary(arm, values, spaces)
+    named = (
+        _shoulder(posture, layout),
+        _elbow(posture, layout, boundary),
+        _wrist(posture, layout),
+    )
+    found = tuple(each for each in named if each is not None)
+    if layout.spherical and not layout.run:
+        about = _centre.reasons(posture, layout)
+        found = tuple(Singularity(*each) for each in about)
+    return found or (_dependent(posture, layout, spaces, boundary),)
+
+
+def usual_rank(arm: Arm) -> int:
+    """Return the rank of the task Jacobian where the arm is not singular."""
+    return layout_of(arm).rank
+
+
+def _shoulder(posture: Posture, layout: Layout) -> Singularity | None:
+    centre = posture.shoulder_point
+    if centre is None:
+        return None
+    z, arm = posture.run_axis, posture.arm
+    way = centre - posture.points[0]
+    across = float(z @ np.cross(posture.axes[0], way))
+    if abs(across) > VANISHES * arm.length_scale:
+        return None
+    run, centre_name = _listed([k + 1 for k in layout.run]), layout.centre_name
+    off = float(np.linalg.norm(np.cross(posture.axes[0], way)))
+    if off <= VANISHES * arm.length_scale:
+        says = f"Shoulder: {centre_name} lies on axis 1, so joint 1 does not move it."
+    else:
+        says = (
+            f"Shoulder: {centre_name} lies in the plane through axis 1 that is parallel to axes {run}, so joint 1 "
+            "does not move it out of the plane of the arm."
+        )
+    says += f" It cannot move along the direction of axes {run}."
+    return Singularity("shoulder", says, (1,), z)
+
+
+def _elbow(posture: Posture, layout: Layout, boundary: bool) -> Singularity | None:
+    points = posture.elbow_points
+    if points is None:
+        return None
+    ways = np.diff(points, axis=0)
+    _, sizes, lines = np.linalg.svd(ways)
+    if sizes[0] <= 0.0 or (len(sizes) > 1 and sizes[1] > VANISHES * sizes[0]):
+        return None
+    along = ways @ lines[0]
+    stretched = bool(np.all(along > 0.0) or np.all(along < 0.0))
+    end, axes = layout.end_name, [k + 1 for k in layout.run]
+    what = f"axes {_listed(axes)} and {end}" if end else f"axes {_listed(axes)}"
+    says = f"Elbow: the arm is {'stretched' if stretched else 'folded'}: {what} are in line, seen along the axes. "
+    says += f"Joints {_listed(axes)} do not move {end or f'axis {axes[-1]}'} along that line."
+    if boundary:
+        says += BOUNDARY
+    return Singularity("elbow", says, tuple(axes), _lost_along(posture, layout, lines[0]), False, boundary)
+
+
+def _lost_along(posture: Posture, layout: Layout, line: Array) -> Array | None:
+    """Return the direction that a stretched planar part loses.
+
+    It is the line, unless a joint before the planar part moves its end along the line: beside an offset of the
+    shoulder joint 1 does, and another direction, oblique to the line, is lost instead.
+    """
+    if layout.run[0] == 0:
+        return np.asarray(line)
+    if not layout.ends_at_centre:
+        return None
+    U, sigma, _ = np.linalg.svd(posture.centre_jacobian)
+    return np.asarray(U[:, 2] if sigma[1] > VANISHES * sigma[0] else line)
+
+
+def _wrist(posture: Posture, layout: Layout) -> Singularity | None:
+    if layout.wrist is None:
+        return None
+    first, middle, last = layout.wrist
+    z1, z2, z3 = posture.axes[[first, middle, last]]
+    if abs(float(np.cross(z1, z2) @ z3)) > VANISHES:
+        return None
+    names = (first + 1, middle + 1, last + 1)
+    normal = np.cross(z1, z2)
+    if float(np.linalg.norm(np.cross(z1, z3))) <= VANISHES:
+        line = "in one line" if layout.spherical else "parallel"
+        what = f"axes {names[0]} and {names[2]} are {line}, so both joints turn the hand the same way"
+        joints: tuple[int, ...] = (names[0], names[2])
+    else:
+        what, joints = f"axes {_listed(names)} lie in one plane", names
+    says = f"Wrist: {what}. With {layout.centre_name} held, the hand cannot turn about the direction across axes "
+    says += f"{names[0]} and {names[1]}."
+    return Singularity("wrist", says, joints, np.asarray(normal / np.linalg.norm(normal)), True)
+
+
+# -- any arm ---------------------------------------------------------------------------------------------------------
+
+
+def _dependent(posture: Posture, layout: Layout, spaces: Subspaces, boundary: bool) -> Singularity:
+    arm = posture.arm
+    scaled = _scaled(arm, posture.q)
+    sets = dependent_columns(scaled, layout.usual)
+    whats = [_what(posture, each) for each in sets[:2]]
+    says = f"{_capital('; '.join(whats))}." if whats else "The columns of J have become dependent."
+    direction, turning = _pure(arm, posture, spaces)
+    if direction is not None:
+        says += f" The tool cannot {'turn about' if turning else 'move along'} one direction of its task."
+    if boundary:
+        says += BOUNDARY
+    joints = tuple(sorted({joint for each in sets for joint in each.joints}))
+    zero = [each.joints[0] for each in sets if len(each.joints) == 1]
+    kind: Kind = "shoulder" if zero == [1] else "dependent"
+    if kind == "shoulder":
+        says = f"Shoulder: {_lowered(says)}"
+    return Singularity(kind, says, joints, direction, turning, boundary)
+
+
+def _what(posture: Posture, found: Dependence) -> str:
+    """Return in words why some columns are dependent."""
+    joints = [joint - 1 for joint in found.joints]
+    turns = posture.arm.revolute[joints]
+    only_moves = posture.arm.task.rotation == "none"
+    if len(joints) == 1:
+        where = " (its axis passes through the tool point)" if turns[0] and posture.on_axis(joints[0]) else ""
+        return f"joint {joints[0] + 1} does not move the tool{'' if only_moves else ' in its task'}{where}"
+    names = _listed(found.joints)
+    if len(joints) == 2 and turns.all() and posture.same_line(*joints):
+        return f"joints {names} turn about the same line"
+    if len(joints) == 2 and not turns.any():
+        return f"joints {names} slide the same way"
+    if len(joints) == 2 and only_moves:
+        return f"joints {names} move the tool point along the same line"
+    return f"the columns of joints {names} are dependent"
+
+
+def _pure(arm: Arm, posture: Posture, spaces: Subspaces) -> tuple[Array | None, bool]:
+    """Return the lost direction in the world where it is one, and purely of moving or of turning."""
+    if spaces.lost.shape[1] != 1:
+        return None, False
+    lost, p = spaces.lost[:, 0] * spaces.lengths, len(arm.task.position)
+    for part, turning in ((slice(0, p), False), (slice(p, None), True)):
+        rest = np.linalg.norm(lost) ** 2 - np.linalg.norm(lost[part]) ** 2
+        if rest <= VANISHES**2:
+            vector = lost[part] @ posture.task_axes[part]
+            return np.asarray(vector / np.linalg.norm(vector)), turning
+    return None, False
+
+
+def _on_boundary(arm: Arm, q: Array, spaces: Subspaces) -> bool:
+    """Return whether, to second order, every motion of the joints takes the tool point to one side.
+
+    Along joint speeds of the null space the tool has no speed; where its acceleration along a lost direction u,
+    ``u^T (dJ/dn) n``, has one sign for all of them, nothing reaches the other side.
+    """
+    if arm.task.rotation != "none":
+        return False
+    null = spaces.null
+    slopes = [
+        (task_matrix(arm, q + DIFFERENCE * n) - task_matrix(arm, q - DIFFERENCE * n)) @ null / (2.0 * DIFFERENCE)
+        for n in null.T
+    ]
+    floor = CURVED * arm.length_scale
+    for u in spaces.lost.T:
+        bends, ways = np.linalg.eigh(np.array([u @ slope for slope in slopes]))
+        if (bends.max() > floor) == (bends.min() < -floor):
+            continue
+        # Along what does not bend it, u must stay lost: then it is a motion beside the boundary and not across it.
+        level = (null @ ways[:, np.abs(bends) <= floor]).T
+        if all(np.abs(u @ task_matrix(arm, q + FAR * n)).max() <= floor for n in level):
+            return True
+    return False
+
+
+def _scaled(arm: Arm, q: Array) -> Array:
+    return task_matrix(arm, q) * joint_scale(arm) / task_lengths(arm)[:, None]
+
+
+def _listed(joints: list[int] | tuple[int, ...]) -> str:
+    *front, last = map(str, joints)
+    return f"{', '.join(front)} and {last}" if front else last
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _lowered(text: str) -> str:
+    return text[:1].lower() + text[1:]

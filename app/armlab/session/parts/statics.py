@@ -1,0 +1,341 @@
+"""The wrench that the robot exerts on the environment, and the torques with which the joints balance it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import ClassVar, Literal, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.content.robots import Robot
+from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
+from armlab.kin.checks import finite_floats
+from armlab.kin.joint_scale import counted_speeds
+from armlab.kin.statics import Duality, VirtualWork, duality, joint_torques, torque_free, virtual_work
+from armlab.session.parts.joints import Joints
+from armlab.session.round_numbers import round_above
+from armlab.session.state import Command, Json, Part, PartType, State
+
+Array = NDArray[np.float64]
+Triple = tuple[float, float, float]
+Axes = Literal["world", "tool"]
+Kind = Literal["force", "moment"]
+
+AXES: tuple[Axes, ...] = ("world", "tool")
+KINDS: tuple[Kind, ...] = ("force", "moment")
+UNITS: dict[Kind, str] = {"force": "N", "moment": "N m"}
+ZERO: Triple = (0.0, 0.0, 0.0)
+
+MOST = 1e6
+"""N or N m; more is a slip of the pen."""
+
+USUAL = 20.0
+"""N of the force an arm opens with, and for which the arrow has its usual length when there is no force yet."""
+
+STEP = 0.01
+"""Size of a virtual displacement: radians of a joint that turns, length scales of the arm of one that slides."""
+
+IN_PLANE = 1e-9
+"""Sine of the angle within which an axis of the world lies in a plane."""
+
+NOTHING = 1e-9
+"""Torque that counts as none, in parts of what the wrench would need at the length of the whole arm."""
+
+
+@dataclass(frozen=True)
+class Statics(Part):
+    """A wrench at the tool point.
+
+    Attributes
+    ----------
+    force, moment : (float, float, float)
+        N and N m, by the robot on the environment, along the chosen axes; the moment about the tool point.
+    axes : "world" or "tool"
+        A wrench along the axes of the tool turns with it.
+    full_force, full_moment : float
+        N and N m that are drawn in full length: round numbers, the same while a hand pulls; 0 where there is nothing.
+    draws : int
+        How many virtual displacements were drawn; with 0 every joint moves a little forward.
+    example : str
+        Key of the example that is in place as it was put there; empty when it is none.
+    """
+
+    key: ClassVar[str] = "statics"
+
+    force: Triple = (0.0, 0.0, USUAL)
+    moment: Triple = ZERO
+    axes: Axes = "world"
+    full_force: float = USUAL
+    full_moment: float = 0.0
+    draws: int = 0
+    example: str = ""
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return a force that holds a weight, or one in the plane of an arm that cannot lift."""
+        flat = "z" not in robot.arm.task.position
+        return cls((0.6 * USUAL, 0.8 * USUAL, 0.0)) if flat else cls()
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep the wrench: it belongs to the tool."""
+        return replace(self, example="")
+
+    def after(self, before: State, now: State) -> Self:
+        """Forget the example when the arm is moved away from it."""
+        moved = now[Joints].q is not before[Joints].q and self is before[Statics]
+        return replace(self, example="") if self.example and moved else self
+
+    def to_json(self) -> Json:
+        """Write everything."""
+        return {
+            "force": list(self.force),
+            "moment": list(self.moment),
+            "axes": self.axes,
+            "full": [self.full_force, self.full_moment],
+            "draws": self.draws,
+            "example": self.example,
+        }
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read it back; raises when it is not usable."""
+        force, moment = (_triple(data[kind], kind) for kind in KINDS)
+        full_force, full_moment = (float(each) for each in data["full"])
+        if not all(math.isfinite(each) and 0.0 <= each <= 10.0 * MOST for each in (full_force, full_moment)):
+            raise InputError(f"statics: not usable: {data['full']}")
+        draws, example = int(data["draws"]), str(data["example"])
+        if draws < 0:
+            raise InputError(f"statics: draws: expected 0 or more, got {draws}")
+        return cls(force, moment, _axes(data["axes"]), full_force, full_moment, draws, example)
+
+    def fitted(self) -> Self:
+        """Return the part drawn in such a scale that the present wrench is well seen."""
+        force, moment = (round_above(math.hypot(*vector)) for vector in (self.force, self.moment))
+        return replace(self, full_force=force, full_moment=moment)
+
+    def wrench(self, tool: Array) -> Array:
+        """Return the wrench in world axes about the tool point, (6,), with the tool at a pose (4, 4)."""
+        turn = np.eye(3) if self.axes == "world" else tool[:3, :3]
+        return np.concatenate([turn @ self.force, turn @ self.moment])
+
+    def full_torque(self, arm: Arm) -> float:
+        """Return the torque that is drawn in full size, N m: about what the full wrench can need at most."""
+        return round_above(self.full_force * 2.0 * arm.length_scale + self.full_moment)
+
+
+PART = PartType(Statics, order=26)
+
+
+class Balance(NamedTuple):
+    """An arm at rest that exerts a wrench.
+
+    Attributes
+    ----------
+    tool : ndarray, shape (4, 4)
+        Pose of the tool in the world.
+    wrench : ndarray, shape (6,)
+        World axes, about the tool point, N and N m.
+    torques : ndarray, shape (n,)
+        N m of joints that turn, N of those that slide.
+    least : ndarray, shape (n,)
+        What counts as no torque, in these units.
+    """
+
+    tool: Array
+    wrench: Array
+    torques: Array
+    least: Array
+
+    @property
+    def nothing(self) -> bool:
+        """Whether there is a wrench and no joint does anything for it."""
+        return bool(self.wrench.any()) and bool(np.all(np.abs(self.torques) <= self.least))
+
+
+def balance_at(part: Statics, arm: Arm, q: Array) -> Balance:
+    """Return the torques at any configuration."""
+    tool = np.asarray(arm.fk(q), dtype=np.float64)
+    wrench = part.wrench(tool)
+    force, moment = np.linalg.norm(wrench[:3]), np.linalg.norm(wrench[3:])
+    metres = 2.0 * arm.length_scale
+    least = NOTHING * np.where(arm.revolute, force * metres + moment, force + moment / metres)
+    return Balance(tool, wrench, joint_torques(arm.jacobian(q), wrench), least)
+
+
+def balance(state: State) -> Balance:
+    """Return the torques at the present configuration."""
+    joints = state[Joints]
+    return balance_at(state[Statics], joints.arm, joints.q)
+
+
+def displacement(state: State) -> Array:
+    """Return the virtual displacement that is looked at, (n,), rad and m."""
+    arm, draws = state[Joints].arm, state[Statics].draws
+    parts = np.random.default_rng(draws).uniform(-1.0, 1.0, arm.n) if draws else np.ones(arm.n)
+    return STEP * parts * np.where(arm.revolute, 1.0, arm.length_scale)
+
+
+def work(state: State) -> VirtualWork:
+    """Return the virtual work of tool and joints over that displacement, J."""
+    joints = state[Joints]
+    return virtual_work(joints.arm.jacobian(joints.q), state.derived(balance).wrench, state.derived(displacement))
+
+
+class Dualities(NamedTuple):
+    """The four subspaces for whole wrenches, for forces alone, and for moments alone."""
+
+    whole: Duality
+    force: Duality
+    moment: Duality
+
+
+def dualities(state: State) -> Dualities:
+    """Return the subspaces of J and J^T at the present configuration, with the characteristic length of the arm."""
+    arm = state[Joints].arm
+    J, speeds = arm.jacobian(state[Joints].q), counted_speeds(arm)
+    return Dualities(duality(J, arm.length_scale, speeds), duality(J[:3], None, speeds), duality(J[3:], None, speeds))
+
+
+def free_forces_at(arm: Arm, q: Array) -> Array:
+    """Return unit vectors, (3, k), that span the forces at the tool point that need no torque at a configuration.
+
+    They are at right angles; in a plane that holds an axis of the world, this is the last of them.
+    """
+    free = torque_free(arm.jacobian(q)[:3], None, counted_speeds(arm))
+    if free.shape[1] == 3:
+        return np.eye(3)
+    if free.shape[1] < 2:
+        return free
+    normal = np.cross(free[:, 0], free[:, 1])
+    k = int(np.argmin(np.abs(normal)))
+    if abs(float(normal[k])) > IN_PLANE:
+        return free
+    axis = np.eye(3)[k]
+    other = np.cross(axis, normal)
+    return np.column_stack([other / np.linalg.norm(other), axis])
+
+
+@dataclass(frozen=True)
+class SetComponent(Command):
+    """Set one component of the force, N, or of the moment, N m, along the chosen axes."""
+
+    kind: str
+    axis: int
+    value: float
+    label: ClassVar[str] = "wrench"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the component set."""
+        if not isinstance(self.kind, str) or self.kind not in KINDS:
+            raise UnknownName("part of a wrench", self.kind, KINDS)
+        if type(self.axis) is not int or not 0 <= self.axis < 3:
+            got = self.axis + 1 if type(self.axis) is int else repr(self.axis)
+            raise InputError(f"component of a wrench: expected 1 to 3, got {got}")
+        part = state[Statics]
+        values = list(getattr(part, self.kind))
+        values[self.axis] = self.value
+        vector = _triple(values, self.kind)
+        changed = replace(part, force=vector) if self.kind == "force" else replace(part, moment=vector)
+        return _with(state, changed.fitted())
+
+
+@dataclass(frozen=True)
+class ReleaseWrench(Command):
+    """Exert nothing."""
+
+    label: ClassVar[str] = "wrench"
+
+    def apply(self, state: State) -> State:
+        """Return the state without force and moment."""
+        return _with(state, replace(state[Statics], force=ZERO, moment=ZERO).fitted())
+
+
+@dataclass(frozen=True)
+class DragForce(Command):
+    """Pull at the tip of the force's arrow: one event of a drag.
+
+    Parameters
+    ----------
+    force : (float, float, float)
+        N, in world axes.
+    drag : object
+        Which drag it belongs to. One drag is one step of undo.
+    """
+
+    force: Triple
+    drag: object
+    snapshot: ClassVar[bool] = True
+    label: ClassVar[str] = "force"
+
+    @property
+    def stroke(self) -> object:
+        """One drag is one step."""
+        return DragForce, self.drag
+
+    def apply(self, state: State) -> State:
+        """Return the state with the force along the chosen axes; the scale of the picture stays."""
+        part = state[Statics]
+        given = np.array(_triple(self.force, "force"))
+        turn = np.eye(3) if part.axes == "world" else state[Joints].tool_pose[:3, :3].T
+        full = part.full_force or round_above(float(np.linalg.norm(given)))
+        return _with(state, replace(part, force=_triple((turn @ given).tolist(), "force"), full_force=full))
+
+
+@dataclass(frozen=True)
+class WriteAlong(Command):
+    """Write the wrench along the axes of the world or of the tool; the wrench itself stays."""
+
+    axes: str
+    label: ClassVar[str] = "axes of the wrench"
+
+    def apply(self, state: State) -> State:
+        """Return the state with other axes."""
+        part, axes = state[Statics], _axes(self.axes)
+        if axes == part.axes:
+            return state
+        tool = np.asarray(state[Joints].tool_pose, dtype=np.float64)
+        world = part.wrench(tool)
+        turn = np.eye(3) if axes == "world" else tool[:3, :3].T
+        force, moment = _clean(turn @ world[:3]), _clean(turn @ world[3:])
+        return _with(state, replace(part, force=force, moment=moment, axes=axes))
+
+
+@dataclass(frozen=True)
+class DrawDisplacement(Command):
+    """Look at another virtual displacement; the same history gives the same."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the next one."""
+        return state.replace(replace(state[Statics], draws=state[Statics].draws + 1))
+
+
+def _with(state: State, part: Statics) -> State:
+    changed = replace(part, example="")
+    return state if changed == state[Statics] else state.replace(changed)
+
+
+def _clean(vector: Array) -> Triple:
+    """Return a turned vector without the rounding errors of the turn."""
+    size = float(np.abs(vector).max())
+    x, y, z = np.where(np.abs(vector) < 1e-14 * size, 0.0, vector).tolist()
+    return x, y, z
+
+
+def _triple(values: Json, kind: str) -> Triple:
+    unit = "N" if kind == "force" else "N m"
+    x, y, z = finite_floats(values, kind, (3,), f"three finite numbers, in {unit}").tolist()
+    for value in (x, y, z):
+        if abs(value) > MOST:
+            raise InputError(f"{kind}: expected at most {MOST:g} {unit}, got {value:.6g} {unit}")
+    return x, y, z
+
+
+def _axes(key: Json) -> Axes:
+    if not isinstance(key, str) or key not in AXES:
+        raise UnknownName("axes", key, AXES)
+    return next(axes for axes in AXES if axes == key)

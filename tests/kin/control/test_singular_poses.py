@@ -1,0 +1,109 @@
+"""Singular configurations that one joint reaches: by hand on small arms, and singular indeed on every robot."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.control.scaled_task import ScaledTask
+from armlab.kin.control.singular_poses import FAR, SINGULAR, nearest_singular_pose, singular_poses
+
+
+def inverse_condition(task, q):
+    sigma = np.linalg.svd(task.scaled(task.jacobian(q)), compute_uv=False)
+    return sigma[-1] / sigma[0]
+
+
+def test_the_2r_is_singular_stretched_and_folded():
+    task = ScaledTask(catalogue()["planar_2r"].arm)
+    found = singular_poses(task, [0.3, 1.0])
+    assert {pose.joint for pose in found} == {1}
+    at = sorted(float(pose.q[1]) for pose in found)
+    np.testing.assert_allclose(at, [-math.pi, 0.0, math.pi], rtol=0, atol=1e-8)
+    assert all(pose.q[0] == 0.3 and pose.away == pytest.approx(pose.q[1] - 1.0) for pose in found)
+
+
+@pytest.mark.parametrize("q2", [0.3, -0.05, 1e-6, 3.0, -3.1])
+def test_the_nearest_of_the_2r(q2):
+    task = ScaledTask(catalogue()["planar_2r"].arm)
+    found = nearest_singular_pose(task, [0.3, q2])
+    there = 0.0 if abs(q2) < 1.0 else math.copysign(math.pi, q2)
+    assert found.joint == 1
+    assert found.q[1] == pytest.approx(there, abs=1e-8)
+    assert found.away == pytest.approx(there - q2, abs=1e-8)
+
+
+def test_where_none_is_near_there_is_none_and_at_one_it_is_here():
+    task = ScaledTask(catalogue()["planar_2r"].arm)
+    assert nearest_singular_pose(task, [0.3, 1.5]) is None
+    here = nearest_singular_pose(task, [0.3, 0.0])
+    assert (here.away, here.q.tolist()) == (0.0, [0.3, 0.0])
+
+
+def test_the_wrist_and_the_elbow_of_the_puma():
+    robot = catalogue()["puma560"]
+    task, q = ScaledTask(robot.arm), robot.home.copy()
+    q[4] = math.radians(4.0)
+    found = nearest_singular_pose(task, q)
+    assert (found.joint, found.away) == (4, pytest.approx(-math.radians(4.0), abs=1e-8))
+    assert {pose.joint for pose in singular_poses(task, robot.home)} >= {2, 4}
+
+
+def test_all_that_is_found_is_singular_and_inside_the_limits(robot, rng):
+    task, arm = ScaledTask(robot.arm), robot.arm
+    for q in [robot.home, *rng.uniform(*arm.limits.T, (2, arm.n))]:
+        for pose in singular_poses(task, q):
+            assert inverse_condition(task, pose.q) <= SINGULAR
+            assert arm.within_limits(pose.q)
+            others = np.arange(arm.n) != pose.joint
+            np.testing.assert_array_equal(pose.q[others], q[others])
+            # From beside it, what is near is found again, or something nearer.
+            beside = pose.q.copy()
+            step = 0.02 * task.joint_units[pose.joint]
+            beside[pose.joint] += step if beside[pose.joint] + step <= arm.limits[pose.joint, 1] else -step
+            near = nearest_singular_pose(task, beside)
+            if near is not None:
+                assert abs(near.away) / task.joint_units[near.joint] <= 0.02 + 1e-6
+                assert inverse_condition(task, near.q) <= SINGULAR
+            elif inverse_condition(task, beside) > 0.0:
+                raise AssertionError(f"{robot.key}: nothing found beside joint {pose.joint + 1}")
+
+
+def test_nonsense_is_refused():
+    task = ScaledTask(catalogue()["planar_2r"].arm)
+    for call in (nearest_singular_pose, singular_poses):
+        with pytest.raises(InputError, match="q: expected 2 finite numbers"):
+            call(task, [0.0, math.nan])
+
+
+def test_what_is_near_is_near(robot, rng):
+    """No joint goes farther than FAR, and it goes the shortest way that any joint alone finds."""
+    task = ScaledTask(robot.arm)
+    for q in rng.uniform(robot.arm.limits[:, 0], robot.arm.limits[:, 1], (6, robot.arm.n)):
+        found = nearest_singular_pose(task, q)
+        if found is not None:
+            assert abs(found.away) <= FAR * task.joint_units[found.joint] * (1.0 + 1e-12)
+            assert found.q[found.joint] - q[found.joint] == pytest.approx(found.away, abs=1e-12)
+
+
+@pytest.mark.parametrize("key", ["planar_2r", "planar_2r_unequal"])
+def test_farther_than_near_is_none_and_all_that_is_near_is_found(key):
+    task = ScaledTask(catalogue()[key].arm)
+    for q2 in np.linspace(0.5 - FAR, FAR - 0.001, 20):
+        assert nearest_singular_pose(task, [0.3, q2]).away == pytest.approx(-q2, abs=1e-8)
+    for q2 in (FAR + 0.01, FAR + 0.1, -FAR - 0.01):
+        assert nearest_singular_pose(task, [0.3, q2]) is None
+
+
+@pytest.mark.parametrize(("q2", "d3", "joint"), [(0.2, 0.25, 2), (0.2, 0.35, 1), (0.15, 0.25, 1)])
+def test_metres_of_a_sliding_joint_count_as_their_share_of_the_length_scale(q2, d3, joint):
+    """RRP with the tool near z0 and near the centre: 1 rad is as far as 1.5 m."""
+    rows = (("R", 0, math.pi / 2, 0, 0), ("R", 0, math.pi / 2, 0, 0), ("P", 0, 0, 0, 0))
+    task = ScaledTask(Arm.from_dh(rows, limits=[(-3, 3)] * 3))
+    assert task.joint_units.tolist() == [1.0, 1.0, 1.5]
+    found = nearest_singular_pose(task, [0.3, q2, d3])
+    assert found.joint == joint
+    assert found.away == pytest.approx(-(q2, d3)[joint - 1], abs=1e-8)

@@ -1,0 +1,122 @@
+"""Determinants in symbols: those of the notes, and every one against the number."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.kin.arm import Arm
+from armlab.kin.symbolic import constants
+from armlab.kin.velocity._trigonometric import TooLong, Trigonometric
+from armlab.kin.velocity.determinant import determinant, determinant_of
+from armlab.kin.velocity.subspaces import task_matrix
+from support.arms import random_q
+
+ROBOTS = catalogue().robots
+SMALL = [key for key, robot in ROBOTS.items() if determinant(robot.arm) is not None]
+
+
+def value_of(arm, text, q):
+    names = {"sin": math.sin, "cos": math.cos, **constants(arm)} | {f"q{i + 1}": v for i, v in enumerate(q)}
+    return eval(text, {"__builtins__": {}}, names)
+
+
+def test_the_2r_of_the_notes(truth):
+    case = truth["C5.1.4-2R-det"]
+    arm = Arm.from_dh([("R", case["inputs"]["l1"], 0, 0, 0), ("R", case["inputs"]["l2"], 0, 0, 0)])
+    found = determinant(arm)
+    assert [(minor.joints, minor.text, minor.latex) for minor in found.minors] == [
+        ((1, 2), "a1*a2*sin(q2)", r"a_1\,a_2\,s_2")
+    ]
+    assert found.square
+    assert value_of(arm, found.minors[0].text, case["inputs"]["q"]) == pytest.approx(
+        case["expected"]["det"], abs=case["tol"]
+    )
+
+
+def test_the_elbow_arm_of_the_notes(truth):
+    case = truth["C5.1.4-elbow-det"]
+    d1, l2, l3 = (case["inputs"][name] for name in ("d1", "L2", "L3"))
+    arm = Arm.from_dh([("R", 0, math.pi / 2, d1, 0), ("R", l2, 0, 0, 0), ("R", l3, 0, 0, 0)])
+    (minor,) = determinant(arm).minors
+    assert minor.text == "-a2*a3*sin(q3)*(a2*cos(q2) + a3*cos(q2 + q3))"
+    assert minor.latex == r"-a_2\,a_3\,s_3\,\left(a_2\,c_2 + a_3\,c_{23}\right)"
+    assert value_of(arm, minor.text, case["inputs"]["q"]) == pytest.approx(case["expected"]["det"], abs=case["tol"])
+
+
+def test_the_rrp_of_the_notes_vanishes_where_they_say(truth):
+    arm = ROBOTS["polar_rrp"].arm
+    (minor,) = determinant(arm).minors
+    assert minor.text == "q3**2*cos(q2)"
+    for name in ("C5.1.4-rrp-q3=0", "C5.1.4-rrp-q2=+90", "C5.1.4-rrp-q2=-90"):
+        assert value_of(arm, minor.text, truth[name]["inputs"]["q"]) == pytest.approx(0.0, abs=truth[name]["tol"])
+
+
+def test_arms_with_a_spherical_wrist_have_three_factors():
+    text = determinant(ROBOTS["puma560"].arm).minors[0].text
+    assert text.startswith("a2*sin(q5)*(")
+    assert text.count("(a") == 2
+    assert determinant(ROBOTS["stanford"].arm).minors[0].text == "q3**2*sin(q2)*sin(q5)"
+
+
+def test_wide_jacobians_have_minors():
+    arm = Arm.from_dh([("R", 1.0, 0, 0, 0)] * 3, task="xy")
+    found = determinant(arm)
+    assert not found.square
+    assert [minor.joints for minor in found.minors] == [(1, 2), (1, 3), (2, 3)]
+    assert found.minors[2].text == "a2*a3*sin(q3)"
+
+
+@pytest.mark.parametrize("key", SMALL)
+def test_every_formula_is_the_determinant(key, rng):
+    arm = ROBOTS[key].arm
+    found = determinant(arm)
+    for q in random_q(arm, rng, 20):
+        J = task_matrix(arm, q)
+        for minor in found.minors:
+            expected = np.linalg.det(J[:, [joint - 1 for joint in minor.joints]])
+            assert value_of(arm, minor.text, q) == pytest.approx(expected, abs=1e-12)
+
+
+def test_random_planar_arms_and_arms_with_general_twists(rng):
+    for _ in range(12):
+        a, d, alpha, theta = (rng.uniform(-1.0, 1.0, 3) for _ in range(4))
+        kinds = rng.choice(["R", "R", "P"], 3)
+        arm = Arm.from_dh([tuple(row) for row in zip(kinds, a, alpha, d, theta, strict=True)], task="xyz")
+        found = determinant(arm)
+        if found is None:
+            continue
+        q = rng.uniform(-2.0, 2.0, 3)
+        for minor in found.minors:
+            expected = np.linalg.det(task_matrix(arm, q)[:, [joint - 1 for joint in minor.joints]])
+            assert value_of(arm, minor.text, q) == pytest.approx(expected, abs=1e-10)
+
+
+def test_larger_arms_have_none():
+    assert determinant(ROBOTS["iiwa7"].arm) is None
+    assert determinant(ROBOTS["manseur_doty"].arm) is None
+    assert len(SMALL) >= 15
+
+
+def test_what_is_alone_in_a_row_is_a_factor():
+    a, b = Trigonometric.symbol("a1", 2), Trigonometric.wave((0, 1), True)
+    zero, one = Trigonometric.number(0.0, 2), Trigonometric.number(1.0, 2)
+    product = determinant_of([[zero, a, zero], [b, one, one], [one, one, one]])
+    assert product.powers == (("a1", 1),)
+    assert product.number == pytest.approx(-1.0)
+    assert determinant_of([[a, zero], [b, zero]]).number == 0.0
+
+
+def test_products_of_waves_cancel():
+    c, s = (Trigonometric.wave((1, 0), sine) for sine in (False, True))
+    assert (c * c + s * s - Trigonometric.number(1.0, 2)).is_zero
+
+
+def test_arms_with_general_twists_are_given_up_soon_and_not_worked_at_for_minutes(rng):
+    arm = Arm.from_dh([("R", *rng.uniform(0.1, 1.0, 4).tolist()) for _ in range(4)], task="xyz")
+    assert determinant(arm) is None
+    names = [Trigonometric.symbol(f"a{k}", 2) for k in range(40)]
+    long = sum(names[1:], names[0])
+    with pytest.raises(TooLong):
+        long * long

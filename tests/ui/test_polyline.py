@@ -1,0 +1,50 @@
+"""Lines drawn with few points."""
+
+import numpy as np
+import pytest
+
+from armlab.ui.layers._polyline import simplified
+
+
+def distance_to(points, line):
+    """Return the largest distance from points (n, 3) to a line through points (k, 3), by brute force."""
+    worst = 0.0
+    for point in points:
+        shares = np.linspace(0.0, 1.0, 2001)[:, None, None]
+        places = line[:-1] + shares * np.diff(line, axis=0)
+        worst = max(worst, float(np.linalg.norm(places - point, axis=-1).min()))
+    return worst
+
+
+def test_a_straight_line_needs_its_ends_alone():
+    points = np.linspace([0.1, 0.2, 0.3], [0.7, -0.4, 0.9], 161)
+    assert simplified(points, 1e-9).tolist() == [0, 160]
+
+
+def test_corners_stay():
+    points = np.concatenate([np.linspace([0, 0, 0], [1, 0, 0], 11), np.linspace([1, 0, 0], [1, 1, 0], 11)[1:]])
+    assert simplified(points, 1e-6).tolist() == [0, 10, 20]
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4])
+def test_no_point_is_further_than_the_tolerance(rng, tolerance):
+    t = np.linspace(0.0, 2 * np.pi, 161)
+    a, b = rng.normal(size=(2, 3, 4))
+    k = np.arange(1, 5)
+    points = np.cos(np.outer(t, k)) @ a.T + np.sin(np.outer(t, k)) @ b.T
+    kept = simplified(points, tolerance)
+    assert distance_to(points, points[kept]) <= tolerance * (1 + 1e-6) + 2e-6
+    assert len(kept) < len(points) or tolerance == 1e-4
+
+
+def test_a_way_there_and_back_keeps_its_far_end():
+    there = np.linspace([0, 0, 0], [1, 0, 0], 21)
+    points = np.concatenate([there, there[-2::-1]])
+    assert simplified(points, 1e-3).tolist() == [0, 20, 40]
+
+
+@pytest.mark.parametrize("count", [1, 2, 5])
+def test_a_tool_that_stays_is_a_point(count):
+    kept = simplified(np.full((count, 3), 0.4), 1e-6)
+    assert kept[0] == 0
+    assert kept[-1] == count - 1
