@@ -1,0 +1,325 @@
+"""Where a workspace ends: which points are inside, and how far it is from a point to the boundary.
+
+The boundary is the outline of the section carried round (or along) by joint 1 and, where joint 1 is limited, the walls
+at which it ends.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.workspace.around import BINS, COARSER, Arcs
+from armlab.kin.workspace.outline import Outline
+from armlab.kin.workspace.section_grid import Grid
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Indices = NDArray[np.intp]
+
+ON_AXIS = 1e-9
+"""Of a cell: an edge of the section nearer to the axis of joint 1 than that is no boundary."""
+
+
+FACES = 144
+"""Values of s at which neighbouring cells are compared."""
+
+WALLS = 16
+"""Coarse cells at the walls of joint 1, the nearest ones, in whose finer cells the foot is looked for."""
+
+
+class To(NamedTuple):
+    """The way to the boundary.
+
+    Attributes
+    ----------
+    distance : float
+        Metres; positive inside, negative outside, infinite where there is no boundary.
+    foot : ndarray, shape (3,)
+        The nearest point of the boundary in the world, metres.
+    """
+
+    distance: float
+    foot: Floats
+
+
+class Boundary:
+    """Made from a section; computes what it needs when it is first asked for."""
+
+    def __init__(self, grid: Grid, outline: Outline, arcs: Arcs | None, filled: Bools) -> None:
+        self.grid, self.outline, self.arcs, self.filled = grid, outline, arcs, filled
+        self.joint = grid.joint
+
+    @cached_property
+    def contours(self) -> tuple[Floats, ...]:
+        """Closed polylines (k, 2) in (u, v), metres."""
+        if not self.grid.flat:
+            found = with_axis(self.outline, self.grid).contours
+            large = tuple(line for line in found if abs(enclosed(line)) >= self.grid.step**2)
+            # What is smaller than a cell is more likely a cell that was missed; a thin region is nothing else.
+            return large or found
+        v = self.grid.v[0]
+        return tuple(np.array([[a, v], [b, v], [a, v]]) for a, b in self.spans)
+
+    @cached_property
+    def spans(self) -> Floats:
+        """Intervals of u that a planar arm reaches, shape (k, 2), metres."""
+        inside, u = self.outline.inside[:, 0], self.outline.u
+        cuts = np.flatnonzero(inside[:-1] != inside[1:])
+        at = u[cuts] + self.outline.along_u[cuts, 0] * (u[cuts + 1] - u[cuts])
+        if inside.size and inside[0]:
+            at = np.concatenate([[0.0], at])
+        return np.asarray(at[: len(at) // 2 * 2].reshape(-1, 2))
+
+    @cached_property
+    def edges(self) -> tuple[Floats, Floats]:
+        """Begins and ends of the pieces of the outline, (k, 2) each; without what lies on the axis of joint 1."""
+        if self.grid.flat:
+            ends = self.spans.reshape(-1)
+            a = np.stack([ends, np.full_like(ends, self.grid.v[0])], axis=1)
+            b = a.copy()
+        else:
+            a = np.concatenate([np.zeros((0, 2)), *(line[:-1] for line in self.contours)])
+            b = np.concatenate([np.zeros((0, 2)), *(line[1:] for line in self.contours)])
+        # A line, a surface, or what is thinner than a cell has no inside; all of it is its boundary.
+        alone = self.grid.centres(np.flatnonzero(lonely(self.filled, self.outline.inside)))
+        a, b = np.concatenate([a, alone]), np.concatenate([b, alone])
+        beside = self.grid.at_axis & (np.maximum(a[:, 0], b[:, 0]) <= ON_AXIS * self.grid.step)
+        return a[~beside], b[~beside]
+
+    @cached_property
+    def edge_cells(self) -> Indices:
+        """Coarse cell of each piece of the outline: where s is looked up."""
+        a, b = self.edges
+        rows, columns = self.filled.shape
+        place = 0.5 * (a + b)
+        i0 = np.floor((place[:, 0] - self.grid.u[0]) / self.grid.step).astype(np.intp)
+        j0 = np.floor((place[:, 1] - self.grid.v[0]) / self.grid.step).astype(np.intp)
+        cells = np.zeros(len(a), dtype=np.intp)
+        # One of the four centres round it is inside.
+        for di, dj in ((0, 0), (1, 0), (0, 1), (1, 1)):
+            i, j = np.clip(i0 + di, 0, rows - 1), np.clip(j0 + dj, 0, columns - 1)
+            cells = np.where(self.filled[i, j], self._coarse(i, j), cells)
+        return cells
+
+    @cached_property
+    def walls(self) -> tuple[Floats, Floats, Floats]:
+        """Where joint 1 ends: points (k, 3) in the world, for each coarse cell and end, their (u, v) and their s."""
+        arcs = self.arcs
+        assert arcs is not None
+        cells = np.unique(self._coarse(*np.nonzero(self.filled)))
+        used = (arcs.length[cells] >= 0.0) & (arcs.length[cells] < arcs.period)
+        where, which = np.nonzero(used)
+        begin = arcs.start[cells[where], which]
+        s = np.concatenate([begin, begin + arcs.length[cells[where], which]])
+        side = COARSER * self.grid.step
+        i, j = np.divmod(cells[where], -(-self.grid.shape[1] // COARSER))
+        u = self.grid.low[0] + side * (i + 0.5)
+        v = np.full(len(u), self.grid.v[0]) if self.grid.flat else self.grid.low[1] + side * (j + 0.5)
+        uv = np.tile(np.stack([u, v], axis=1), (2, 1))
+        return self.joint.join(np.column_stack([uv, s])), uv, s
+
+    @cached_property
+    def faces(self) -> tuple[Floats, Floats]:
+        """Where s is covered in one of two neighbouring coarse cells only: squares that close the workspace inside.
+
+        Returns
+        -------
+        edges : ndarray, shape (k, 2, 2)
+            Both ends, in (u, v), of the side that the two cells share.
+        s : ndarray, shape (k, 2)
+            From where to where, rad or m.
+        """
+        arcs = self.arcs
+        assert arcs is not None
+        rows, columns = (-(-size // COARSER) for size in self.grid.shape)
+        known = arcs.covered.reshape(rows, columns) > 0.0
+        at, width = self._bins()
+        covers = arcs.holds(np.arange(rows * columns)[:, None], at[None, :]).reshape(rows, columns, -1)
+        side, low = COARSER * self.grid.step, self.grid.low
+        edges, spans = [], []
+        for axis in range(1 if self.grid.flat else 2):
+            last = covers.shape[axis] - 1
+            first, second = np.arange(last), np.arange(1, last + 1)
+            both = known.take(first, axis) & known.take(second, axis)
+            i, j, k = np.nonzero((covers.take(first, axis) != covers.take(second, axis)) & both[..., None])
+            begin = np.stack([low[0] + side * (i + 1 - axis), low[1] + side * (j + axis)], axis=1)
+            step = np.array([0.0, side] if axis == 0 else [side, 0.0])
+            if self.grid.flat:
+                begin[:, 1], step = self.grid.v[0], np.zeros(2)
+            edges.append(np.stack([begin, begin + step], axis=1))
+            spans.append(np.stack([at[k] - 0.5 * width, at[k] + 0.5 * width], axis=1))
+        return np.concatenate(edges), np.concatenate(spans)
+
+    def _bins(self) -> tuple[Floats, float]:
+        """Return the values of s at which coverage is compared, and how far apart they are."""
+        arcs = self.arcs
+        assert arcs is not None
+        low, high = -math.pi, math.pi
+        if not self.joint.revolute:
+            used = arcs.length >= 0.0
+            low, high = float(arcs.start[used].min()), float((arcs.start + arcs.length)[used].max())
+        width = (high - low) / FACES or 1.0
+        return np.asarray(low + width * (np.arange(FACES) + 0.5)), width
+
+    @cached_property
+    def _face_points(self) -> Floats:
+        edges, spans = self.faces
+        return self.joint.join(np.column_stack([edges.mean(axis=1), spans.mean(axis=1)]))
+
+    def holds(self, points: Floats) -> Bools:
+        """Return which points of the world (..., 3) are inside."""
+        coordinates = self.joint.split(points)
+        uv = coordinates[..., :2]
+        inside = self._in_outline(uv)
+        if self.arcs is None:
+            return inside
+        return np.asarray(inside & self.arcs.holds(self._cells(uv), coordinates[..., 2]))
+
+    def distance(self, point: Floats) -> To:
+        """Return the way to the boundary from a point of the world (3,)."""
+        u, v, s = self.joint.split(point)
+        candidates = [self._to_edges(u, v, s)]
+        if self.arcs is not None:
+            candidates += [self._to_walls(point, u, v, s), self._to_faces(point)]
+        nearest = min(candidates, key=lambda to: to.distance)
+        return nearest if self.holds(point) else To(-nearest.distance, nearest.foot)
+
+    def _to_edges(self, u: float, v: float, s: float) -> To:
+        a, b = self.edges
+        if self.arcs is not None:
+            covers = self.arcs.holds(self.edge_cells, np.full(len(a), s))
+            a, b = a[covers], b[covers]
+        if not len(a):
+            return To(math.inf, np.full(3, np.nan))
+        p = np.array([u, self.grid.v[0] if self.grid.flat else v])
+        along = b - a
+        square = np.einsum("ij,ij->i", along, along)
+        t = np.clip(np.einsum("ij,ij->i", p - a, along) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+        feet = a + t[:, None] * along
+        away = np.hypot(*(feet - p).T)
+        k = int(np.argmin(away))
+        off = abs(v - self.grid.v[0]) if self.grid.flat else 0.0
+        return To(math.hypot(float(away[k]), off), self.joint.join([*feet[k], s]))
+
+    def _to_walls(self, point: Floats, u: float, v: float, s: float) -> To:
+        points, uv, at = self.walls
+        if not len(points):
+            return To(math.inf, np.full(3, np.nan))
+        away = np.linalg.norm(points - point, axis=1)
+        some = np.argsort(away)[:WALLS]
+        # Near there the wall runs on at the same s: the foot need not be the centre of a cell.
+        foot = np.array([u, self.grid.v[0] if self.grid.flat else v, at[some[0]]])
+        if self.joint.revolute:
+            foot[0] = max(u * math.cos(s - at[some[0]]), 0.0)
+        if not self._on_wall(foot):
+            foot = self._foot_in(uv[some], at[some], point, foot)
+        place = self.joint.join(foot)
+        return To(float(np.linalg.norm(place - point)), place)
+
+    def _to_faces(self, point: Floats) -> To:
+        points = self._face_points
+        if not len(points):
+            return To(math.inf, np.full(3, np.nan))
+        away = np.linalg.norm(points - point, axis=1)
+        k = int(np.argmin(away))
+        return To(float(away[k]), points[k])
+
+    def _foot_in(self, uv: Floats, at: Floats, point: Floats, foot: Floats) -> Floats:
+        """Return the place of a wall nearest to a point, in the filled cells of some coarse cells with their s."""
+        step, steps = self.grid.step, (np.arange(COARSER) - 0.5 * (COARSER - 1)) * self.grid.step
+        du, dv = (each.reshape(-1) for each in np.meshgrid(steps, [0.0] if self.grid.flat else steps))
+        fine = uv[:, None, :] + np.stack([du, dv], axis=1)
+        cells, on = self.grid.cell_of(fine)
+        filled = on & self.filled.reshape(-1)[np.where(on, cells, 0)]
+        k, m = np.nonzero(filled)
+        if not len(k):
+            return np.array([*uv[0], at[0]])
+        candidates = np.column_stack([fine[k, m], at[k]])
+        nearest = candidates[np.argmin(np.linalg.norm(self.joint.join(candidates) - point, axis=1))]
+        wanted = np.clip(foot[:2], nearest[:2] - 0.5 * step, nearest[:2] + 0.5 * step)
+        return np.array([*(wanted if nearest[2] == foot[2] else nearest[:2]), nearest[2]])
+
+    def _on_wall(self, foot: Floats) -> bool:
+        """Return whether joint 1 ends at (u, v) with about the s of (u, v, s)."""
+        assert self.arcs is not None
+        cells, on = self.grid.cell_of(foot[:2])
+        if not on or not self.filled.reshape(-1)[cells]:
+            return False
+        coarse = self._coarse(*np.divmod(cells, self.grid.shape[1]))
+        start, length = self.arcs.start[coarse], self.arcs.length[coarse]
+        ends = np.concatenate([start, start + length])[np.tile(length >= 0.0, 2)]
+        off = np.abs(ends - foot[2])
+        if self.joint.revolute:
+            off = np.abs(np.remainder(ends - foot[2] + math.pi, math.tau) - math.pi)
+        near = math.tau / BINS if self.joint.revolute else COARSER * self.grid.step
+        return bool((off <= near).any())
+
+    def _in_outline(self, uv: Floats) -> Bools:
+        """Return whether points (..., 2) lie in the polygons of the squares between centres."""
+        if self.grid.flat:
+            near = np.searchsorted(self.spans.reshape(-1), uv[..., 0]) % 2 == 1
+            level = np.abs(uv[..., 1] - self.grid.v[0]) <= self.grid.step
+            return np.asarray(near & level)
+        return inside_polygons(uv, self.contours)
+
+    def _cells(self, uv: Floats) -> Indices:
+        cells, _ = self.grid.cell_of(uv)
+        return self._coarse(*np.divmod(cells, self.grid.shape[1]))
+
+    def _coarse(self, i: Indices, j: Indices) -> Indices:
+        return np.asarray(i // COARSER * -(-self.grid.shape[1] // COARSER) + j // COARSER)
+
+
+def with_axis(outline: Outline, grid: Grid) -> Outline:
+    """Return the region up to the axis of joint 1, which is no boundary; the outline itself where that is far."""
+    if not grid.at_axis:
+        return outline
+    first = outline.inside[:1]
+    columns = first.shape[1]
+    return Outline(
+        np.concatenate([[0.0, 0.0], outline.u]),
+        outline.v,
+        np.concatenate([np.zeros_like(first), first, outline.inside]),
+        np.concatenate([np.ones((1, columns)), np.full((1, columns), 0.5), outline.along_u]),
+        np.concatenate([outline.along_v[:1], outline.along_v[:1], outline.along_v]),
+    )
+
+
+def lonely(filled: Bools, inside: Bools) -> Bools:
+    """Return the filled cells that have no centre inside beside them, both of shape (Nu, Nv)."""
+    wide = np.pad(inside, 1)
+    near = np.zeros_like(filled)
+    rows, columns = filled.shape
+    for i in range(3):
+        for j in range(3):
+            near |= wide[i : i + rows, j : j + columns]
+    return np.asarray(filled & ~near)
+
+
+def enclosed(line: Floats) -> float:
+    """Return the area inside a closed polyline (k, 2), positive when it runs counter-clockwise."""
+    u, v = line[:-1].T
+    ahead_u, ahead_v = line[1:].T
+    return 0.5 * float(u @ ahead_v - ahead_u @ v)
+
+
+def inside_polygons(uv: Floats, contours: tuple[Floats, ...]) -> Bools:
+    """Return whether points (..., 2) are inside closed polylines: an odd number of edges lie beyond them along u."""
+    given = uv.reshape(-1, 2)
+    result = np.zeros(len(given), dtype=bool)
+    if not contours:
+        return result.reshape(uv.shape[:-1])
+    a = np.concatenate([line[:-1] for line in contours])
+    b = np.concatenate([line[1:] for line in contours])
+    for begin in range(0, len(given), 1024):
+        u, v = given[begin : begin + 1024].T[:, :, None]
+        spans = (a[:, 1] <= v) != (b[:, 1] <= v)
+        rise = np.where(b[:, 1] == a[:, 1], 1.0, b[:, 1] - a[:, 1])
+        crossing = a[:, 0] + (v - a[:, 1]) * (b[:, 0] - a[:, 0]) / rise
+        result[begin : begin + 1024] = ((crossing > u) & spans).sum(axis=1) % 2 == 1
+    return result.reshape(uv.shape[:-1])

@@ -1,0 +1,89 @@
+"""Where the boundary of a section crosses the lines between the centres of its cells, found by inverse kinematics."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.workspace.filling import PULLED, Filling
+from armlab.kin.workspace.pull import pull
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+HALVINGS = 6
+"""Of a line between two centres, in search of the boundary."""
+
+FINE = 0.5**HALVINGS
+"""Of a cell: what a crossing may be off."""
+
+REACHED = 1e-3
+"""Of a cell: as near to a point as that is there."""
+
+
+class Crossings:
+    """Where, between neighbouring centres, the boundary lies.
+
+    Attributes
+    ----------
+    inside : ndarray, shape (Nu, Nv)
+        Whether the centre of a cell is reached.
+    along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
+        Where the boundary is between a centre and the next, 0 to 1; half where it is not between them.
+    """
+
+    def __init__(self, filling: Filling) -> None:
+        rows, columns = filling.grid.shape
+        self.filling = filling
+        self.inside = filling.centred.reshape(rows, columns).copy()
+        self.along_u = np.full((max(rows - 1, 0), columns), 0.5)
+        self.along_v = np.full((rows, max(columns - 1, 0)), 0.5)
+
+    def find(self) -> Iterator[None]:
+        """Find all, a piece at a time."""
+        for axis, where in ((0, self.along_u), (1, self.along_v)):
+            first, second = (
+                (self.inside[:-1], self.inside[1:]) if axis == 0 else (self.inside[:, :-1], self.inside[:, 1:])
+            )
+            i, j = np.nonzero(first != second)
+            forward = first[i, j]
+            columns = self.inside.shape[1]
+            low = i * columns + j
+            high = low + (columns if axis == 0 else 1)
+            reached = np.where(forward, low, high)
+            beyond = np.where(forward, high, low)
+            for begin in range(0, len(i), PULLED):
+                some = slice(begin, begin + PULLED)
+                for part in self._part(reached[some], beyond[some]):
+                    if part is None:
+                        yield
+                        continue
+                    where[i[some], j[some]] = np.where(forward[some], part, 1.0 - part)
+
+    def _part(self, reached: Indices, beyond: Indices) -> Iterator[Floats | None]:
+        """Yield None a piece of work, then how far from reached centres towards others one can go, (k,) of 0 to 1."""
+        filling = self.filling
+        a, b = filling.grid.centres(reached), filling.grid.centres(beyond)
+        low, high = np.zeros(len(a)), np.ones(len(a))
+        q = filling.q[reached].copy()
+        others = [(filling.q[beyond], filling.filled[beyond])]
+        others += [(filling.spare[k, reached], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            targets = a + middle[:, None] * (b - a)
+            there = np.zeros(len(a), dtype=bool)
+            for starts, exist in [(q, np.ones(len(a), dtype=bool)), *others]:
+                rows = np.flatnonzero(exist & ~there)
+                if not rows.size:
+                    continue
+                found, error = pull(filling.joint, starts[rows], targets[rows], REACHED * filling.grid.step)
+                good = error <= REACHED * filling.grid.step
+                q[rows[good]] = found[good]
+                there[rows[good]] = True
+                yield None
+            low, high = np.where(there, middle, low), np.where(there, high, middle)
+        if filling.around is not None:
+            filling.add(q)
+        yield 0.5 * (low + high)

@@ -1,0 +1,158 @@
+"""Fills the cells of a section: from samples, then by inverse kinematics from cell to cell until nothing more is found.
+
+A cell is filled by a configuration whose point lies in it, never by its neighbours. Where inverse kinematics reaches
+its centre as well it is centred, and the boundary runs between centred cells and others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.workspace.around import Around
+from armlab.kin.workspace.first_joint import FirstJoint
+from armlab.kin.workspace.pull import pull
+from armlab.kin.workspace.section_grid import Grid, random_configurations
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
+Bools = NDArray[np.bool_]
+
+SAMPLED = 16384
+"""Samples in a piece of work."""
+
+PULLED = 1024
+"""Configurations pulled in a piece of work: at most 30 ms."""
+
+SPARE = 3
+"""Further configurations kept of each cell: other branches may go on where the first one ends."""
+
+AT_CENTRE = 1e-3
+"""Of a cell: as near to its centre as that is there."""
+
+TRIES = 3
+"""Neighbours from which an empty cell is tried at a time."""
+
+SWEEPS = 2
+"""Times that all cells at the edge are tried from all that is known around them."""
+
+SHIFTS = ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (-1, 1), (1, -1), (1, 1))
+
+
+class Filling:
+    """Cells of a section as they are filled.
+
+    Attributes
+    ----------
+    grid : Grid
+    q : ndarray, shape (cells, n)
+        A configuration of each filled cell with q_1 = 0, rad and m.
+    filled, centred : ndarray, shape (cells,)
+    around : Around or None
+        What is known of s; None where joint 1 turns all the way round.
+    """
+
+    def __init__(self, grid: Grid) -> None:
+        self.grid = grid
+        self.joint: FirstJoint = grid.joint
+        cells, n = grid.shape[0] * grid.shape[1], grid.joint.arm.n
+        self.q: Floats = np.zeros((cells, n))
+        self.filled: Bools = np.zeros(cells, dtype=bool)
+        self.centred: Bools = np.zeros(cells, dtype=bool)
+        self.spare: Floats = np.zeros((SPARE, cells, n))
+        self.has_spare: Bools = np.zeros((SPARE, cells), dtype=bool)
+        self.around = None if grid.joint.full else Around(grid)
+        self._tried: Bools = np.zeros((len(SHIFTS), cells), dtype=bool)
+        self._turn = 0
+
+    def add(self, q: Floats) -> None:
+        """Take configurations (k, n) into account, whichever cells they fall in."""
+        coordinates = self.joint.split(self.joint.arm.position(q))
+        cells, on = self.grid.cell_of(coordinates[:, :2])
+        cells, q, s = cells[on], q[on], coordinates[on, 2]
+        if self.around is not None:
+            self.around.add(cells, s, q)
+        turn = self._turn = (self._turn + 1) % SPARE
+        self.spare[turn, cells] = q
+        self.has_spare[turn, cells] = True
+        fresh = ~self.filled[cells]
+        self.q[cells[fresh]] = q[fresh]
+        self.filled[cells[fresh]] = True
+
+    def sample(self, count: int, rng: np.random.Generator) -> Iterator[None]:
+        """Fill cells from random configurations, a piece at a time."""
+        for _ in range(-(-count // SAMPLED)):
+            self.add(random_configurations(self.joint, SAMPLED, rng))
+            yield
+
+    def flood(self) -> Iterator[None]:
+        """Fill cells next to filled ones until none can be filled, a piece at a time."""
+        while True:
+            cells, starts = self._untried()
+            if not cells.size:
+                return
+            yield from self._pull(cells, starts)
+
+    def centre(self) -> Iterator[None]:
+        """Pull what fills cells to their centres."""
+        cells = np.flatnonzero(self.filled & ~self.centred)
+        yield from self._pull(cells, self.q[cells])
+
+    def sweep(self, rng: np.random.Generator) -> Iterator[None]:
+        """Try cells at the edge, and filled ones whose centre was not reached, from all that is known around them."""
+        for shift in SHIFTS:
+            found, starts = [], []
+            for k in range(SPARE):
+                cells, neighbours = self._neighbours(shift, ~self.centred, self.has_spare[k])
+                start = self.spare[k, neighbours]
+                found.append(cells)
+                starts.append(self._shaken(start, rng) if k == SPARE - 1 else start)
+            yield from self._pull(np.concatenate(found), np.concatenate(starts))
+
+    def _shaken(self, q: Floats, rng: np.random.Generator) -> Floats:
+        """Return configurations beside q, inside the limits: off what is singular, and along self-motions."""
+        moving = list(self.joint.moving)
+        low, high = self.joint.arm.limits[moving].T
+        shaken = q.copy()
+        by = 0.1 * np.minimum(high - low, 1.0) * rng.standard_normal((len(q), len(moving)))
+        shaken[:, moving] = np.clip(q[:, moving] + by, low, high)
+        return shaken
+
+    def _pull(self, cells: Indices, starts: Floats) -> Iterator[None]:
+        for first in range(0, len(cells), PULLED):
+            some = slice(first, first + PULLED)
+            waiting = ~self.centred[cells[some]]
+            target = cells[some][waiting]
+            q, error = pull(self.joint, starts[some][waiting], self.grid.centres(target), AT_CENTRE * self.grid.step)
+            self.add(q)
+            there = error <= AT_CENTRE * self.grid.step
+            self.q[target[there]] = q[there]
+            self.centred[target[there]] = True
+            yield
+
+    def _neighbours(self, shift: tuple[int, int], of: Bools, beside: Bools) -> tuple[Indices, Indices]:
+        """Return cells of a kind, and their neighbours in a direction, where those are of another kind."""
+        rows, columns = self.grid.shape
+        i, j = np.divmod(np.flatnonzero(of), columns)
+        i2, j2 = i + shift[0], j + shift[1]
+        inside = (i2 >= 0) & (i2 < rows) & (j2 >= 0) & (j2 < columns)
+        cells = (i * columns + j)[inside]
+        neighbours = (i2 * columns + j2)[inside]
+        chosen = beside[neighbours]
+        return cells[chosen], neighbours[chosen]
+
+    def _untried(self) -> tuple[Indices, Floats]:
+        """Return empty cells and configurations of neighbours, each pair once, a few neighbours of a cell at a time."""
+        tries = np.zeros(len(self.filled), dtype=np.intp)
+        cells_found, starts = [], []
+        for k, shift in enumerate(SHIFTS):
+            cells, neighbours = self._neighbours(shift, ~self.filled, self.filled)
+            chosen = ~self._tried[k, cells] & (tries[cells] < TRIES)
+            cells, neighbours = cells[chosen], neighbours[chosen]
+            self._tried[k, cells] = True
+            tries[cells] += 1
+            cells_found.append(cells)
+            starts.append(self.q[neighbours])
+        return np.concatenate(cells_found), np.concatenate(starts)

@@ -1,0 +1,70 @@
+"""A configuration whose tool point comes as near to a point as the limits allow, found from a section."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.workspace.first_joint import FirstJoint
+from armlab.kin.workspace.pull import pull_in_space
+
+if TYPE_CHECKING:
+    from armlab.kin.workspace.section import Section
+
+Floats = NDArray[np.float64]
+
+CELLS = 12
+"""Nearest cells of a section, and of those in which s is counted, from which is started."""
+
+FAR_CELLS = 48
+"""Of all in which s is counted, those that joint 1 brings nearest: inside its limits the nearest may lie elsewhere."""
+
+STARTS = 16
+
+NEAR_ENOUGH = 1e-10
+"""Of the length scale."""
+
+
+def nearest_configuration(section: Section, point: Floats) -> Floats:
+    """Return a configuration (n,) inside the limits, its tool as near to a point of the world (3,) as was found."""
+    joint = section.joint
+    arm = joint.arm
+    starts = _starts(section, point)
+    q = with_first(joint, starts, point)
+    away = np.linalg.norm(arm.position(q) - point, axis=1)
+    q = q[np.argsort(away, kind="stable")[:STARTS]]
+    found, error = pull_in_space(joint, q, np.broadcast_to(point, (len(q), 3)), NEAR_ENOUGH * arm.length_scale)
+    return np.asarray(found[int(np.argmin(error))])
+
+
+def with_first(joint: FirstJoint, q: Floats, point: Floats) -> Floats:
+    """Return configurations (k, n) of q_1 = 0 with the q_1 inside its limits that comes nearest to a point."""
+    wanted = joint.split(point)[2] - joint.split(joint.arm.position(q))[:, 2]
+    if joint.revolute:
+        middle = 0.5 * (joint.low + joint.high)
+        wanted = middle + np.remainder(wanted - middle + math.pi, math.tau) - math.pi
+    chosen = q.copy()
+    chosen[:, 0] = np.clip(wanted, joint.low, joint.high)
+    return chosen
+
+
+def _starts(section: Section, point: Floats) -> Floats:
+    """Return configurations (k, n) with q_1 = 0: of cells nearest in (u, v), and of those joint 1 brings nearest."""
+    grid, joint, (u, v, _) = section.grid, section.joint, section.joint.split(point)
+    i, j = np.nonzero(section.filled)
+    away = (section.u[i] - u) ** 2 + (section.v[j] - v) ** 2
+    nearest = np.argpartition(away, min(CELLS, len(away) - 1))[:CELLS]
+    starts = section.q[i[nearest], j[nearest]]
+    around = section.around
+    if around is None:
+        return starts
+    coarse = np.unique(around.coarse(i[nearest] * grid.shape[1] + j[nearest]))
+    found = around.most[coarse] >= around.least[coarse]
+    others = np.clip(around.q[coarse][found].astype(np.float64), *joint.arm.limits.T)
+    everywhere = np.clip(around.q[around.most >= around.least].astype(np.float64), *joint.arm.limits.T)
+    brought = np.linalg.norm(joint.arm.position(with_first(joint, everywhere, point)) - point, axis=1)
+    best = np.argpartition(brought, min(FAR_CELLS, len(brought) - 1))[:FAR_CELLS]
+    return np.concatenate([starts, others, everywhere[best]])

@@ -1,0 +1,144 @@
+"""Area, moment and boundary lines of a region that is known at the centres of square cells and where its edge runs.
+
+Every square between four neighbouring centres holds one piece of the region, a polygon through the centres that are
+inside and the crossings between an inside and an outside one ("marching squares", with measured crossings).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Name = tuple[int, int, int]
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """A region of the (u, v) plane.
+
+    Attributes
+    ----------
+    u, v : ndarray, shape (Nu,), (Nv,)
+        Centres, metres.
+    inside : ndarray, shape (Nu, Nv)
+    along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
+        Where, between a centre and the next, the edge of the region lies, 0 to 1.
+    """
+
+    u: Floats
+    v: Floats
+    inside: Bools
+    along_u: Floats
+    along_v: Floats
+
+    @cached_property
+    def corners(self) -> tuple[NDArray[np.intp], Floats, Bools]:
+        """Squares with a piece of the boundary.
+
+        Returns
+        -------
+        squares : ndarray, shape (k, 2)
+        places : ndarray, shape (k, 8, 2)
+            Centres and crossings in turn round a square, metres.
+        used : ndarray, shape (k, 8)
+            Which of them belong to its polygon.
+        """
+        counted = self._inside_corners
+        squares = np.argwhere((counted > 0) & (counted < 4))
+        i, j = squares.T
+        places, used = np.empty((len(squares), 8, 2)), np.empty((len(squares), 8), dtype=bool)
+        ring = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+        for k, (m, n) in enumerate(ring):
+            places[:, 2 * k, 0], places[:, 2 * k, 1] = self.u[m], self.v[n]
+            used[:, 2 * k] = self.inside[m, n]
+        cuts = [(self.along_u, i, j), (self.along_v, i + 1, j), (self.along_u, i, j + 1), (self.along_v, i, j)]
+        for k, (along, m, n) in enumerate(cuts):
+            # The last two edges are met from their far ends.
+            begin, end = (2 * k, (2 * k + 2) % 8) if k < 2 else ((2 * k + 2) % 8, 2 * k)
+            t = along[m, n][:, None]
+            places[:, 2 * k + 1] = places[:, begin] + t * (places[:, end] - places[:, begin])
+            used[:, 2 * k + 1] = used[:, 2 * k] != used[:, (2 * k + 2) % 8]
+        return squares, places, used
+
+    @cached_property
+    def _inside_corners(self) -> NDArray[np.intp]:
+        counted = self.inside.astype(np.intp)
+        return np.asarray(counted[:-1, :-1] + counted[1:, :-1] + counted[:-1, 1:] + counted[1:, 1:])
+
+    @cached_property
+    def pieces(self) -> tuple[Floats, Floats]:
+        """Area of the polygon in each square, m^2, and its integral of u, m^3; (Nu-1, Nv-1) each."""
+        area = np.where(self._inside_corners == 4, np.outer(np.diff(self.u), np.diff(self.v)), 0.0)
+        moment = area * (0.5 * (self.u[1:] + self.u[:-1]))[:, None]
+        squares, places, used = self.corners
+        # What is not used falls together with what was used before it, and adds nothing.
+        places = places.copy()
+        for _ in range(2):
+            for k in range(8):
+                places[:, k] = np.where(used[:, k, None], places[:, k], places[:, k - 1])
+        i, j = squares.T
+        x, y = places[..., 0] - self.u[i, None], places[..., 1] - self.v[j, None]
+        x2, y2 = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
+        cross = x * y2 - x2 * y
+        area[i, j] = cross.sum(axis=1) / 2.0
+        moment[i, j] = (cross * (x + x2)).sum(axis=1) / 6.0 + area[i, j] * self.u[i]
+        return area, moment
+
+    @cached_property
+    def contours(self) -> tuple[Floats, ...]:
+        """Closed polylines (k, 2) along the boundary, first point again at the end; the region on the left."""
+        onward: dict[Name, list[Name]] = {}
+        where: dict[Name, Floats] = {}
+        squares, places, used = self.corners
+        for (i, j), place, use in zip(squares.tolist(), places, used.tolist(), strict=True):
+            names = _names(i, j)
+            # Round the square the region begins at a cut that an inside corner follows, and ends at the next cut.
+            for k in (1, 3, 5, 7):
+                if use[k] and use[(k + 1) % 8]:
+                    end = next(m % 8 for m in range(k + 2, k + 10, 2) if use[m % 8])
+                    onward.setdefault(names[end], []).append(names[k])
+                    where[names[end]], where[names[k]] = place[end], place[k]
+        return tuple(np.array([where[name] for name in line]) for line in _closed(onward))
+
+    def coarser(self) -> Outline:
+        """Return the same region known at every second centre."""
+        inside = self.inside[::2, ::2]
+        return Outline(
+            self.u[::2],
+            self.v[::2],
+            inside,
+            _joined(self.inside[:, ::2], self.along_u[:, ::2]),
+            _joined(self.inside[::2].T, self.along_v[::2].T).T,
+        )
+
+
+def _joined(inside: Bools, along: Floats) -> Floats:
+    """Return crossings between every second centre of those between neighbours, along the first axis."""
+    n = (len(inside) - 1) // 2
+    first, second = along[0 : 2 * n : 2], along[1 : 2 * n : 2]
+    in_first = inside[0 : 2 * n : 2] != inside[1 : 2 * n : 2]
+    return np.where(in_first, first / 2.0, (1.0 + second) / 2.0)
+
+
+def _names(i: int, j: int) -> dict[int, Name]:
+    """Return the names of the four edges of a square: the same in both squares that share one."""
+    return {1: (0, i, j), 3: (1, i + 1, j), 5: (0, i, j + 1), 7: (1, i, j)}
+
+
+def _closed(onward: dict[Name, list[Name]]) -> list[list[Name]]:
+    """Return the closed lines of which each step is one of those given, each step used once."""
+    lines = []
+    while onward:
+        line = [next(iter(onward))]
+        while len(line) == 1 or line[-1] != line[0]:
+            following = onward[line[-1]]
+            line.append(following.pop())
+            if not following:
+                del onward[line[-2]]
+        lines.append(line)
+    return lines

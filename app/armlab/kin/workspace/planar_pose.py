@@ -1,0 +1,119 @@
+"""A planar arm of two or three links as the distance of its tool, and its angle: there and back again."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.ik.screws import screws_of
+from armlab.kin.ik.solutions import wrapped_rows
+from armlab.kin.workspace.first_joint import first_joint
+from armlab.kin.workspace.planar import Signs, lengths_of
+
+Floats = NDArray[np.float64]
+
+STRAIGHT = 1e-9
+"""What the cosine of an elbow may exceed one by, for the rounding of what is asked."""
+
+
+class Place(NamedTuple):
+    """Where the tool of a planar arm is.
+
+    Attributes
+    ----------
+    r, theta : float
+        Metres and rad: polar coordinates about axis 1, in the axes of the arm's `FirstJoint`.
+    psi : float
+        Angle of the last link against the direction outward, rad in (-pi, pi].
+    """
+
+    r: float
+    theta: float
+    psi: float
+
+
+def place_of(arm: Arm, q: ArrayLike) -> Place:
+    """Return where the tool of a planar arm is; on the first axis theta is 0.
+
+    Raises
+    ------
+    InputError
+        The arm is not planar with two or three turning joints.
+    """
+    links = _links(arm)
+    absolute = np.cumsum(_senses(arm) * np.asarray(q, dtype=np.float64)) + np.angle(links)
+    tip = complex(np.sum(np.abs(links) * np.exp(1j * absolute)))
+    r = abs(tip)
+    theta = float(np.angle(tip)) if r > STRAIGHT * float(np.abs(links).sum()) else 0.0
+    return Place(r, theta, -math.remainder(theta - float(absolute[-1]), math.tau))
+
+
+def configurations(arm: Arm, place: Place) -> Floats:
+    """Return the joint values that put the tool at a place, (k, n): both elbows where there are two.
+
+    Of a 2R psi does not matter. They are inside the limits by whole turns where they can be; where links fold and
+    joint 1 is free, one of them.
+
+    Raises
+    ------
+    InputError
+        The arm is not planar with two or three turning joints.
+    """
+    links = _links(arm)
+    lengths, target = np.abs(links), place.r * np.exp(1j * place.theta)
+    last = place.theta + place.psi
+    wrist = target - lengths[2] * np.exp(1j * last) if arm.n == 3 else target
+    a, b = float(lengths[0]), float(lengths[1])
+    cosine = (abs(wrist) ** 2 - a * a - b * b) / (2.0 * a * b)
+    if abs(cosine) > 1.0 + STRAIGHT:
+        return np.empty((0, arm.n))
+    bend = math.acos(min(max(cosine, -1.0), 1.0))
+    rows = []
+    for elbow in (bend, -bend):
+        first = float(np.angle(wrist) - np.angle(a + b * np.exp(1j * elbow)))
+        rows.append(_joints(arm, np.array([first, first + elbow, last])[: arm.n]))
+    found = np.array(rows)
+    return found[:1] if np.allclose(np.exp(1j * found[0]), np.exp(1j * found[1]), atol=STRAIGHT) else found
+
+
+def stretched(arm: Arm, signs: Signs, theta: float) -> Floats:
+    """Return the joint values (n,) with all links on the line at angle theta, each outward (1) or back (-1).
+
+    Raises
+    ------
+    InputError
+        The arm is not planar with two or three turning joints, or its limits do not let it stand so.
+    """
+    absolute = np.array([theta if sign > 0 else theta + math.pi for sign in signs])
+    q = _joints(arm, absolute)
+    if not arm.within_limits(q):
+        raise InputError("the joint limits do not let the arm stand so")
+    return q
+
+
+def _joints(arm: Arm, absolute: Floats) -> Floats:
+    """Return joint values, inside the limits where they can be, from the angles of the links in the plane."""
+    steps = np.diff(absolute - np.angle(_links(arm)), prepend=0.0)
+    return np.asarray(wrapped_rows(arm, (_senses(arm) * steps)[None])[0])
+
+
+def _senses(arm: Arm) -> Floats:
+    """Return 1 for joints that turn as the first does and -1 for the others, shape (n,)."""
+    z = screws_of(arm).z
+    return np.asarray(np.sign(z @ z[0]))
+
+
+def _links(arm: Arm) -> NDArray[np.complex128]:
+    """Return the links at q = 0 as complex numbers in the plane, shape (n,), metres."""
+    if lengths_of(arm) is None:
+        raise InputError("arm: expected a planar arm of two or three links with turning joints")
+    screws = screws_of(arm)
+    points = np.vstack([screws.o, screws.home[:3, 3]])
+    axes = arm.base[:3, :3].T @ first_joint(arm).axes
+    steps = np.diff(points, axis=0) @ axes[:, :2]
+    return np.asarray(steps[:, 0] + 1j * steps[:, 1])

@@ -1,0 +1,204 @@
+"""How large a workspace is, and how far it reaches, from its section."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.workspace.around import COARSER
+from armlab.kin.workspace.boundary import lonely, with_axis
+from armlab.kin.workspace.crossings import FINE
+from armlab.kin.workspace.extremes import Objective, climbed
+from armlab.kin.workspace.first_joint import FirstJoint
+from armlab.kin.workspace.outline import Outline
+from armlab.kin.workspace.pull import section_rates
+from armlab.kin.workspace.section import Section
+from armlab.kin.workspace.section_grid import random_configurations
+
+Floats = NDArray[np.float64]
+
+STARTS = 2
+"""Cells from which the way to an extreme is begun."""
+
+LOOKED_AT = 256
+SPREAD_TWICE = 1.5
+"""Of what changes with cells of twice the side: counted as an error."""
+
+RANK = 1e-9
+"""Singular values below this part of the largest are zero."""
+
+
+@dataclass(frozen=True)
+class Size:
+    """Volume of a workspace, or the area of a planar one.
+
+    Attributes
+    ----------
+    value, error : float
+        In the unit; the error is estimated (see `size`).
+    unit : "m³" or "m²"
+    """
+
+    value: float
+    error: float
+    unit: Literal["m³", "m²"]
+
+
+@dataclass(frozen=True)
+class Reach:
+    """How far an arm reaches, metres.
+
+    Attributes
+    ----------
+    inner, outer : float
+        Least and largest u: distances from the axis of a joint 1 that turns.
+    low, high : float
+        Least and largest v: heights along that axis, from the point of it that is nearest to frame 0.
+    farthest : float
+        Largest distance from that point in the section.
+    """
+
+    inner: float
+    outer: float
+    low: float
+    high: float
+    farthest: float
+
+
+def size(section: Section) -> Size:
+    """Return the volume that an arm reaches; of a planar arm the area.
+
+    Pappus: V = integral of (length of the path on which joint 1 carries a place of the section) over the section, with
+    the boundary inside cells found by inverse kinematics. The error adds what changes when every second cell is left
+    out, what the crossings of the boundary may be off, filled cells that lie too much by themselves to be counted, and
+    one and a half times what changes when s is counted in cells of twice the side: s spreads in a cell as its side, and
+    what it adds is taken off. It says nothing of parts that no search came upon.
+    """
+    grid = section.grid
+    unit: Literal["m³", "m²"] = "m²" if grid.flat else "m³"
+    if dimension(section.joint) < (1 if grid.flat else 2):
+        return Size(0.0, 0.0, unit)
+    value = _integral(section, section.outline, section.covered)
+    coarser = _integral(section, _halved(section.outline, grid.flat), section.covered[::2, :: 1 if grid.flat else 2])
+    error = abs(value - coarser) + _edges(section) + _alone(section)
+    if section.arcs is not None and section.around is not None:
+        spread = _integral(section, section.outline, _covered_coarsely(section)) - value
+        value -= spread
+        error += SPREAD_TWICE * abs(spread)
+    return Size(value, error, unit)
+
+
+def reach(section: Section) -> Reach:
+    """Return how far an arm reaches: maxima of what it can do, begun from the cells that lie farthest out."""
+    i, j = np.nonzero(section.filled)
+    q = section.q[i, j]
+    uv = section.joint.split(section.joint.arm.position(q))[:, :2]
+    ends = section.grid.extremes
+    inner, outer, low, high = (
+        _farthest(section, q, uv, _along(side, sign)) * sign
+        for side, sign in ((0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0))
+    )
+    farthest = _farthest(section, q, uv, lambda uv: np.hypot(uv[:, 0], uv[:, 1]))
+    return Reach(
+        min(inner, float(ends[0, 0])),
+        max(outer, float(ends[0, 1])),
+        min(low, float(ends[1, 0])),
+        max(high, float(ends[1, 1])),
+        farthest,
+    )
+
+
+def _along(side: int, sign: float) -> Objective:
+    return lambda uv: np.asarray(sign * uv[:, side])
+
+
+def _farthest(section: Section, q: Floats, uv: Floats, objective: Objective) -> float:
+    """Return the largest value of an objective that is found from configurations (k, n) at places (k, 2)."""
+    joint = section.joint
+    starts = q[np.argsort(-objective(uv))[:STARTS]]
+    ends = np.array([climbed(joint, start, objective) for start in starts])
+    return float(objective(joint.split(joint.arm.position(ends))[:, :2]).max())
+
+
+def dimension(joint: FirstJoint) -> int:
+    """Return of how many dimensions the section is, 0 to 2: where it is a line, the arm reaches a surface."""
+    q = random_configurations(joint, LOOKED_AT, np.random.default_rng(0))
+    J = section_rates(joint, q)[..., list(joint.moving)]
+    if not joint.moving:
+        return 0
+    scale = np.where(joint.arm.revolute[list(joint.moving)], 1.0, joint.arm.length_scale)
+    values = np.linalg.svd(J * scale, compute_uv=False).max(axis=0)
+    return int((values > RANK * (joint.arm.reach or 1.0)).sum())
+
+
+def _integral(section: Section, outline: Outline, covered: Floats) -> float:
+    """Return the sum over the squares of (path of joint 1) times (piece of the region)."""
+    grid = section.grid
+    inside = outline.inside
+    if grid.flat:
+        # A strip of height 1.
+        twice = (1, 2)
+        outline = Outline(
+            outline.u,
+            np.array([0.0, 1.0]),
+            np.tile(inside, twice),
+            np.tile(outline.along_u, twice),
+            np.full((len(inside), 1), 0.5),
+        )
+        covered = np.tile(covered, twice)
+    whole = with_axis(outline, grid)
+    if grid.at_axis:
+        covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
+    area, moment = whole.pieces
+    path = _mean_inside(covered, whole.inside)
+    return float(((moment if section.joint.revolute else area) * path).sum())
+
+
+def _mean_inside(covered: Floats, inside: NDArray[np.bool_]) -> Floats:
+    """Return the mean of what is covered at the corners of each square that are inside."""
+    weighed = np.where(inside, covered, 0.0)
+    total = weighed[:-1, :-1] + weighed[1:, :-1] + weighed[:-1, 1:] + weighed[1:, 1:]
+    w = inside.astype(np.float64)
+    count = w[:-1, :-1] + w[1:, :-1] + w[:-1, 1:] + w[1:, 1:]
+    return np.asarray(total / np.maximum(count, 1.0))
+
+
+def _halved(outline: Outline, flat: bool) -> Outline:
+    if not flat:
+        return outline.coarser()
+    twice = Outline(
+        outline.u,
+        np.array([0.0, 1.0, 2.0]),
+        np.tile(outline.inside, (1, 3)),
+        np.tile(outline.along_u, (1, 3)),
+        np.full((len(outline.u), 2), 0.5),
+    ).coarser()
+    one = twice.inside[:, :1]
+    return Outline(twice.u, outline.v, one, twice.along_u[:, :1], np.full((len(twice.u), 0), 0.5))
+
+
+def _edges(section: Section) -> float:
+    """Return what the crossings may be off, times the length of the boundary."""
+    a, b = section.boundary.edges
+    u = 0.5 * (a[:, 0] + b[:, 0]) if section.joint.revolute else np.ones(len(a))
+    length = np.ones(len(a)) if section.grid.flat else np.linalg.norm(b - a, axis=1)
+    return float((u * length).sum() * FINE * section.step * section.covered.max())
+
+
+def _alone(section: Section) -> float:
+    """Return the size of filled cells none of whose neighbours has a centre inside."""
+    path = section.joint.measure(section.u)[:, None] * section.covered
+    cell = section.step if section.grid.flat else section.step**2
+    return float((path * lonely(section.filled, section.outline.inside)).sum() * cell)
+
+
+def _covered_coarsely(section: Section) -> Floats:
+    assert section.around is not None
+    covered, shape = section.around.halved()
+    rows, columns = section.filled.shape
+    side = 2 * COARSER
+    large = np.repeat(np.repeat(covered.reshape(shape), side, 0), side, 1)[:rows, :columns]
+    return np.where(section.filled, large, 0.0)

@@ -1,0 +1,44 @@
+"""The plane a planar arm moves in, seen from above: random configurations, as they are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.kin.workspace.sheet import Met, Sheet, Singles
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class WholePlane(Sheet):
+    """The plane of an arm whose tool point stays in one; s is its height along the normal, metres.
+
+    Its coordinates are two of the axes of the arm's `FirstJoint` from its origin.
+    """
+
+    @property
+    def across(self) -> Floats:
+        """The axes of the coordinates, and the normal: columns (3, 3), right-handed."""
+        axes = self.joint.axes
+        return axes if self.joint.revolute else np.column_stack([axes[:, 2], axes[:, 0], axes[:, 1]])
+
+    def met(self, q: Singles) -> Met:
+        """Return where configurations have the tool point, and how the tool is turned in the plane."""
+        T = np.asarray(self.arm.fk(q), dtype=np.float64)
+        return Met(q, self.places(T[:, :3, 3]), T[:, :3, 0 if self.bins.circle else 2] @ self.across)
+
+    def places(self, points: ArrayLike) -> Floats:
+        """Return the coordinates of points in the world."""
+        return np.asarray((np.asarray(points, dtype=np.float64) - self.joint.origin) @ self.across[:, :2])
+
+    def points(self, places: ArrayLike) -> Floats:
+        """Return the points of the plane with these coordinates."""
+        given = np.asarray(places, dtype=np.float64)
+        return np.asarray(self.joint.origin + given @ self.across[:, :2].T + self.s * self.across[:, 2])
+
+    def lowest(self, low: Floats) -> Floats:
+        """Begin where it begins."""
+        return low

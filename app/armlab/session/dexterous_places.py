@@ -1,0 +1,165 @@
+"""Where the tool of a planar arm is among its regions, and commands that bring it into one or into a singularity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.workspace.first_joint import first_joint
+from armlab.kin.workspace.planar import lengths_of, tool_angles
+from armlab.kin.workspace.planar_pose import Place, configurations, place_of, stretched
+from armlab.kin.workspace.planar_regions import Region, region_at, regions
+from armlab.kin.workspace.sheet_maps import sheet_of
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import Target, target_pose
+from armlab.session.state import Command, State
+
+ON = 1e-4
+"""Of the reach: the tool this near to a circle is on it."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """Where the tool of a planar arm is.
+
+    Attributes
+    ----------
+    place : Place
+    region : Region or None
+        None outside WS1, which only a target can be.
+    """
+
+    place: Place
+    region: Region | None
+
+
+def tool_standing(state: State) -> Standing | None:
+    """Return where the tool is; None where the arm is not planar."""
+    arm = state[Joints].arm
+    lengths = lengths_of(arm)
+    if lengths is None:
+        return None
+    place = place_of(arm, state[Joints].q)
+    return Standing(place, region_near(lengths, place.r))
+
+
+def target_distance(state: State) -> float | None:
+    """Return how far the target of a planar arm is from the first axis, metres; None while it is on the tool."""
+    arm = state[Joints].arm
+    if state[Target].pose is None or lengths_of(arm) is None:
+        return None
+    return float(first_joint(arm).split(target_pose(state)[:3, 3])[0])
+
+
+def region_near(lengths: tuple[float, ...], r: float) -> Region | None:
+    """Return the region of a radius in metres; a circle nearby, where there is one."""
+    near = [one for one in regions(lengths) if one.low == one.high and abs(one.low - r) <= ON * sum(lengths)]
+    return near[0] if near else region_at(lengths, r)
+
+
+def outermost(state: State) -> NDArray[np.float64] | None:
+    """Return four points of the outer circle of a planar arm, (4, 3) in the world, metres; None for other arms."""
+    arm = state[Joints].arm
+    lengths = lengths_of(arm)
+    if lengths is None:
+        return None
+    around = sum(lengths) * np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
+    return sheet_of(arm, 0.0).points(around)
+
+
+@dataclass(frozen=True)
+class GoToRegion(Command):
+    """Bring the tool into the middle of a region, or onto its circle, along the line it is on.
+
+    Parameters
+    ----------
+    index : int
+        0-based, from the inside out.
+    """
+
+    index: int
+    label: ClassVar[str] = "move into a region"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the tool there; `InputError` where the joint limits do not let it."""
+        arm, lengths = state[Joints].arm, _lengths(state)
+        found = regions(lengths)
+        if not 0 <= self.index < len(found):
+            raise InputError(f"region: expected 1 to {len(found)}, got {self.index + 1}")
+        region, now = found[self.index], place_of(arm, state[Joints].q)
+        if region.ways:
+            return StandStretched(self.index, 0).apply(state)
+        r = 0.5 * (region.low + region.high)
+        psi = _nearest_angle(lengths, r, now.psi) if len(lengths) == 3 else now.psi
+        inside = [q for q in configurations(arm, Place(r, now.theta, psi)) if arm.within_limits(q)]
+        if not inside:
+            raise InputError("the joint limits keep the tool out of there along this line")
+        return state.replace(state[Joints].moved_to(min(inside, key=lambda q: _way(arm, q, state[Joints].q))))
+
+
+@dataclass(frozen=True)
+class StandStretched(Command):
+    """Stretch or fold the arm onto the line to its tool: a singular configuration of a circle.
+
+    Parameters
+    ----------
+    index : int
+        Of the region, 0-based from the inside out.
+    way : int
+        Which of its configurations, 0-based.
+    """
+
+    index: int
+    way: int
+    label: ClassVar[str] = "singular configuration"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the arm so; `InputError` where there is no such way or the limits forbid it."""
+        arm, found = state[Joints].arm, regions(_lengths(state))
+        ways = found[self.index].ways if 0 <= self.index < len(found) else ()
+        if not 0 <= self.way < len(ways):
+            raise InputError("there is no such singular configuration")
+        theta = place_of(arm, state[Joints].q).theta
+        return state.replace(state[Joints].moved_to(stretched(arm, ways[self.way], theta)))
+
+
+def possible_joints(arm: Arm, lengths: tuple[float, ...], place: Place) -> list[NDArray[np.float64]]:
+    """Return the arcs of angles, rad, at which joint 3 can be on the circle of radius l3 about the tool point.
+
+    Each is (first, last), in the axes of the arm's `FirstJoint`, seen from the tool point.
+    """
+    low, high = (float(value) for value in tool_angles(lengths, place.r))
+    if not low <= high:
+        return []
+    back = place.theta + np.pi
+    if low <= 0.0 and high >= np.pi:
+        return [np.array([back, back + 2.0 * np.pi])]
+    if low <= 0.0:
+        return [np.array([back - high, back + high])]
+    if high >= np.pi:
+        return [np.array([back + low, back + 2.0 * np.pi - low])]
+    return [np.array([back + low, back + high]), np.array([back - high, back - low])]
+
+
+def _lengths(state: State) -> tuple[float, ...]:
+    lengths = lengths_of(state[Joints].arm)
+    if lengths is None:
+        raise InputError("arm: expected a planar arm of two or three links with turning joints")
+    return lengths
+
+
+def _nearest_angle(lengths: tuple[float, ...], r: float, psi: float) -> float:
+    """Return the possible angle nearest to one, a little inside the ends of a range."""
+    low, high = (float(value) for value in tool_angles(lengths, r))
+    inset = 0.05 * (high - low)
+    low, high = low if low <= 0.0 else low + inset, high if high >= np.pi else high - inset
+    return float(np.copysign(np.clip(abs(psi), low, high), psi))
+
+
+def _way(arm: Arm, q: NDArray[np.float64], now: NDArray[np.float64]) -> float:
+    return float(np.abs(q - now).sum())

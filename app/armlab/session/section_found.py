@@ -1,0 +1,160 @@
+"""The section of a workspace as it is found for the page: cells, size, reach, and what colours them."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.workspace.measures import measure_named
+from armlab.kin.workspace.section import Section, sections
+from armlab.kin.workspace.section_grid import random_configurations
+from armlab.kin.workspace.section_size import Reach, Size, reach, size
+
+Floats = NDArray[np.float64]
+
+REACH = "reach"
+"""Key of the colour that only tells what is reached."""
+
+USUAL = 160
+"""Pieces of work of most arms: what the progress is a part of."""
+
+SHOWN = 8
+"""Pieces between two pictures."""
+
+SAMPLES, PIECE = 393_216, 8_192
+"""Random configurations over which a measure is averaged, and of them in a piece of work."""
+
+QUANTILES = (0.01, 0.99)
+"""Of the values of a measure: the ends of its scale of colours."""
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """What is to be found.
+
+    Attributes
+    ----------
+    arm : Arm
+    colour : str
+        `REACH`, or the key of a measure.
+    known : Found or None
+        What there is of this arm.
+    """
+
+    arm: Arm
+    colour: str
+    known: Found | None
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """What there is.
+
+    Attributes
+    ----------
+    arm : Arm
+    section : Section
+    done : float
+        0 to 1; about.
+    size : Size or None
+    reach : Reach or None
+        None until the section is finished.
+    colour : str
+    values : ndarray, shape (Nu, Nv), or None
+        Mean of the measure over random configurations in and beside each cell; nan where there are none. None with
+        `REACH`.
+    low, high : float
+        Ends of the scale of colours.
+    coloured : bool
+        Whether the values are all there will be.
+    """
+
+    arm: Arm
+    section: Section
+    done: float
+    size: Size | None = None
+    reach: Reach | None = None
+    colour: str = REACH
+    values: Floats | None = None
+    low: float = 0.0
+    high: float = 1.0
+    coloured: bool = False
+
+    @property
+    def finished(self) -> bool:
+        """Whether the section is finished, and its size known."""
+        return self.size is not None
+
+
+def finding(question: Question) -> Iterator[Found | None]:
+    """Yield what was found so far, None where there is nothing new; pieces of work of some 30 ms."""
+    found = question.known
+    if found is None or not found.finished:
+        for found in _sought(question.arm):
+            yield found
+    assert found is not None
+    yield from _coloured(replace(found, colour=question.colour, values=None, coloured=False), question.colour)
+
+
+def _sought(arm: Arm) -> Iterator[Found | None]:
+    # The formulas of an arm are made when they are first used.
+    arm.jacobian(np.zeros((1, arm.n)))
+    arm.position(np.zeros((1, arm.n)))
+    yield None
+    for piece, section in enumerate(sections(arm)):
+        if section.finished:
+            volume = size(section)
+            yield None
+            yield Found(arm, section, 1.0, volume, reach(section))
+        else:
+            yield Found(arm, section, min(piece / USUAL, 0.98)) if piece % SHOWN == 0 else None
+
+
+def _coloured(found: Found, colour: str) -> Iterator[Found | None]:
+    if colour == REACH:
+        yield replace(found, coloured=True)
+        return
+    section, measure, arm = found.section, measure_named(colour), found.arm
+    total, count = np.zeros(section.filled.size), np.zeros(section.filled.size)
+    pieces = itertools.chain([section.q[section.filled]], _random(section))
+    for k, q in enumerate(pieces):
+        cells, on = section.grid.cell_of(section.joint.split(arm.position(q))[:, :2])
+        for begin in range(0, len(q), measure.piece):
+            some = slice(begin, begin + measure.piece)
+            values = measure.values(arm, q[some])[on[some]].astype(np.float64)
+            total += np.bincount(cells[some][on[some]], values, len(total))
+            count += np.bincount(cells[some][on[some]], minlength=len(count))
+            yield None
+        if k % SHOWN == 0:
+            yield _with_means(found, colour, total, count)
+    yield replace(_with_means(found, colour, total, count), coloured=True)
+
+
+def _random(section: Section) -> Iterator[Floats]:
+    rng = np.random.default_rng(0)
+    for _ in range(SAMPLES // PIECE):
+        yield random_configurations(section.joint, PIECE, rng)
+
+
+def _with_means(found: Found, colour: str, total: Floats, count: Floats) -> Found:
+    """Return what was found with the mean of a measure in and beside each cell."""
+    shape = found.section.filled.shape
+    filled = found.section.filled
+    counted = _summed(count.reshape(shape))
+    mean = _summed(total.reshape(shape)) / np.maximum(counted, 1.0)
+    known = mean[filled]
+    low, high = (float(end) for end in np.quantile(known, QUANTILES)) if len(known) else (0.0, 1.0)
+    values = np.where(counted > 0.0, mean, np.nan)
+    return replace(found, colour=colour, values=values, low=low, high=high)
+
+
+def _summed(values: Floats) -> Floats:
+    """Return the sums over each cell and its neighbours; rows before columns."""
+    wide = np.pad(values, 1)
+    rows = wide[:-2] + wide[1:-1] + wide[2:]
+    return np.asarray(rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:])

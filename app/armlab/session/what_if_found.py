@@ -1,0 +1,187 @@
+"""The workspaces of an arm as it is and as it is thought to be, side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.workspace.cloud import Samples, samples
+from armlab.kin.workspace.first_joint import first_joint
+from armlab.kin.workspace.section import Section, sections
+from armlab.kin.workspace.section_size import Reach, Size, reach, size
+
+Mask = NDArray[np.bool_]
+
+POINTS = 24_576
+"""Samples of each arm that are drawn."""
+
+PIECE = 20_480
+"""Of them come at a time after the first few, some milliseconds of work."""
+
+RESOLUTION, SECTION_SAMPLES = 96, 32_768
+"""Cells along the section, and the samples it begins with: enough to compare two arms, in about a second."""
+
+ROUGH = 8
+"""Pieces of work after which a section is known well enough for a first figure, about a tenth of a second."""
+
+REMEMBERED = 4
+"""Arms whose workspace is kept: with every change the one before the change is asked for again."""
+
+SEED = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """Two arms; arms are compared by identity.
+
+    Attributes
+    ----------
+    before, after : Arm
+        The same object when nothing is changed.
+    """
+
+    before: Arm
+    after: Arm
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What is known of one workspace.
+
+    Attributes
+    ----------
+    reach : Reach
+        Metres; of `refined` ones from the boundary, else of samples and so a little too small.
+    size : Size or None
+        Volume, or area of a planar arm; of figures that are not refined its error is not known.
+    refined : bool
+    """
+
+    reach: Reach
+    size: Size | None
+    refined: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Two workspaces, as far as they are known.
+
+    Attributes
+    ----------
+    before, after : Arm
+    old, new : Samples
+        Those that are drawn.
+    figures : (Figures, Figures)
+        Before and after; both rough or both refined, because a rough size is too large by a part of its boundary cells.
+    lost, gained : ndarray of bool or None
+        Which points of ``old`` cannot be reached any more, and which of ``new`` could not be before; known at the end.
+    sections : (Section, Section) or None
+        Before and after, once both are finished.
+    """
+
+    before: Arm
+    after: Arm
+    old: Samples
+    new: Samples
+    figures: tuple[Figures, Figures]
+    lost: Mask | None = None
+    gained: Mask | None = None
+    sections: tuple[Section, Section] | None = None
+
+    @property
+    def same(self) -> bool:
+        """Whether there is only one arm."""
+        return self.before is self.after
+
+    @property
+    def finished(self) -> bool:
+        """Whether nothing more is to come."""
+        return self.lost is not None
+
+
+@dataclass(eq=False)
+class _Known:
+    """What is known of the workspace of one arm, kept for the next who asks."""
+
+    points: Samples | None = None
+    rough: Figures | None = None
+    section: Section | None = None
+    refined: Figures | None = None
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _known(arm: Arm) -> _Known:
+    return _Known()
+
+
+def comparing(question: Question) -> Iterator[Compared | None]:
+    """Yield both workspaces, better and better; None where there is nothing new. At once where they are remembered."""
+    before, after = question.before, question.after
+    old, new = _known(before), _known(after)
+    for _ in _sampling(before, old):
+        yield None
+    assert old.points is not None
+    for points in _sampling(after, new):
+        figures = (_of_samples(before, old.points), _of_samples(after, points))
+        yield Compared(before, after, old.points, points, figures)
+    assert new.points is not None
+    found = Compared(before, after, old.points, new.points, figures)
+    work = [(known, _looking(arm, known)) for arm, known in {before: old, after: new}.items()]
+    for known, pieces in work:
+        for _ in pieces:
+            yield None
+            if known.rough is not None:
+                break
+    if old.rough is not None and new.rough is not None:
+        found = replace(found, figures=(old.rough, new.rough))
+        yield found
+    for _, pieces in work:
+        yield from pieces
+    assert old.refined is not None
+    assert new.refined is not None
+    assert old.section is not None
+    assert new.section is not None
+    found = replace(found, figures=(old.refined, new.refined), sections=(old.section, new.section))
+    yield found
+    lost = ~new.section.holds(old.points.points)
+    yield None
+    yield replace(found, lost=lost, gained=~old.section.holds(new.points.points))
+
+
+def _sampling(arm: Arm, known: _Known) -> Iterator[Samples]:
+    """Yield the points so far, at last all of them; at once where they are known."""
+    so_far: list[Samples] = []
+    if known.points is None:
+        for piece in samples(arm, POINTS, SEED, chunk=PIECE):
+            so_far.append(piece)
+            yield _joined(so_far)
+        known.points = _joined(so_far)
+    yield known.points
+
+
+def _joined(pieces: list[Samples]) -> Samples:
+    return Samples(*(np.concatenate(parts) for parts in zip(*pieces, strict=True)))
+
+
+def _of_samples(arm: Arm, found: Samples) -> Figures:
+    """Return the figures of samples, which fall a little short of the boundary."""
+    u, v, _ = first_joint(arm).split(found.points).T
+    ends = u.min(), u.max(), v.min(), v.max(), np.hypot(u, v).max()
+    return Figures(Reach(*map(float, ends)), None, False)
+
+
+def _looking(arm: Arm, known: _Known) -> Iterator[None]:
+    """Work until there are rough figures, and on until they are refined."""
+    if known.refined is not None:
+        return
+    for k, found in enumerate(sections(arm, RESOLUTION, SECTION_SAMPLES, SEED)):
+        yield
+        if k == ROUGH and not found.finished:
+            seen = found if found.around is None else replace(found, arcs=found.around.arcs())
+            known.rough = Figures(reach(seen), size(seen), False)
+    known.section, known.refined = found, Figures(reach(found), size(found), True)

@@ -1,0 +1,65 @@
+"""How the values of a measure look: as colours, as figures, and the scale that says what the colours stand for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.workspace.measures import measure_named
+from armlab.ui.colours import VIRIDIS_CSS
+from armlab.ui.format import capitalised, escaped, mathml, readable
+
+DECADES = 3.0
+"""Of a logarithmic scale of colours, from its bright end down: at most."""
+
+SAME = 1e-6
+"""Of the larger: values that differ by less are the same."""
+
+DIGITS = 3
+"""Significant ones of a measure."""
+
+
+def figure(value: float) -> str:
+    """Return the value of a measure without its unit."""
+    return readable(float(f"{value:.{DIGITS}g}"), DIGITS)
+
+
+def parts_of(measure: str, low: float, high: float, values: NDArray[Any]) -> NDArray[np.float64]:
+    """Return where values of a measure lie on its scale of colours, 0 to 1 between its ends."""
+    values = np.asarray(values, dtype=np.float64)
+    if high - low <= SAME * abs(high):
+        return np.ones_like(values)
+    if measure_named(measure).logarithmic and high > 0.0:
+        decades = np.log10(high / _least(low, high))
+        with np.errstate(divide="ignore"):
+            return np.asarray(1.0 + np.log10(np.maximum(values, 0.0) / high) / decades)
+    return np.asarray((values - low) / (high - low))
+
+
+def scale(arm: Arm, key: str, low: float, high: float) -> str:
+    """Return the colours and what they stand for."""
+    measure = measure_named(key)
+    if high - low <= SAME * abs(high):
+        return f'<div class="ws-scale"><b>{_head(arm, key)}</b> the same everywhere: {figure(high)}</div>'
+    low = _least(low, high) if measure.logarithmic else low
+    middle = (low * high) ** 0.5 if measure.logarithmic else 0.5 * (low + high)
+    kind = ", logarithmic" if measure.logarithmic else ""
+    least = f"≤ {figure(low)}" if low > 0.0 else figure(low)
+    return (
+        f'<div class="ws-scale"><b>{_head(arm, key)}{kind}</b><u style="background:{VIRIDIS_CSS}"></u>'
+        f"<div><i>{least}</i><i>{figure(middle)}</i><i>≥ {figure(high)}</i></div></div>"
+    )
+
+
+def _head(arm: Arm, key: str) -> str:
+    measure = measure_named(key)
+    unit = measure.unit(arm)
+    return f"{escaped(capitalised(measure.title))} {mathml(measure.symbol)}{f', {unit}' if unit else ''}"
+
+
+def _least(low: float, high: float) -> float:
+    """Return the dark end of a logarithmic scale: that of the values, but no more than `DECADES` down."""
+    return max(low, high * 10.0**-DECADES)
