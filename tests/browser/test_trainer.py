@@ -27,6 +27,10 @@ def fill(lab, values):
     lab.rest()
 
 
+def value(lab, cell):
+    return lab.page.locator(f'input[data-cell="{cell}"]').input_value()
+
+
 def words(lab):
     return lab.page.locator("body").inner_text()
 
@@ -58,8 +62,7 @@ def test_an_exercise_wrongly_then_rightly(visit):
 
     wrong = {(1, "a"): "1", (1, "alpha"): "180", (1, "d"): "0", (1, "theta"): "0"}
     fill(lab, wrong | {(2, "a"): "1000", (2, "alpha"): "0", (2, "d"): "0", (2, "theta"): "0"})
-    typed = [lab.page.locator(f'input[data-cell="trainer-cell-2-{field}"]').input_value() for field in CELLS]
-    assert typed == ["1000", "0", "0", "0"]
+    lab.until(lambda: [value(lab, f"trainer-cell-2-{field}") for field in CELLS] == ["1000", "0", "0", "0"])
     drawn = np.array(sticks(lab))
     np.testing.assert_allclose(drawn[-1], [1.001, 0.0, 0.0], atol=1e-6)
     lab.press("trainer-check")

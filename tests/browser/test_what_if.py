@@ -48,7 +48,8 @@ def test_a_longer_link_is_previewed_compared_and_taken_over(visit):
     lab.type_into("value", "900")
     lab.page.locator(".wi-changes b", has_text="900.0 mm").wait_for()
     lab.press("take")
-    lab.page.locator(".wi-exact", has_text="now 900.0 mm").wait_for()
+    now = lab.page.locator(".al .row", has_text="now 900.0 mm")
+    now.wait_for()
     assert lab.page.locator(".wi-changes").count() == 0
     lab.page.keyboard.press("Control+z")
-    lab.page.locator(".wi-exact", has_text="now 900.0 mm").wait_for(state="detached")
+    now.wait_for(state="detached")

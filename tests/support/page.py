@@ -253,7 +253,7 @@ class LabPage:
             if (now := self.page.evaluate(SEEN)) != before:
                 before, since = now, time.monotonic()
 
-    def until(self, condition: Callable[[], bool], seconds: float = 10.0) -> None:
+    def until(self, condition: Callable[[], bool], seconds: float = 30.0) -> None:
         """Wait for something to come true."""
         deadline = time.monotonic() + seconds
         while not condition():
