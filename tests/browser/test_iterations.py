@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.session.clips.iterations import standing
+from armlab.session.arm_on_clip import standing
 from armlab.session.iteration_examples import EXAMPLES, ChooseExample
 from armlab.session.jobs.iterations import with_films
 from armlab.session.parts.iterations import Iterations

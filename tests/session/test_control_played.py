@@ -11,8 +11,8 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.transforms import transform
+from armlab.session.arm_on_clip import standing
 from armlab.session.clips.control import configuration
-from armlab.session.clips.iterations import standing
 from armlab.session.control_commands import (
     AddRun,
     SetOffset,

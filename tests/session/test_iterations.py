@@ -9,7 +9,8 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import iterate, transpose_flow
 from armlab.kin.transforms import transform
-from armlab.session.clips.iterations import alongside, configuration, each, place_at, place_of, standing
+from armlab.session.arm_on_clip import standing
+from armlab.session.clips.iterations import alongside, configuration, each, place_at, place_of
 from armlab.session.iteration_commands import (
     AddRun,
     AimAt,

@@ -11,7 +11,8 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import TaskVector, iterate, task_vector
 from armlab.kin.ik.iterate.problem import Problem
-from armlab.session.clips.iterations import configuration, place_of, standing
+from armlab.session.arm_on_clip import standing
+from armlab.session.clips.iterations import configuration, place_of
 from armlab.session.edits import AddJoint, SetCell, SetLimits
 from armlab.session.iteration_commands import (
     AddRun,

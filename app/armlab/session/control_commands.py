@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
-from armlab.session.clips.control import on_run, time_of
+from armlab.session.clips.control import ARM, time_of
 from armlab.session.control_setup import (
     Setup,
     checked_name,
@@ -57,7 +57,7 @@ class RemoveRun(Command):
             raise InputError("the last run stays: change it instead")
         runs = tuple(run for i, run in enumerate(part.runs) if i != gone)
         selected = part.selected - (part.selected > gone)
-        return on_run(_changed(state, runs=runs, selected=min(selected, len(runs) - 1)))
+        return ARM.shown(_changed(state, runs=runs, selected=min(selected, len(runs) - 1)))
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class SelectRun(Command):
         """Return the state with the run selected."""
         part = state[Control]
         i = _checked_run(part, self.run)
-        return state if i == part.selected else on_run(state.replace(replace(part, selected=i)))
+        return state if i == part.selected else ARM.shown(state.replace(replace(part, selected=i)))
 
 
 @dataclass(frozen=True)

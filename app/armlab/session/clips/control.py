@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.session.clips.iterations import standing
+from armlab.session.arm_on_clip import ArmOnClip, standing
 from armlab.session.parts.control import CLIP_KEY, Control, standing_start
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Clip, Timeline
@@ -15,9 +13,6 @@ from armlab.session.state import State
 
 WAITING = 1.0
 """Seconds of a run that is still being made, or has no more than one instant."""
-
-UNTOUCHED = 1e-9
-"""rad or m from where the run has put a joint, within which no hand has moved it."""
 
 Floats = NDArray[np.float64]
 
@@ -48,41 +43,8 @@ def time_of(state: State) -> float:
     return state[Timeline].time if state[Timeline].clip == CLIP_KEY else 0.0
 
 
-def at(state: State, time: float) -> State:
-    """Return the state with the arm where the run has it; the first call notes where it stood."""
-    part, joints = state[Control], state[Joints]
-    if part.before is None:
-        part = replace(part, before=tuple(joints.q.tolist()))
-        state = state.replace(part)
-    moved = joints.moved_to(standing(joints.arm, configuration(state, time)))
-    return state if moved is joints else state.replace(moved)
+ARM = ArmOnClip(
+    CLIP_KEY, Control, duration, lambda state, time: standing(state[Joints].arm, configuration(state, time))
+)
 
-
-def untouched(state: State) -> bool:
-    """Return whether the arm stands where the run has put it."""
-    joints = state[Joints]
-    q = standing(joints.arm, configuration(state, state[Timeline].time))
-    there = np.where(joints.locked, joints.q, q)
-    return bool(np.all(np.abs(there - joints.q) <= UNTOUCHED))
-
-
-def on_run(state: State) -> State:
-    """Return the state with the arm where the run has it, if it is on; its time is at most its end."""
-    timeline = state[Timeline]
-    if timeline.clip != CLIP_KEY:
-        return state
-    time = min(timeline.time, duration(state))
-    # A timeline of its own says that no hand has moved the arm, even at the same time.
-    return at(state.replace(replace(timeline, time=time)), time)
-
-
-def put_back(state: State) -> State:
-    """Return the state with the arm where it stood before the run, unless a hand has moved it meanwhile."""
-    part, joints = state[Control], state[Joints]
-    if part.before is None or not untouched(state):
-        return state
-    moved = joints.moved_to(np.array(part.before))
-    return state if moved is joints else state.replace(moved)
-
-
-CLIP = Clip(CLIP_KEY, "Control", duration, stops, at, closed=put_back)
+CLIP = Clip(CLIP_KEY, "Control", duration, stops, ARM.at, closed=ARM.put_back)

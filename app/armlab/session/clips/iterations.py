@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.arm import Arm
 from armlab.kin.easing import eased
+from armlab.session.arm_on_clip import ArmOnClip, standing
 from armlab.session.iteration_films import Film
 from armlab.session.parts.iterations import CLIP_KEY, Iterations
 from armlab.session.parts.joints import Joints
@@ -27,9 +26,6 @@ REST = 0.4
 
 NEAR = 1e-6
 """Seconds within which a time is that of an iterate, times the length of the film."""
-
-UNTOUCHED = 1e-9
-"""rad or m from where the film has put a joint, within which no hand has moved it."""
 
 Floats = NDArray[np.float64]
 
@@ -98,43 +94,13 @@ def alongside(film: Film, place: tuple[int, float], other: Film) -> tuple[int, f
     return (i, 0.0) if i == other.last else (i, k - i)
 
 
-def standing(arm: Arm, q: Floats) -> Floats:
-    """Return where the arm can stand for an iterate: turned by whole turns into its limits, or at the nearest limit."""
-    low, high = arm.limits.T
-    whole, room = 2.0 * math.pi, 1e-12
-    up, down = np.ceil((low - room - q) / whole), np.ceil((q - high - room) / whole)
-    turned = q + whole * np.where(arm.revolute, np.maximum(up, 0.0) - np.maximum(down, 0.0), 0.0)
-    inside = (turned >= low - room) & (turned <= high + room)
-    return np.asarray(np.clip(np.where(inside, turned, q), low, high))
+def _stood(state: State, time: float) -> Floats:
+    """Return where the arm stands at a time, (n,), inside its limits; at the start while the film is being made."""
+    part = state[Iterations]
+    q = np.array(part.start) if part.film is None else configuration(part.film, place_at(part.film, time))
+    return standing(state[Joints].arm, q)
 
 
-def at(state: State, time: float) -> State:
-    """Return the state with the arm where the film has it; the first call notes where it stood."""
-    part, joints = state[Iterations], state[Joints]
-    if part.before is None:
-        part = replace(part, before=tuple(joints.q.tolist()))
-        state = state.replace(part)
-    film = part.film
-    q = np.array(part.start) if film is None else configuration(film, place_at(film, time))
-    moved = joints.moved_to(standing(joints.arm, q))
-    return state if moved is joints else state.replace(moved)
+ARM = ArmOnClip(CLIP_KEY, Iterations, duration, _stood)
 
-
-def untouched(state: State) -> bool:
-    """Return whether the arm stands where the film has put it."""
-    part, joints = state[Iterations], state[Joints]
-    q = np.array(part.start) if part.film is None else configuration(part.film, place_of(state))
-    there = np.where(joints.locked, joints.q, standing(joints.arm, q))
-    return bool(np.all(np.abs(there - joints.q) <= UNTOUCHED))
-
-
-def put_back(state: State) -> State:
-    """Return the state with the arm where it stood before the film, unless a hand has moved it meanwhile."""
-    part, joints = state[Iterations], state[Joints]
-    if part.before is None or not untouched(state):
-        return state
-    moved = joints.moved_to(np.array(part.before))
-    return state if moved is joints else state.replace(moved)
-
-
-CLIP = Clip(CLIP_KEY, "Iterations", duration, stops, at, closed=put_back)
+CLIP = Clip(CLIP_KEY, "Iterations", duration, stops, ARM.at, closed=ARM.put_back)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from armlab.session.clips.control import on_run, untouched
+from armlab.session.clips.control import ARM
 from armlab.session.control_runs import Outcome, Question, making
 from armlab.session.job import Job, Wanted
 from armlab.session.parts.control import CLIP_KEY, Control, questions
@@ -61,14 +61,14 @@ def delivered(state: State, missing: Todo, found: dict[int, Outcome]) -> State:
     """
     part, arm = state[Control], state[Joints].arm
     colours = {run.colour for run in part.runs}
-    here = state[Timeline].clip == CLIP_KEY and untouched(state)
+    here = ARM.untouched(state)
     outcomes = {
         colour: outcome
         for colour, outcome in {**part.outcomes, **found}.items()
         if colour in colours and outcome.question.arm is arm
     }
     now = state.replace(replace(part, outcomes=outcomes))
-    return on_run(now) if here else now
+    return ARM.shown(now) if here else now
 
 
 def with_outcomes(state: State) -> State:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from armlab.session.clips.iterations import untouched
+from armlab.session.clips.iterations import ARM
 from armlab.session.iteration_arms import Arms, Asked, arms_of
 from armlab.session.iteration_films import Film, Question, making
 from armlab.session.job import Job, Wanted
@@ -74,7 +74,7 @@ def delivered(state: State, missing: Todo, found: Found) -> State:
     """
     part, arm = state[Iterations], state[Joints].arm
     colours = {run.colour for run in part.runs}
-    here = state[Timeline].clip == CLIP_KEY and untouched(state)
+    here = ARM.untouched(state)
     films = {
         colour: film
         for colour, film in {**part.films, **found.films}.items()

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from armlab.session.clips.motion import on_motion, untouched
+from armlab.session.clips.motion import ARM
 from armlab.session.job import Job, Wanted
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.plan import CLIP_KEY, Plan, question
@@ -70,9 +70,9 @@ def run(missing: Asked) -> Iterator[Found | None]:
 def delivered(state: State, missing: Asked, found: Found) -> State:
     """Return the state with what was found, the arm where the new motion has it if the old one had put it there."""
     part = state[Plan]
-    here = state[Timeline].clip == CLIP_KEY and untouched(state)
+    here = ARM.untouched(state)
     now = state.replace(replace(part, planned=found.plan or part.planned, other=found.other or part.other))
-    return on_motion(now) if here else now
+    return ARM.shown(now) if here else now
 
 
 def with_plan(state: State) -> State:

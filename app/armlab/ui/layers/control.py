@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.control.record import Run
+from armlab.session.arm_on_clip import standing
 from armlab.session.clips.control import time_of
-from armlab.session.clips.iterations import standing
 from armlab.session.control_runs import Outcome
 from armlab.session.parts.control import CLIP_KEY, Control, questions, standing_start
 from armlab.session.parts.joints import Joints

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import trimesh
 import viser
 from numpy.typing import NDArray
 
@@ -16,12 +14,12 @@ from armlab.session.parts.dexterous import Dexterous, GoToSlice, method_of, ring
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
-from armlab.ui import adapter
 from armlab.ui.colours import viridis
 from armlab.ui.drawing import LayerCanvas
+from armlab.ui.layers._clicks import SceneClicks
 from armlab.ui.layers._dexterous_rings import Rings
 from armlab.ui.layers._nodes import put, seen
-from armlab.ui.layers.workspace import FILLED, instance_colours, outside
+from armlab.ui.layers._voxels import VoxelBody, outside
 from armlab.ui.panels._dexterous_words import count_colour
 from armlab.ui.plugin import Layer, Show
 
@@ -40,12 +38,11 @@ class _Picture:
         self._rings: Rings | None = None
         self._frame: viser.FrameHandle | None = None
         self._slice: viser.ImageHandle | None = None
-        self._voxels: viser.BatchedMeshHandle | None = None
+        self._voxels = VoxelBody(canvas, "dexterous/body")
         self._drawn: tuple[object, ...] = ()
         self._shown: Slice | None = None
-        self._deaf: Callable[[], None] | None = None
+        self._clicks = SceneClicks(canvas, self._clicked)
         self._planar = lengths_of(canvas.drawn.figure.anatomy.arm) is not None
-        canvas.on_hide(self._stop_listening)
 
     def show(self, state: State) -> None:
         """Show a state."""
@@ -59,7 +56,7 @@ class _Picture:
             self._shown = None if body is not None else slice_shown(state)
             self._draw_slice(self._shown)
             self._draw_body(body)
-        self._listen(self._shown is not None)
+        self._clicks.listen(self._shown is not None)
 
     def _show_rings(self, state: State) -> None:
         """Show the rings; filled where they hold, else their circles over what was sampled."""
@@ -93,38 +90,13 @@ class _Picture:
         seen(self._slice, True)
 
     def _draw_body(self, body: NDArray[np.bool_] | None) -> None:
-        if self._voxels is not None:
-            self._voxels.remove()
-            self._voxels = None
+        self._voxels.clear()
         found = self._state.derived(study_of)
         if body is None or found is None or found.wrist is None or not body.any():
             return
         skin, wrist = outside(body), found.wrist
         centres = wrist.low + (np.argwhere(skin) + 0.5) * wrist.step
-        solid = trimesh.creation.box(extents=np.full(3, FILLED * wrist.step))
-        self._voxels = self._canvas.scene.add_batched_meshes_simple(
-            self._canvas.path("dexterous/body"),
-            solid.vertices.astype(np.float32),
-            solid.faces.astype(np.uint32),
-            batched_wxyzs=np.tile((1.0, 0.0, 0.0, 0.0), (len(centres), 1)).astype(np.float32),
-            batched_positions=centres.astype(np.float32),
-            batched_colors=instance_colours(viridis(wrist.fraction[skin])),
-            lod="off",
-            flat_shading=True,
-            cast_shadow=False,
-            receive_shadow=False,
-        )
-
-    def _listen(self, on: bool) -> None:
-        if on and self._deaf is None:
-            self._deaf = adapter.on_scene_click(self._canvas.client, self._clicked)
-        elif not on:
-            self._stop_listening()
-
-    def _stop_listening(self) -> None:
-        if self._deaf is not None:
-            self._deaf()
-            self._deaf = None
+        self._voxels.draw(centres, wrist.step, viridis(wrist.fraction[skin]))
 
     def _clicked(self, event: Any) -> None:
         if self._shown is None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.session.clips.iterations import alongside, configuration, place_of, standing
+from armlab.session.arm_on_clip import standing
+from armlab.session.clips.iterations import alongside, configuration, place_of
 from armlab.session.iteration_films import Film
 from armlab.session.iteration_runs import MOST_RUNS
 from armlab.session.parts.iterations import CLIP_KEY, Iterations, arms_found, vector_of

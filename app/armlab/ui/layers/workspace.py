@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import trimesh
 import viser
 from numpy.typing import NDArray
 
@@ -15,10 +13,12 @@ from armlab.session.parts.workspace import GoToSample, Workspace
 from armlab.session.state import State
 from armlab.session.workspace_samples import Sampled
 from armlab.session.workspace_view import boundary, drawing, kept, left_of, pointed_at
-from armlab.ui import adapter, measured
-from armlab.ui.colours import SKY, VERMILLION, linear, viridis
+from armlab.ui import measured
+from armlab.ui.colours import SKY, VERMILLION, viridis
 from armlab.ui.drawing import LayerCanvas
+from armlab.ui.layers._clicks import SceneClicks
 from armlab.ui.layers._nodes import move, seen
+from armlab.ui.layers._voxels import VoxelBody, outside
 from armlab.ui.plugin import Layer, Show
 
 POINT = 0.0046
@@ -26,9 +26,6 @@ POINT = 0.0046
 
 CHOSEN = 0.02
 """Diameter of the point that was chosen, in sizes of the arm."""
-
-FILLED = 0.94
-"""Side of a voxel that is drawn, in sides of the voxel: gaps tell them apart."""
 
 OPACITY = 0.3
 """Of the surface: the arm is seen through it."""
@@ -45,19 +42,18 @@ class _Picture:
     def __init__(self, canvas: LayerCanvas, state: State) -> None:
         self._canvas, self._state = canvas, state
         self._cloud: viser.PointCloudHandle | None = None
-        self._voxels: viser.BatchedMeshHandle | None = None
+        self._voxels = VoxelBody(canvas, "workspace/voxels")
         self._surface: viser.MeshHandle | None = None
         self._mark: viser.IcosphereHandle | None = None
         self._shown: tuple[object, ...] = ()
-        self._deaf: Callable[[], None] | None = None
-        canvas.on_hide(self._stop_listening)
+        self._clicks = SceneClicks(canvas, self._clicked)
 
     def show(self, state: State) -> None:
         """Show a state."""
         self._state = state
         part = state[Workspace]
         found = part.found
-        self._listen(found is not None and part.clicks)
+        self._clicks.listen(found is not None and part.clicks)
         shown = (found, part.draw, part.cut, part.offset, part.edge, part.section)
         if shown != self._shown:
             self._shown = shown
@@ -91,29 +87,15 @@ class _Picture:
         )
 
     def _draw_voxels(self, found: Sampled | None) -> None:
-        if self._voxels is not None:
-            self._voxels.remove()
-            self._voxels = None
+        self._voxels.clear()
         if found is None:
             return
         left = found.voxels.count > 0
         left[left] = left_of(self._state, found.voxels.centres(left))
         left = outside(left)
-        if not left.any():
-            return
-        solid = trimesh.creation.box(extents=np.full(3, FILLED * found.voxels.step))
-        self._voxels = self._canvas.scene.add_batched_meshes_simple(
-            self._canvas.path("workspace/voxels"),
-            solid.vertices.astype(np.float32),
-            solid.faces.astype(np.uint32),
-            batched_wxyzs=np.tile((1.0, 0.0, 0.0, 0.0), (int(np.count_nonzero(left)), 1)).astype(np.float32),
-            batched_positions=found.voxels.centres(left).astype(np.float32),
-            batched_colors=instance_colours(viridis(parts_of(found, found.voxels.mean()[left]))),
-            lod="off",
-            flat_shading=True,
-            cast_shadow=False,
-            receive_shadow=False,
-        )
+        if left.any():
+            colours = viridis(parts_of(found, found.voxels.mean()[left]))
+            self._voxels.draw(found.voxels.centres(left), found.voxels.step, colours)
 
     def _draw_surface(self, drawn: Surface | None) -> None:
         if self._surface is not None:
@@ -147,35 +129,10 @@ class _Picture:
         if self._mark is not None and found is not None and chosen is not None and drawn:
             move(self._mark, found.shown.points[chosen])
 
-    def _listen(self, on: bool) -> None:
-        if on and self._deaf is None:
-            self._deaf = adapter.on_scene_click(self._canvas.client, self._clicked)
-        elif not on:
-            self._stop_listening()
-
-    def _stop_listening(self) -> None:
-        if self._deaf is not None:
-            self._deaf()
-            self._deaf = None
-
     def _clicked(self, event: Any) -> None:
         index = pointed_at(self._state, event.ray_origin, event.ray_direction)
         if index is not None:
             self._canvas.post(GoToSample(index))
-
-
-def instance_colours(colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return colours (k, 3) as the page wants those of instances: as linear light."""
-    return np.asarray(np.round(255.0 * linear(colours)), dtype=np.uint8)
-
-
-def outside(filled: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the filled voxels that have an empty neighbour: the others cannot be seen."""
-    wide = np.pad(filled, 1)
-    inner = wide.copy()
-    for axis in range(3):
-        inner &= np.roll(wide, 1, axis) & np.roll(wide, -1, axis)
-    return np.asarray(filled & ~inner[1:-1, 1:-1, 1:-1])
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:

@@ -1,0 +1,75 @@
+"""Voxels in the scene: one batch of boxes of one size."""
+
+from __future__ import annotations
+
+import numpy as np
+import trimesh
+import viser
+from numpy.typing import NDArray
+
+from armlab.ui.colours import linear
+from armlab.ui.drawing import LayerCanvas
+
+FILLED = 0.94
+"""Side of a voxel that is drawn, in sides of the voxel: gaps tell them apart."""
+
+
+class VoxelBody:
+    """The boxes of one layer; they are made anew each time, for a batch keeps its number.
+
+    Parameters
+    ----------
+    canvas : LayerCanvas
+    name : str
+        Of the node.
+    """
+
+    def __init__(self, canvas: LayerCanvas, name: str) -> None:
+        self._canvas, self._path = canvas, canvas.path(name)
+        self._node: viser.BatchedMeshHandle | None = None
+
+    def clear(self) -> None:
+        """Take the boxes away."""
+        if self._node is not None:
+            self._node.remove()
+            self._node = None
+
+    def draw(self, centres: NDArray[np.floating], step: float, colours: NDArray[np.uint8]) -> None:
+        """Draw boxes instead of those before.
+
+        Parameters
+        ----------
+        centres : ndarray, shape (k, 3)
+            m, in the world; k > 0.
+        step : float
+            Side of a voxel, m.
+        colours : ndarray of uint8, shape (k, 3)
+        """
+        self.clear()
+        solid = trimesh.creation.box(extents=np.full(3, FILLED * step))
+        self._node = self._canvas.scene.add_batched_meshes_simple(
+            self._path,
+            solid.vertices.astype(np.float32),
+            solid.faces.astype(np.uint32),
+            batched_wxyzs=np.tile((1.0, 0.0, 0.0, 0.0), (len(centres), 1)).astype(np.float32),
+            batched_positions=centres.astype(np.float32),
+            batched_colors=_instance_colours(colours),
+            lod="off",
+            flat_shading=True,
+            cast_shadow=False,
+            receive_shadow=False,
+        )
+
+
+def outside(filled: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the filled voxels that have an empty neighbour: the others cannot be seen."""
+    wide = np.pad(filled, 1)
+    inner = wide.copy()
+    for axis in range(3):
+        inner &= np.roll(wide, 1, axis) & np.roll(wide, -1, axis)
+    return np.asarray(filled & ~inner[1:-1, 1:-1, 1:-1])
+
+
+def _instance_colours(colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return colours (k, 3) as the page wants those of instances: as linear light."""
+    return np.asarray(np.round(255.0 * linear(colours)), dtype=np.uint8)
