@@ -185,7 +185,7 @@ def test_almost_singular_and_singular_are_told_apart(rng):
 
 
 def test_the_three_formulas_for_full_rank_are_the_pseudo_inverse(rng):
-    for (m, n), name in {(3, 3): "J⁻¹", (2, 4): "Jᵀ(JJᵀ)⁻¹", (4, 2): "(JᵀJ)⁻¹Jᵀ"}.items():
+    for (m, n), name in {(3, 3): "J^{-1}", (2, 4): "J^T(J J^T)^{-1}", (4, 2): "(J^T J)^{-1}J^T"}.items():
         J = rng.normal(size=(m, n))
         said, value = full_rank_inverse(J)
         assert said == name

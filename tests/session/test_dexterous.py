@@ -23,6 +23,7 @@ from armlab.session.dexterous_places import (
     tool_standing,
 )
 from armlab.session.dexterous_study import methods, misses_orientations, never_turns, studying, turns_in_place
+from armlab.session.edits import SetCell, SetKind
 from armlab.session.jobs.dexterous import delivered, studied, wanted
 from armlab.session.parts.dexterous import (
     COUNTS,
@@ -38,7 +39,7 @@ from armlab.session.parts.dexterous import (
     slice_of,
     study_of,
 )
-from armlab.session.parts.joints import Joints, MoveJoint, RandomPose
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.state import State, apply
@@ -165,6 +166,16 @@ def test_a_line_of_sight_past_the_slice_or_away_from_it_meets_nothing():
     assert shown.met(shown.corner + normal, shown.right) is None
 
 
+def test_held_joints_stay_on_a_click_and_the_tool_comes_another_way():
+    state = studied(state_of("planar_3r", method="sampled"))
+    held = apply(state, LockJoint(0, True))
+    q = np.array([held[Joints].q[0], 0.9, 0.7])
+    wanted = held[Joints].arm.position(q)
+    now = apply(held, GoToSlice(tuple(wanted.tolist())))
+    assert now[Joints].q[0] == q[0]
+    assert np.linalg.norm(now[Joints].tool_pose[:3, 3] - wanted) < 2.0 * slice_shown(state).step
+
+
 def test_where_no_sample_is_the_arm_stays():
     state = studied(state_of("ur5e"))
     with pytest.raises(InputError, match="no sample"):
@@ -182,6 +193,13 @@ def test_a_click_on_solutions_goes_there_with_the_tool_turned_as_they_were_count
     turned = apply(state, MoveJoint(2, 0.9))
     assert study_of(turned) is study_of(state)
     assert study_of(apply(turned, LookThroughTool())) is None
+
+
+@pytest.mark.parametrize(("q3", "ways"), [(0.0, 2), (0.02, 4), (0.05, 4), (1.0, 4)])
+def test_the_number_of_solutions_at_the_tool_is_of_its_place_and_not_of_its_cell(q3, ways):
+    state = state_of("elbow_3r").replace(state_of("elbow_3r")[Joints].moved_to(np.array([0.3, 0.4, q3])))
+    state = studied(apply(state, LookAtDexterous(method="count")))
+    assert at_tool(state).value == ways
 
 
 def test_the_wrist_is_shown_as_a_slice_or_as_a_body_cut_open():
@@ -219,6 +237,16 @@ def test_the_tool_goes_into_every_region_and_is_said_to_be_there(key):
         apply(state, GoToRegion(len(found)))
     with pytest.raises(InputError, match="singular"):
         apply(state, StandStretched(0, 9))
+
+
+def test_held_joints_are_not_moved_into_a_region_without_a_word():
+    held = apply(apply(state_of("planar_3r"), MoveJoint(1, 1.0)), LockJoint(1, True))
+    found = regions(lengths_of(held[Joints].arm))
+    outside = max((i for i, region in enumerate(found) if region.ways), key=lambda i: found[i].high)
+    with pytest.raises(InputError, match="held"):
+        apply(held, GoToRegion(outside))
+    with pytest.raises(InputError, match="joint 2 is held"):
+        apply(held, StandStretched(outside, 0))
 
 
 def test_the_tool_stays_on_its_line_when_it_changes_region():
@@ -278,6 +306,18 @@ def test_the_angle_of_a_slice_is_within_one_turn(turns):
     state = apply(state_of("ur5e"), LookAtDexterous(s=0.9 + turns * math.tau))
     assert slice_of(state) == pytest.approx(0.9, abs=1e-8)
     assert slice_of(apply(state, LookAtDexterous(s=-math.pi))) == math.pi
+
+
+def test_a_slice_at_an_angle_is_not_one_at_a_distance_of_another_kind_of_joint():
+    state = apply(state_of("elbow_3r"), LookAtDexterous(s=3.0))
+    assert apply(state, SetCell(1, "a", 1.1))[Dexterous].s == 3.0
+    assert apply(state, SetKind(0, "P"))[Dexterous].s is None
+    elbow, cartesian = catalogue()["elbow_3r"], catalogue()["cartesian_3p"]
+    angle = Dexterous.from_json({**state[Dexterous].to_json(), "s": 1e12}, elbow).s
+    assert angle == pytest.approx(math.remainder(1e12, math.tau))
+    data = State.initial(cartesian)[Dexterous].to_json()
+    with pytest.raises(InputError, match="place of the slice"):
+        Dexterous.from_json({**data, "s": 1e12}, cartesian)
 
 
 def test_a_plane_beyond_the_reach_is_refused():

@@ -17,7 +17,7 @@ from armlab.session.parts.solve import CLIP_KEY, Aim, AskFor, PicturePair, SetCo
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.solve_examples import EXAMPLES, ChooseSolveExample
 from armlab.session.solve_found import found
-from armlab.session.solve_motion import BeginAlong, SlideAlong, begun, part_of
+from armlab.session.solve_motion import BeginAlong, SlideAlong, begun, looked_for, part_of
 from armlab.session.solve_pictures import DragTo, StandAt, contour, flat, norm_curve, refusal, square
 from armlab.session.state import State, apply
 
@@ -192,7 +192,13 @@ def test_the_tool_stays_while_the_slider_moves_the_arm(key):
 def test_where_nothing_moves_the_slider_says_so():
     for key in ("one", "stretched_90"):
         state = example(key)
-        assert apply(state, BeginAlong()) is state
+        assert not looked_for(state)
+        looked = apply(state, BeginAlong())
+        assert looked_for(looked)
+        assert part_of(looked) is None
+        assert apply(looked, BeginAlong()) is looked
+        assert not looked_for(apply(looked, LockJoint(0, True)))
+        np.testing.assert_array_equal(looked[Joints].q, state[Joints].q)
         with pytest.raises(InputError, match="no motion of the joints leaves the tool where it is"):
             apply(state, SlideAlong(0.5))
     with pytest.raises(InputError, match="from 0 to 1"):

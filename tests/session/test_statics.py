@@ -5,10 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
 from armlab.session.bench import PutInPlace
-from armlab.session.parts.joints import Joints, MoveJoint
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.statics import (
     DragForce,
@@ -80,6 +81,23 @@ def test_examples_bring_their_arm_and_are_forgotten_when_something_moves(key):
         np.testing.assert_allclose(state[Joints].q, q, atol=1e-12)
     assert apply(state, MoveJoint(0, float(state[Joints].q[0]) + 0.1))[Statics].example == ""
     assert apply(state, SetComponent("force", 0, 1.25))[Statics].example == ""
+
+
+def test_an_example_frees_held_joints():
+    held = apply(apply(state_of("planar_2r"), MoveJoint(1, 1.2)), LockJoint(1, True))
+    state = apply(held, PutInPlace("statics/toggle"))
+    assert not any(state[Joints].locked)
+    np.testing.assert_allclose(state[Joints].q, EXAMPLES["toggle"].q)
+
+
+def test_the_first_force_on_a_flat_arm_lies_in_its_plane():
+    upright = np.eye(4)
+    upright[:3, :3] = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
+    flat = catalogue()["planar_2r"].arm
+    arm = Arm.from_dh(flat.rows, base=upright, task=flat.task)
+    state = apply(apply(State.initial(own_robot(arm, "upright")), MoveJoint(0, 0.4)), MoveJoint(1, 0.9))
+    assert state[Statics].force == (12.0, 0.0, 16.0)
+    assert np.abs(state.derived(balance).torques).min() > 1.0
 
 
 def test_a_wrench_stays_when_it_is_written_along_other_axes(rng):

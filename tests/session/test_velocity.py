@@ -235,6 +235,14 @@ def test_a_changed_speed_or_a_hand_is_where_the_drive_goes_on_from():
     assert duration(state) == pytest.approx(2.0 + time_left(state))
 
 
+def test_a_hand_takes_the_arm_away_from_an_example_and_driving_with_its_speeds_does_not():
+    state = apply(opened(), ChooseVelocityExample("curving"))
+    driven = apply(apply(state, OpenClip("speeds", play=True)), Seek(0.4))
+    assert driven[Joints].q[0] > state[Joints].q[0]
+    assert driven[Velocity].example == "curving"
+    assert apply(state, MoveJoint(1, 0.2))[Velocity].example == ""
+
+
 def test_nothing_moves_without_speeds_and_closing_forgets():
     state = apply(apply(opened("planar_2r"), SetAllSpeeds(False)), OpenClip("speeds"))
     assert CLIP.duration(state) == 0.0

@@ -16,7 +16,7 @@ from armlab.session.jobs.what_if import JOB, PAGE, compared, delivered, wanted
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.what_if import ChooseQuantity, ForgetChanges, Suppose, TakeOver, WhatIf, is_present
-from armlab.session.session import Session, Undo
+from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import State, apply
 from armlab.session.what_if_arm import LIMITS, TOOL, Change, altered, fields_of, span_of, turns, value_of
 from armlab.session.what_if_found import Question, comparing
@@ -72,9 +72,16 @@ def test_taking_over_is_one_step_of_undo_and_the_page_follows():
     assert session.history.undo_label == "what if"
     session.apply(Undo(), 0.0)
     assert session.state[RobotPart].robot.arm.rows[0].a == 1.0
-    part = session.state[WhatIf]
-    assert part.arm is session.state[RobotPart].robot.arm
-    assert part.changes == ()
+    for _ in range(2):  # what was changed in thought is there again, to be changed on
+        part = session.state[WhatIf]
+        assert part.arm is session.state[RobotPart].robot.arm
+        assert part.changes == (Change(0, "a", 1.5), Change(1, "low", -1.0))
+        assert part.other.rows[0].a == 1.5
+        session.apply(Redo(), 0.0)
+        assert session.state[WhatIf].changes == ()
+        session.apply(Undo(), 0.0)
+    session.apply(SetCell(0, "a", 1.1), 0.0)
+    assert session.state[WhatIf].changes == ()
 
 
 def test_nothing_is_taken_over_where_nothing_was_changed():

@@ -195,10 +195,17 @@ def test_settings_are_saved_and_damaged_ones_refused():
     again = Workspace.from_json(data, robot)
     assert again.to_json() == data
     assert again.found is None
-    damaged = (("measure", "w"), ("count", 3), ("edge", 1), ("offset", None), ("seed", "x"))
+    damaged = (("measure", "w"), ("count", 3), ("count", 26_000.0), ("edge", 1), ("offset", None), ("seed", "x"))
     for name, value in damaged:
         with pytest.raises((InputError, UnknownName), match=r"expected|Available"):
             Workspace.from_json({**data, name: value}, robot)
+
+
+@pytest.mark.parametrize("other", [{"measure": "manipulability"}, {"draw": "voxels"}, {"cut": "z"}])
+def test_another_look_is_no_example_any_more(other):
+    state = apply(state_of("planar_2r"), PutInPlace("workspace/puma"))
+    assert apply(state, LookAtWorkspace(seed=3, clicks=False))[Workspace].example == "puma"
+    assert apply(state, LookAtWorkspace(**other))[Workspace].example == ""
 
 
 @pytest.mark.parametrize("key", list(EXAMPLES))

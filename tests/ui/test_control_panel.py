@@ -61,6 +61,8 @@ def test_the_plant_in_words_and_the_unit_of_sigma():
     assert plant_words(setup_of(robot)) == "ideal"
     words = plant_words(setup_of(robot, saturation="clip", sampling=0.01, counts=500, wrong=0.02, link=2))
     assert words == "speeds limited, T_s = 10 ms, encoder on the motor, link 2 2 % wrong"
+    assert plant_words(setup_of(robot, sampling=1e-4)) == "T_s = 1 ms, whole steps of 1 ms"
+    assert plant_words(setup_of(robot, sampling=0.025, step=0.02)) == "T_s = 20 ms, whole steps of 20 ms"
     assert sigma_unit(robot.arm) == "m"
     assert sigma_unit(catalogue()["puma560"].arm) == ""
 

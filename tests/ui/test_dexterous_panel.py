@@ -12,6 +12,7 @@ from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.planar_regions import regions
+from armlab.kin.workspace.section_size import Size
 from armlab.session.dexterous_places import GoToRegion, StandStretched
 from armlab.session.jobs.dexterous import studied
 from armlab.session.parts.dexterous import COUNTS, LookAtDexterous, study_of
@@ -23,6 +24,7 @@ from armlab.ui.colours import GREEN, ORANGE, VERMILLION, viridis
 from armlab.ui.format import number
 from armlab.ui.layers._dexterous_rings import ALPHA, picture
 from armlab.ui.layers.dexterous import SIDE, image
+from armlab.ui.measured import with_error
 from armlab.ui.panels._dexterous_words import (
     count_colour,
     planar_words,
@@ -194,7 +196,7 @@ def test_a_volume_without_the_limits_of_the_wrist_is_called_so_and_no_bound():
     assert found.wrist.volume > 0.0
     said = proven(state, found, units_of(state))
     assert "WS₂ without wrist limits" in said
-    assert f"{found.wrist.volume:.2f} ± {found.wrist.volume_error:.2f} m³" in said
+    assert with_error(Size(found.wrist.volume, found.wrist.volume_error, "m³")) in said
     assert "at most" not in said
 
 

@@ -16,8 +16,9 @@ from armlab.session.parts.notation import Label
 from armlab.session.parts.section import GoInSection, GoToPoint, LookAtSection, PlaceSlice, found_of
 from armlab.session.section_found import Question, finding
 from armlab.session.state import State, apply
+from armlab.ui.measured import with_error
 from armlab.ui.panels._section_picture import frame_of, image_rule, view
-from armlab.ui.panels._section_words import distances, facts, scale, with_error
+from armlab.ui.panels._section_words import distances, facts, scale
 from armlab.ui.panels.section import _choices, commands
 from armlab.ui.units import units_of
 from support.student import run, student
@@ -79,6 +80,16 @@ def test_the_reach_is_told_from_where_it_is_measured(apart, label):
     assert far <= found.reach.farthest + 1e-9 < far + 0.02
     words = re.sub(r"<[^>]+>", " ", facts(found, units_of(State.initial(catalogue()["elbow_3r"]))))
     assert re.search(rf"Farthest from\s+{label}\s", words)
+
+
+@pytest.mark.parametrize(("alpha", "label"), [(0.0, "Height over frame 0"), (np.pi / 2, "Along axis 1")])
+def test_only_what_is_along_z0_is_called_a_height(alpha, label):
+    given = catalogue()["elbow_3r"].arm
+    rows = (Row("R", alpha=alpha), Row("R", a=0.2, alpha=np.pi / 2), Row("R", a=1.0))
+    arm = replace(given, convention="modified", rows=rows, tool=np.eye(4))
+    found = [each for each in finding(Question(arm, "reach", None)) if each is not None][-1]
+    page = facts(found, units_of(State.initial(catalogue()["elbow_3r"])))
+    assert f"<span>{label}</span>" in page
 
 
 def test_the_directions_across_a_sliding_joint_1_have_names():

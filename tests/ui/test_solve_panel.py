@@ -6,8 +6,9 @@ import re
 import numpy as np
 import pytest
 
-from armlab.content.robots import catalogue
+from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.solve import AskFor, PicturePair, SetComponent
@@ -16,6 +17,7 @@ from armlab.session.solve_found import found
 from armlab.session.solve_pictures import DragTo, StandAt, flat, square
 from armlab.session.state import State, apply
 from armlab.ui.colours import BLUE, GREEN
+from armlab.ui.format import mathml
 from armlab.ui.layers.solve import RED, arrows_of, line_of, lines_of, lost_lines, lost_turns, plane_of
 from armlab.ui.panels import pictures, solve
 from armlab.ui.panels._solve_pictures import lines_svg, lines_words, marks_style, nice
@@ -132,9 +134,24 @@ def test_determinants_and_the_smallest_singular_value_have_units(key, rows, unit
 
 
 def test_penrose_and_the_formula_that_holds():
-    assert "J⁻¹" in penrose_markup(found(example("one")))
-    assert "Jᵀ(JJᵀ)⁻¹" in penrose_markup(found(example("redundant_3r")))
+    assert mathml(r"J^\#-J^{-1}") in penrose_markup(found(example("one")))
+    assert mathml(r"J^\#-J^T(J J^T)^{-1}") in penrose_markup(found(example("redundant_3r")))
     assert "The rank is not full" in penrose_markup(found(example("stretched_30")))
+
+
+def test_of_a_scaled_matrix_the_formula_is_said_of_that_matrix():
+    rows = [("P", 0, np.pi / 2, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0)]
+    arm = Arm.from_dh(rows, task="xz", speed_limits=[0.2, 2.0, 2.0, 3.0])
+    state = State.initial(own_robot(arm, "mixed"))
+    for i, value in enumerate((0.1, 0.4, 0.7, -0.5)):
+        state = apply(state, MoveJoint(i, value))
+    solved = found(state)
+    formula = solved.scaled.T @ np.linalg.inv(solved.scaled @ solved.scaled.T)
+    np.testing.assert_allclose(solved.scaled_inverse, formula, atol=1e-12)
+    assert np.abs(solved.spaces.inverse - solved.J.T @ np.linalg.inv(solved.J @ solved.J.T)).max() > 0.01
+    said = penrose_markup(solved)
+    assert mathml(r"\bar{J}^\#-\bar{J}^T(\bar{J} \bar{J}^T)^{-1}") in said
+    assert "J̄ is J with" in said
 
 
 @pytest.mark.parametrize("key", list(catalogue().robots))

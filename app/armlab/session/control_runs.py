@@ -69,8 +69,6 @@ class Figures:
         Largest error, m and rad.
     final_position, final_rotation : float
         Errors at the end.
-    joint : float or None
-        Largest error of a turning joint, rad, of a law that has one.
     sigma_min : Peak
         The smallest singular value.
     saturated : float
@@ -86,7 +84,6 @@ class Figures:
     rotation: Peak
     final_position: float
     final_rotation: float
-    joint: float | None
     sigma_min: Peak
     saturated: float
     steps: int
@@ -239,17 +236,12 @@ def figures_of(run: Run) -> Figures:
         return Peak(float(values[k]), float(run.t[k]))
 
     least = int(np.argmin(run.sigma_min))
-    turning = run.arm.revolute
-    joint = None
-    if run.error_joint is not None and turning.any():
-        joint = float(np.abs(run.error_joint[:, turning]).max())
     return Figures(
         tuple(peak(np.abs(run.qdot[:, i])) for i in range(run.arm.n)),
         peak(run.error_position),
         peak(run.error_rotation),
         float(run.error_position[-1]),
         float(run.error_rotation[-1]),
-        joint,
         Peak(float(run.sigma_min[least]), float(run.t[least])),
         run.saturated_time,
         run.steps,

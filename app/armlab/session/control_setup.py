@@ -191,6 +191,11 @@ class Setup:
         law = self.kind.title.split(":")[0]
         return f"{law.split(',')[0]}: {self.method.title}" if self.kind.inverts else law
 
+    @property
+    def held(self) -> float:
+        """Seconds for which a sampled command is held: `sampling` in whole steps; 0 where nothing is sampled."""
+        return max(1, round(self.sampling / self.step)) * self.step if self.sampling else 0.0
+
     def seen(self, group: tuple[Field, ...]) -> tuple[Field, ...]:
         """Return those options of a group that can be used, which may depend on what is in other groups."""
         given = self.given

@@ -9,9 +9,12 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.ik.solve_all import solve_all
+from armlab.kin.transforms import transform
 from armlab.kin.workspace.approach import MOST, directions
 from armlab.kin.workspace.sheet import Sheet
 from armlab.kin.workspace.sheet_maps import SheetMap, sheet_of
+from armlab.kin.workspace.solution_count import count_of
 from armlab.kin.workspace.spherical_wrist import ALL, Coverage, coverage_at
 from armlab.session.dexterous_study import Study
 from armlab.session.parts.dexterous import SHARES, Dexterous, slice_of, study_of
@@ -124,7 +127,8 @@ class AtTool:
     Attributes
     ----------
     value : float
-        Fraction of the orientations, or number of solutions; nan where nothing was found.
+        Fraction of the orientations, nan where nothing was found; or number of solutions inside the limits, inf of a
+        family, with the tool at its place but turned as on the slice.
     of : int
         Directions that were tried; 0 of a number of solutions.
     beside : bool
@@ -144,20 +148,21 @@ def at_tool(state: State) -> AtTool | None:
     if found.wrist is not None:
         return AtTool(coverage_at(found.wrist.points, found.wrist.tool, point, _TRIED), _TRIED)
     assert found.map is not None
-    if _beside(found.map, point, slice_of(state), found.question.method == "count"):
+    if found.question.method == "count":
+        # In the middle of its cell there may be others: at the rim of the workspace, and where the arm is stretched.
+        T = transform(np.reshape(found.question.turned, (3, 3)), point)
+        return AtTool(count_of(solve_all(found.question.arm, T)).inside)
+    if _beside(found.map, point, slice_of(state)):
         return AtTool(math.nan, beside=True)
     cell = found.map.cell(point)
     value = math.nan if cell is None else float(found.map.values[cell])
-    return AtTool(value, 0 if found.question.method == "count" else directions(MOST, found.map.sheet.bins.circle).count)
+    return AtTool(value, directions(MOST, found.map.sheet.bins.circle).count)
 
 
-def _beside(found: SheetMap, point: Floats, s: float, alone: bool) -> bool:
-    """Return whether a point is off the surface of a map; what joint 1 carries all the way round is on each of them.
-
-    ``alone``: whether the surface stands for itself even so.
-    """
+def _beside(found: SheetMap, point: Floats, s: float) -> bool:
+    """Return whether a point is off the surface of a map; what joint 1 carries all the way round is on each of them."""
     joint = found.sheet.joint
-    if joint.planar or (joint.full and not alone):
+    if joint.planar or joint.full:
         return False
     on = replace(found.sheet, s=s).points(found.sheet.places(point))
     return bool(np.linalg.norm(on - point) > 0.5 * found.step)

@@ -16,7 +16,7 @@ from armlab.kin.workspace.planar_pose import Place, configurations, place_of, st
 from armlab.kin.workspace.planar_regions import Region, region_at, regions
 from armlab.kin.workspace.sheet_maps import sheet_of
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.target import Target, target_pose
+from armlab.session.parts.target import SAME, Target, target_pose
 from armlab.session.state import Command, State
 
 ON = 1e-4
@@ -99,6 +99,9 @@ class GoToRegion(Command):
         inside = [q for q in configurations(arm, Place(r, now.theta, psi)) if arm.within_limits(q)]
         if not inside:
             raise InputError("the joint limits keep the tool out of there along this line")
+        inside = [q for q in inside if not _held_off(state, q)]
+        if not inside:
+            raise InputError("the held joints keep the tool out of there along this line: free them first")
         return state.replace(state[Joints].moved_to(min(inside, key=lambda q: _way(arm, q, state[Joints].q))))
 
 
@@ -125,7 +128,10 @@ class StandStretched(Command):
         if not 0 <= self.way < len(ways):
             raise InputError("there is no such singular configuration")
         theta = place_of(arm, state[Joints].q).theta
-        return state.replace(state[Joints].moved_to(stretched(arm, ways[self.way], theta)))
+        q = stretched(arm, ways[self.way], theta)
+        if held := _held_off(state, q):
+            raise InputError(f"joint {held[0]} is held and would have to move: free it first")
+        return state.replace(state[Joints].moved_to(q))
 
 
 def possible_joints(arm: Arm, lengths: tuple[float, ...], place: Place) -> list[NDArray[np.float64]]:
@@ -144,6 +150,12 @@ def possible_joints(arm: Arm, lengths: tuple[float, ...], place: Place) -> list[
     if high >= np.pi:
         return [np.array([back + low, back + 2.0 * np.pi - low])]
     return [np.array([back + low, back + high]), np.array([back - high, back - low])]
+
+
+def _held_off(state: State, q: NDArray[np.float64]) -> list[int]:
+    """Return the held joints, 1-based, that a configuration would move."""
+    joints = state[Joints]
+    return [i + 1 for i in range(joints.arm.n) if joints.locked[i] and abs(q[i] - joints.q[i]) > SAME]
 
 
 def _lengths(state: State) -> tuple[float, ...]:

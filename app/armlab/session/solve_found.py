@@ -80,12 +80,25 @@ class Found:
         """The determinant in symbols, of small arms."""
         return determinant(self.arm)
 
+    @property
+    def is_scaled(self) -> bool:
+        """Whether metres or joint speeds are scaled for rank, singular values and pseudo-inverse."""
+        return bool((self.spaces.lengths != 1.0).any() or (self.spaces.speeds != 1.0).any())
+
+    @property
+    def scaled(self) -> Array:
+        """The scaled matrix, (m, n); J itself where nothing is scaled."""
+        return np.asarray(self.J * self.spaces.speeds / self.spaces.lengths[:, None])
+
+    @property
+    def scaled_inverse(self) -> Array:
+        """The pseudo-inverse of the scaled matrix, (n, m)."""
+        return np.asarray(self.spaces.inverse * self.spaces.lengths / self.spaces.speeds[:, None])
+
     @cached_property
     def penrose(self) -> tuple[float, float, float, float]:
         """The four Penrose conditions' largest differences, of the scaled matrix."""
-        lengths, speeds = self.spaces.lengths, self.spaces.speeds
-        scaled = self.J * speeds / lengths[:, None]
-        return penrose(scaled, self.spaces.inverse * lengths / speeds[:, None])
+        return penrose(self.scaled, self.scaled_inverse)
 
     def vectors(self, values: Array) -> tuple[Array, Array]:
         """Return a task velocity as vectors of the world: of the tool point, m/s, and of turning, rad/s."""

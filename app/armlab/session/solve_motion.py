@@ -56,6 +56,11 @@ def begun(state: State) -> tuple[Question, Motion] | None:
     return found if found is not None and found[1].is_on(found[0].arm, state[Joints].q) else None
 
 
+def looked_for(state: State) -> bool:
+    """Return whether it is known if there is a self-motion from where the arm stands."""
+    return state[Solve].start == tuple(state[Joints].q.tolist())
+
+
 def part_of(state: State) -> float | None:
     """Return how far along its self-motion the arm is, 0 to 1; None where none has been begun."""
     found = begun(state)
@@ -118,15 +123,12 @@ def at_part(state: State, part: float) -> State:
 
 @dataclass(frozen=True)
 class BeginAlong(Command):
-    """Find out where on its self-motion the arm stands, for the slider; nothing happens where there is none."""
+    """Find out where on its self-motion the arm stands, for the slider; or that there is none here."""
 
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the self-motion begun here, unless the arm is on one."""
-        if (
-            begun(state) is not None
-            or way_of((arm_asked(state), state[Joints].q.tobytes(), state[Joints].locked)) is None
-        ):
+        """Return the state with the self-motion looked for here, unless the arm is on one."""
+        if begun(state) is not None or looked_for(state):
             return state
         return state.replace(replace(state[Solve], start=tuple(state[Joints].q.tolist())))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.session.examples import example_of, on_arm, with_clip_closed
@@ -145,5 +145,6 @@ class ChooseExample(Command):
         example = example_of(EXAMPLES, self.key)
         state = on_arm(with_clip_closed(state), example.robot)
         robot = state[RobotPart].robot
-        moved = state[Joints].moved_to(example.q or robot.home)
+        free = replace(state[Joints], locked=(False,) * robot.arm.n)
+        moved = free.moved_to(example.q or robot.home)
         return state.replace(moved, example.part())

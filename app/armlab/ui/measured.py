@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -9,8 +10,9 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.measures import measure_named
+from armlab.kin.workspace.section_size import Size
 from armlab.ui.colours import VIRIDIS_CSS
-from armlab.ui.format import capitalised, escaped, mathml, readable
+from armlab.ui.format import capitalised, escaped, mathml, number, readable
 
 DECADES = 3.0
 """Of a logarithmic scale of colours, from its bright end down: at most."""
@@ -21,10 +23,27 @@ SAME = 1e-6
 DIGITS = 3
 """Significant ones of a measure."""
 
+ROUNDING = 1e-9
+"""Of a power of ten: what a logarithm is off by."""
+
 
 def figure(value: float) -> str:
     """Return the value of a measure without its unit."""
     return readable(float(f"{value:.{DIGITS}g}"), DIGITS)
+
+
+def with_error(size: Size) -> str:
+    """Return a volume or an area with its error, which has one figure, rounded up.
+
+    >>> with_error(Size(6.283233, 0.000096, "m²")), with_error(Size(6.2208, 0.0024, "m³"))
+    ('6.2832 ± 0.0001 m²', '6.221 ± 0.003 m³')
+    """
+    if size.error <= 0.0:
+        return f"{figure(size.value)} {size.unit}"
+    decimals = max(-math.floor(math.log10(size.error)), 0)
+    error = math.ceil(size.error * 10.0**decimals) / 10.0**decimals
+    decimals = max(-math.floor(math.log10(error) + ROUNDING), 0)
+    return f"{number(size.value, decimals)} ± {number(error, decimals)} {size.unit}"
 
 
 def parts_of(measure: str, low: float, high: float, values: NDArray[Any]) -> NDArray[np.float64]:

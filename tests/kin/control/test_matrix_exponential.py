@@ -1,6 +1,7 @@
 """e^(A t) by its series, by eigenvectors and by SciPy, where each is right, and where one is not."""
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
@@ -118,6 +119,43 @@ def test_too_few_eigenvectors_are_said_in_words(A):
     assert by_eigenvectors(A) is None
     assert as_printed(A) is None
     np.testing.assert_allclose(partial_sums(A, 1.0, 40)[-1], by_scipy(A), rtol=1e-13, atol=1e-13)
+
+
+def test_a_double_eigenvalue_of_whole_numbers_is_real_and_has_one_eigenvector():
+    """All matrices of entries up to 4: the discriminant (a - d)^2 + 4 b c tells exactly what they have."""
+    doubles = 0
+    for a, b, c, d in product(range(-4, 5), repeat=4):
+        A, discriminant = np.array([[a, b], [c, d]], dtype=np.float64), (a - d) ** 2 + 4 * b * c
+        found = diagonalised(A)
+        assert found.real == (discriminant >= 0)
+        assert (found.basis == "none") == (discriminant == 0 and bool(b or c))
+        if found.basis == "none":
+            doubles += 1
+            assert found.values[0] == found.values[1]
+            assert found.values[0].real == pytest.approx(0.5 * (a + d), abs=1e-14)
+            np.testing.assert_allclose(A @ found.T, found.T * found.values, rtol=0, atol=1e-13)
+            np.testing.assert_allclose(np.linalg.norm(found.T, axis=0), 1.0, rtol=0, atol=1e-14)
+    assert doubles == 248
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 100.0])
+def test_a_double_eigenvalue_does_not_depend_on_the_unit_of_time(size):
+    found = diagonalised(size * np.array([[0.0, 1.0], [-9.0, -6.0]]))
+    np.testing.assert_allclose(found.values, -3.0 * size, rtol=1e-14)
+    assert found.real
+
+
+def test_only_what_has_no_eigenvector_of_its_own_is_put_together():
+    """A double eigenvalue 1 with two eigenvectors beside a double -3 with one; and a double pair +-j."""
+    A = np.zeros((4, 4))
+    A[:2, :2], A[2:, 2:] = np.eye(2), [[0.0, 1.0], [-9.0, -6.0]]
+    found = diagonalised(A)
+    np.testing.assert_allclose(np.sort(found.values.real), [-3.0, -3.0, 1.0, 1.0], rtol=0, atol=1e-13)
+    assert found.real
+    assert np.linalg.matrix_rank(found.T, tol=1e-6) == 3
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    whirl = diagonalised(np.block([[turn, np.eye(2)], [np.zeros((2, 2)), turn]]))
+    np.testing.assert_allclose(np.sort(whirl.values.imag), [-1.0, -1.0, 1.0, 1.0], rtol=0, atol=1e-13)
 
 
 def test_almost_parallel_eigenvectors_are_said_in_words():

@@ -119,9 +119,9 @@ def penrose(J: ArrayLike, X: ArrayLike) -> tuple[float, float, float, float]:
 
 
 def full_rank_inverse(J: ArrayLike) -> tuple[str, Array] | None:
-    """Return the name and the value of the formula of the pseudo-inverse for full rank; None where there is none.
+    """Return the formula, in LaTeX, and the value of the pseudo-inverse for full rank; None where there is none.
 
-    ``J^-1`` (m = n), ``J^T (J J^T)^-1`` (m < n) or ``(J^T J)^-1 J^T`` (m > n).
+    ``J^{-1}`` (m = n), ``J^T(J J^T)^{-1}`` (m < n) or ``(J^T J)^{-1}J^T`` (m > n).
 
     References
     ----------
@@ -132,7 +132,7 @@ def full_rank_inverse(J: ArrayLike) -> tuple[str, Array] | None:
     if subspaces(matrix).rank < min(m, n):
         return None
     if m == n:
-        return "J⁻¹", np.asarray(np.linalg.inv(matrix), dtype=np.float64)
+        return "J^{-1}", np.asarray(np.linalg.inv(matrix), dtype=np.float64)
     if m < n:
-        return "Jᵀ(JJᵀ)⁻¹", matrix.T @ np.linalg.inv(matrix @ matrix.T)
-    return "(JᵀJ)⁻¹Jᵀ", np.linalg.inv(matrix.T @ matrix) @ matrix.T
+        return "J^T(J J^T)^{-1}", matrix.T @ np.linalg.inv(matrix @ matrix.T)
+    return "(J^T J)^{-1}J^T", np.linalg.inv(matrix.T @ matrix) @ matrix.T

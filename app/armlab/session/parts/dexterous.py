@@ -18,7 +18,7 @@ from armlab.kin.workspace.planar import turns_fully
 from armlab.session.dexterous_study import Method, Question, Study, methods
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.target import PlaceTarget
+from armlab.session.parts.target import PlaceTarget, brought_to
 from armlab.session.state import Command, Json, Part, PartType, State
 
 COUNTS = (400_000, 2_000_000, 10_000_000)
@@ -40,6 +40,8 @@ class Dexterous(Part):
         Key of a method; empty for the first that the arm has.
     s : float or None
         Which half plane, rad or m; None for that of the home pose.
+    turns : bool
+        Whether that is an angle.
     turned : tuple of 9 floats
         Orientation of the tool with which solutions are counted, by rows; empty for that of the home pose.
     count : int
@@ -59,6 +61,7 @@ class Dexterous(Part):
 
     method: str = ""
     s: float | None = None
+    turns: bool = True
     turned: tuple[float, ...] = ()
     count: int = COUNTS[1]
     draw: str = "slice"
@@ -69,7 +72,7 @@ class Dexterous(Part):
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the first look."""
-        return cls()
+        return cls(turns=first_joint(robot.arm).revolute)
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep how finely it is looked at."""
@@ -78,7 +81,8 @@ class Dexterous(Part):
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep also what is looked at, if the arm still has it."""
         method = self.method if self.method in methods(robot.arm) else ""
-        return replace(self.for_robot(robot), method=method, s=self.s, turned=self.turned)
+        s = self.s if self.turns is first_joint(robot.arm).revolute else None
+        return replace(self.for_robot(robot), method=method, s=s, turned=self.turned)
 
     def to_json(self) -> Json:
         """Write the settings; what was found is found anew."""
@@ -96,9 +100,17 @@ class Dexterous(Part):
         """Read them back; raises when they are not usable with this arm."""
         s = None if data["s"] is None else float(data["s"])
         turned = tuple(float(value) for value in data["turned"])
-        part = cls(str(data["method"]), s, turned, int(data["count"]), str(data["draw"]), float(data["share"]))
+        part = replace(
+            cls.initial(robot),
+            method=str(data["method"]),
+            s=s,
+            turned=turned,
+            count=int(data["count"]),
+            draw=str(data["draw"]),
+            share=float(data["share"]),
+        )
         _check(part, robot)
-        return part
+        return part if s is None else replace(part, s=_place(s, robot.arm))
 
 
 PART = PartType(Dexterous, order=122)
@@ -261,7 +273,7 @@ class GoToSlice(Command):
                 raise InputError("no sample has the tool there")
             if not first_joint(joints.arm).planar:
                 q[0] += slice_of(state) - found.question.s
-            return state.replace(joints.moved_to(wrapped_rows(joints.arm, q[None])[0]))
+            return brought_to(state, np.asarray(joints.arm.clip(wrapped_rows(joints.arm, q[None])[0])))
         T = np.array(joints.tool_pose, dtype=np.float64)
         if method_of(state) == "count":
             T[:3, :3] = np.reshape(orientation_of(state), (3, 3))

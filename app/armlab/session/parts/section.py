@@ -13,7 +13,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.workspace.measures import MEASURES
 from armlab.kin.workspace.nearest import with_first
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.target import PlaceTarget
+from armlab.session.parts.target import brought_to
 from armlab.session.section_found import REACH, Found, Question
 from armlab.session.state import Command, Json, Part, PartType, State
 
@@ -25,9 +25,6 @@ frame 0."""
 
 FARTHEST = 100.0
 """Metres or radians; a slice farther away is a slip of the pen."""
-
-SAME = 1e-6
-"""rad or m within which a held joint is where it is wanted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,7 +198,4 @@ def _gone(state: State, q: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) ->
     joints = state[Joints]
     moving = {0, *_finished(state).section.joint.moving}
     wanted = np.array([q[i] if i in moving else joints.q[i] for i in range(joints.arm.n)])
-    held = np.array(joints.locked)
-    if np.any(np.abs(joints.q - wanted)[held] > SAME):
-        return PlaceTarget(np.array(joints.arm.fk(joints.arm.clip(wanted)), dtype=np.float64)).apply(state)
-    return state.replace(joints.moved_to(wanted))
+    return brought_to(state, np.asarray(joints.arm.clip(wanted)))

@@ -41,7 +41,7 @@ class Solve(Part):
     pair : tuple of two int
         The joints (0-based) of the pictures with two axes.
     start : tuple of float or None
-        Where the arm stood when its self-motion was begun; None while there is none.
+        Where the arm stood when its self-motion was looked for; None while it was not.
     example : str
         Key of the example that is in place as it was put there; empty when it is none.
     """
@@ -71,12 +71,13 @@ class Solve(Part):
         return replace(new, pair=(kept[0], kept[1])) if len(set(kept)) == 2 else new
 
     def after(self, before: State, now: State) -> Self:
-        """Forget where a self-motion began when its clip is taken off."""
+        """Forget where a self-motion began when its clip is taken off, or what it leaves in place is another."""
         part = self
         if self.example and self is before[Solve] and now[Joints].q is not before[Joints].q:
             part = replace(part, example="")
         was, on = before[Timeline].clip == CLIP_KEY, now[Timeline].clip == CLIP_KEY
-        return replace(part, start=None) if was and not on and self.start is not None else part
+        other = self.rows != before[Solve].rows or now[Joints].locked != before[Joints].locked
+        return replace(part, start=None) if (was or other) and not on and self.start is not None else part
 
     def to_json(self) -> Json:
         """Write what was chosen and typed."""

@@ -76,8 +76,10 @@ class Statics(Part):
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return a force that holds a weight, or one in the plane of an arm that cannot lift."""
-        flat = "z" not in robot.arm.task.position
-        return cls((0.6 * USUAL, 0.8 * USUAL, 0.0)) if flat else cls()
+        if "z" in robot.arm.task.position:
+            return cls()
+        x, y, z = (robot.arm.base[:3, :2] @ (0.6 * USUAL, 0.8 * USUAL)).round(9).tolist()
+        return cls((x, y, z))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep the wrench: it belongs to the tool."""

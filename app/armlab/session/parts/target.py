@@ -30,6 +30,9 @@ DRAG_TRAVEL = 0.6
 """Largest change of a joint, in rad or length scales, for one event of a drag (20 a second): the arm follows fast but
 never jumps, also beside a singularity; what is left follows with the next event."""
 
+SAME = 1e-6
+"""rad or m within which a held joint is where a configuration has it."""
+
 SEARCHES_TYPED = 30
 """Starts of a solve for a typed target: some 10 ms when none of them succeeds."""
 
@@ -223,6 +226,21 @@ class PlaceTarget(Command):
         pose = _wanted(joints, self.pose)
         result = ik.solve(joints.arm, pose, joints.q, target.method, locked=joints.locked, searches=SEARCHES_TYPED)
         return _placed(state, pose, result.q, catching_up=False)
+
+
+def brought_to(state: State, q: NDArray[np.float64]) -> State:
+    """Return the state with the arm at a configuration; held joints stay, and the tool comes there as near as it can.
+
+    Parameters
+    ----------
+    state : State
+    q : ndarray, shape (n,)
+        Joint values inside the limits, rad and m.
+    """
+    joints = state[Joints]
+    if np.any(np.abs(joints.q - q)[np.array(joints.locked)] > SAME):
+        return PlaceTarget(np.array(joints.arm.fk(q), dtype=np.float64)).apply(state)
+    return state.replace(joints.moved_to(q))
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.dh import link_transform
 from armlab.kin.velocity.jacobians import AXES
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Json, Part, PartType, State
 
@@ -111,10 +112,11 @@ class Velocity(Part):
         return replace(new, qdot=tuple(qdot), reached=self.reached)
 
     def after(self, before: State, now: State) -> Self:
-        """Forget where the film stood when it is taken off."""
-        if self.reached is None or now[Timeline].clip == CLIP_KEY:
-            return self
-        return replace(self, reached=None)
+        """Forget where the film stood when it is taken off, and the example when a hand moves the arm away from it."""
+        part = self
+        if self.example and self is before[Velocity] and now[Joints].q is not before[Joints].q:
+            part = replace(part, example="")
+        return part if part.reached is None or now[Timeline].clip == CLIP_KEY else replace(part, reached=None)
 
     def to_json(self) -> Json:
         """Write everything."""

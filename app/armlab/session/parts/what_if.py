@@ -34,6 +34,8 @@ class WhatIf(Part):
         In the order in which they were made, one for each quantity.
     found : Compared or None
         Both workspaces as far as they are known; not saved.
+    taken : Arm and tuple of Change, or None
+        The arm before the last changes were made real, and these: undo gives them back. Not saved.
     """
 
     key: ClassVar[str] = "what_if"
@@ -45,6 +47,7 @@ class WhatIf(Part):
     field: str
     changes: tuple[Change, ...] = ()
     found: Compared | None = None
+    taken: tuple[Arm, tuple[Change, ...]] | None = None
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -55,10 +58,13 @@ class WhatIf(Part):
         return cls(arm, arm, -i, field)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the quantity at hand where it is still there."""
+        """Keep the quantity at hand where it is still there; of the arm before `TakeOver` also the changes."""
         row = robot.arm.n if self.row == self.arm.n else origin.index(self.row) if self.row in origin else -1
         there = row >= 0 and self.field in fields_of(robot.arm, row)
-        return type(self)(robot.arm, robot.arm, row, self.field) if there else self.initial(robot)
+        if not there:
+            return self.initial(robot)
+        part = type(self)(robot.arm, robot.arm, row, self.field, taken=self.taken)
+        return part.changed(self.taken[1]) if self.taken is not None and self.taken[0] is robot.arm else part
 
     def to_json(self) -> Json:
         """Write the changes and the quantity at hand."""
@@ -154,7 +160,7 @@ class TakeOver(Command):
             raise InputError("nothing has been changed: move the slider first")
         for command in edits_of(part):
             state = command.apply(state)
-        return state
+        return state.replace(replace(state[WhatIf], taken=(part.arm, part.changes)))
 
 
 def edits_of(part: WhatIf) -> tuple[Command, ...]:

@@ -13,7 +13,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.workspace.measures import measure_named
 from armlab.kin.workspace.section import Section
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.target import PlaceTarget
+from armlab.session.parts.target import PlaceTarget, brought_to
 from armlab.session.state import Command, Json, Part, PartType, State
 from armlab.session.workspace_samples import Question, Sampled
 
@@ -24,9 +24,6 @@ DRAWINGS = {"cloud": "Points", "voxels": "Voxels", "surface": "Surface"}
 
 CUTS = {"none": "Whole", "front": "Half", "x": "x", "y": "y", "z": "z"}
 """What is left away: nothing, the half in front of the arm, or all but a slice across an axis of frame 0."""
-
-SAME = 1e-6
-"""rad or m within which a held joint is where a sample has it."""
 
 FARTHEST = 100.0
 """Metres; a slice farther away is a slip of the pen."""
@@ -134,7 +131,7 @@ def checked(part: Workspace) -> Workspace:
     for name, value, options in (("drawing", part.draw, DRAWINGS), ("cut", part.cut, CUTS)):
         if value not in options:
             raise UnknownName(name, value, options)
-    if part.count not in COUNTS:
+    if type(part.count) is not int or part.count not in COUNTS:
         raise UnknownName("samples", part.count, [str(count) for count in COUNTS])
     if type(part.seed) is not int or not 0 <= part.seed < LARGEST_SEED:
         raise InputError(f"seed: expected a whole number from 0 to {LARGEST_SEED - 1}, got {part.seed!r}")
@@ -198,6 +195,8 @@ class LookAtWorkspace(Command):
         before = state[Workspace]
         given = {name: value for name, value in vars(self).items() if value is not None}
         part = checked(replace(before, **given))
+        if any(getattr(part, name) != getattr(before, name) for name in ("measure", "draw", "cut")):
+            part = replace(part, example="")
         changed = state.replace(part)
         other = part.measure != before.measure
         if other and (before.found is not None or before.asked is not None):
@@ -220,14 +219,8 @@ class GoToSample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the arm there; `InputError` where there is no such sample."""
-        part, joints = state[Workspace], state[Joints]
         q = _configuration(state, self.index)
-        chosen = state.replace(replace(part, chosen=self.index))
-        held = np.array(joints.locked)
-        if np.any(np.abs(joints.q - q)[held] > SAME):
-            # Held joints stay: the arm comes to the point another way, if there is one.
-            return PlaceTarget(np.array(joints.arm.fk(q), dtype=np.float64)).apply(chosen)
-        return chosen.replace(joints.moved_to(q))
+        return brought_to(state.replace(replace(state[Workspace], chosen=self.index)), q)
 
 
 @dataclass(frozen=True)

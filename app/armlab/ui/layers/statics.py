@@ -6,6 +6,7 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from armlab.kin.rotations import quaternion_from_rotation
 from armlab.session.parts.display import Display
 from armlab.session.parts.statics import USUAL, Balance, DragForce, Statics, balance_at, free_forces_at
 from armlab.session.state import State
@@ -110,12 +111,14 @@ class _Tip:
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas, self._held, self._drag = canvas, False, object()
         self._metres, self._from = 1.0, np.zeros(3)
-        flat = canvas.drawn.figure.anatomy.arm.task.position == "xy"
+        arm = canvas.drawn.figure.anatomy.arm
+        flat = arm.task.position == "xy"
         self._control = canvas.scene.add_transform_controls(
             canvas.path("force_tip"),
             scale=HANDLE * canvas.size,
             line_width=3.0,
             disable_rotations=True,
+            wxyz=quaternion_from_rotation(arm.base[:3, :3] if flat else np.eye(3)),
             active_axes=(True, True, not flat),
             depth_test=False,
         )

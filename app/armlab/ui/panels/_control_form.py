@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
@@ -106,7 +107,9 @@ def plant_words(run: Setup) -> str:
     if run.saturation != "none":
         found.append("speeds limited")
     if run.sampling:
-        found.append(f"T_s = {trimmed(1000.0 * run.sampling, 3)} ms")
+        exact = math.isclose(run.held, run.sampling, rel_tol=1e-6)
+        steps = "" if exact else f", whole steps of {trimmed(1000.0 * run.step, 3)} ms"
+        found.append(f"T_s = {trimmed(1000.0 * run.held, 3)} ms{steps}")
     if run.counts:
         found.append(f"encoder on the {run.shaft}")
     if run.wrong:

@@ -74,7 +74,8 @@ class Plots:
         self._make_errors(gui, kinds)
         for turns in kinds:
             self._each["speed"].append(JointPlot(gui, arm, units, turns, (f"Speeds {mathml(DOT)}", "/s", "speeds")))
-        fastest = f"Fastest joint of all runs, {units.unit(kinds[0])}/s"
+        which = "joint" if len(kinds) == 1 else "turning joint"
+        fastest = f"Fastest {which} of all runs, {units.unit(kinds[0])}/s"
         self._across["speed"].append(RunPlot(gui, fastest, "fastest", self._fastest(kinds[0]), True))
         for turns in kinds:
             self._each["joint"].append(JointPlot(gui, arm, units, turns, ("Joint values", "", "joints")))

@@ -8,11 +8,13 @@ import numpy as np
 
 from armlab.kin.workspace.planar import lengths_of, orientations, planar_workspace, pose_solutions, turns_fully
 from armlab.kin.workspace.planar_regions import Region, regions
+from armlab.kin.workspace.section_size import Size
 from armlab.session.dexterous_picture import AtTool, at_tool
 from armlab.session.dexterous_places import region_near, target_distance, tool_standing
 from armlab.session.dexterous_study import Study, misses_orientations, never_turns, turns_in_place
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui import measured
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
 from armlab.ui.format import escaped, number, pairs
 from armlab.ui.markup import button, chip
@@ -210,7 +212,7 @@ def _wrist_words(found: Study, units: Units) -> str:
     wrist = found.wrist
     assert wrist is not None
     body = "a closed form" if wrist.points.exact else "a table of samples"
-    size = f"{number(wrist.volume, 2)} ± {number(wrist.volume_error, 2)} m³"
+    size = measured.with_error(Size(wrist.volume, wrist.volume_error, "m³"))
     of = "WS₂, all directions" if wrist.free_wrist else "WS₂ without wrist limits"
     rows = [
         (of, size if wrist.volume > 0.0 else "none"),
@@ -240,11 +242,9 @@ def _at_tool(here: AtTool, found: Study) -> str:
     if here.beside:
         return "it is beside this slice"
     if found.question.method == "count":
-        if not math.isfinite(here.value) and not math.isinf(here.value):
-            return "no solution inside the limits"
-        count = "infinitely many" if math.isinf(here.value) else f"{here.value:.0f}"
+        count = "infinitely many" if math.isinf(here.value) else f"{here.value:.0f}" if here.value else "no"
         turned = "" if found.question.arm.task.rotation == "none" else ", with the tool turned as on the slice"
-        return f"{count} solution{'' if here.value == 1 else 's'}{turned}"
+        return f"{count} solution{'' if here.value == 1 else 's'} inside the limits{turned}"
     if math.isnan(here.value):
         return "nothing was met in its cell"
     if found.wrist is not None:

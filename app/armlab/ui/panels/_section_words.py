@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.workspace.crossings import FINE
 from armlab.kin.workspace.first_joint import FirstJoint
-from armlab.kin.workspace.section_size import Size, dimension
+from armlab.kin.workspace.section_size import dimension
 from armlab.session.parts.section import found_of
 from armlab.session.section_found import REACH, Found
 from armlab.session.section_marks import Measured, target_measured, tool_measured
@@ -22,23 +20,10 @@ from armlab.ui.units import Units
 EDGE = 2.0 * FINE
 """Of a cell: what is as near to the boundary as that is on it, as well as it is known."""
 
-ROUNDING = 1e-9
+SAME = 1e-9
+"""Of a cosine, or of the reach: directions and points that are one."""
 
 CENTRE = "The point of axis 1 that is nearest to the origin of frame 0"
-
-
-def with_error(size: Size) -> str:
-    """Return a volume or an area with its error, which has one figure, rounded up.
-
-    >>> with_error(Size(6.283233, 0.000096, "m²")), with_error(Size(6.2208, 0.0024, "m³"))
-    ('6.2832 ± 0.0001 m²', '6.221 ± 0.003 m³')
-    """
-    if size.error <= 0.0:
-        return f"{measured.figure(size.value)} {size.unit}"
-    decimals = max(-math.floor(math.log10(size.error)), 0)
-    error = math.ceil(size.error * 10.0**decimals) / 10.0**decimals
-    decimals = max(-math.floor(math.log10(error) + ROUNDING), 0)
-    return f"{number(size.value, decimals)} ± {number(error, decimals)} {size.unit}"
 
 
 def scale(found: Found) -> str:
@@ -62,7 +47,9 @@ def facts(found: Found, units: Units) -> str:
     if joint.revolute:
         rows.append(("From the axis of joint 1", f"{units.text(reach.inner, False)} to {units.length(reach.outer)}"))
         if not flat:
-            rows.append(("Height over frame 0", f"{units.text(reach.low, False)} to {units.length(reach.high)}"))
+            upright = joint.axes[:, 2] @ joint.arm.base[:3, 2] > 1.0 - SAME
+            along = "Height over frame 0" if upright else "Along axis 1"
+            rows.append((along, f"{units.text(reach.low, False)} to {units.length(reach.high)}"))
             rows.append((f"Farthest from {_centre(joint)}", units.length(reach.farthest)))
     else:
         first, second = across(joint)
@@ -84,7 +71,7 @@ def across(joint: FirstJoint) -> tuple[str, str]:
 
 def _direction(along: NDArray[np.float64]) -> str:
     k = int(np.argmax(np.abs(along)))
-    if abs(along[k]) < 1.0 - ROUNDING:
+    if abs(along[k]) < 1.0 - SAME:
         return f"({', '.join(number(float(part), 2) for part in along)})"
     return f"{'' if along[k] > 0.0 else MINUS}{'xyz'[k]}₀"
 
@@ -92,7 +79,7 @@ def _direction(along: NDArray[np.float64]) -> str:
 def _centre(joint: FirstJoint) -> str:
     """Return from where the reach is measured; axis 1 need not meet the origin of frame 0."""
     apart = float(np.linalg.norm(joint.origin - joint.arm.base[:3, 3]))
-    meets = apart <= ROUNDING * (joint.arm.reach or 1.0)
+    meets = apart <= SAME * (joint.arm.reach or 1.0)
     return "frame 0" if meets else f'<span title="{CENTRE}">ρ = z = 0</span>'
 
 
@@ -104,7 +91,7 @@ def _size(found: Found) -> str:
     assert found.size is not None
     if found.size.value == 0.0 and dimension(found.section.joint) < (1 if found.section.grid.flat else 2):
         return "none: the tool stays on a line" if found.section.grid.flat else "none: the tool stays on a surface"
-    return with_error(found.size)
+    return measured.with_error(found.size)
 
 
 def _how(found: Found, units: Units) -> str:

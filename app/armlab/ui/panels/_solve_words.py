@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from armlab.kin.arm import Arm
 from armlab.kin.ellipsoid import RANK_TOLERANCE
 from armlab.kin.task import Task
+from armlab.kin.velocity.answer import full_rank_inverse
 from armlab.session.solve_found import Found
 from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
 from armlab.ui.format import dot, escaped, mathml, number, pairs, scientific, trimmed
@@ -24,6 +25,9 @@ MOST_LISTED = 8
 
 OVER = 1.0 + 1e-9
 """Of its limit, above which a joint speed is marked."""
+
+PENROSE = (r"J J^\# J-J", r"J^\# J J^\#-J^\#", r"(J J^\#)^T-J J^\#", r"(J^\# J)^T-J^\# J")
+"""The four conditions: what is 0 of a pseudo-inverse."""
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -315,24 +319,23 @@ def _scaling(found: Found) -> str:
 
 
 def penrose_markup(found: Found) -> str:
-    """Return the residuals of the four conditions."""
-    names = (r"J J^\# J-J", r"J^\# J J^\#-J^\#", r"(J J^\#)^T-J J^\#", r"(J^\# J)^T-J^\# J")
-    rows = [
-        (mathml(name), scientific(value, 1) if value > 1e-16 else "0")
-        for name, value in zip(names, found.penrose, strict=True)
-    ]
-    formula = {0: "J⁻¹", -1: "Jᵀ(JJᵀ)⁻¹", 1: "(JᵀJ)⁻¹Jᵀ"}[_sign(found.J.shape[0] - found.J.shape[1])]
-    full = found.spaces.rank == min(found.J.shape)
-    said = (
-        f"The rank is full: J# = {formula}."
-        if full
-        else f"The rank is not full: {formula} does not exist, and J# = V Σ# Uᵀ with 1/σᵢ for σᵢ > 0 only."
-    )
+    """Return the residuals of the four conditions, and of the formula of full rank where it holds."""
+    J, plain = (r"\bar{J}", "J̄") if found.is_scaled else ("J", "J")
+    names = [name.replace("J", J) for name in PENROSE]
+    differences = list(found.penrose)
+    direct = full_rank_inverse(found.scaled)
+    if direct is None:
+        said = f"The rank is not full: the formulas for full rank fail; {plain}# = V Σ# Uᵀ with 1/σᵢ for σᵢ > 0 only."
+    else:
+        formula, inverse = direct
+        names.append(rf"{J}^\#-{formula.replace('J', J)}")
+        differences.append(float(np.abs(found.scaled_inverse - inverse).max()))
+        said = "The rank is full: the last line is the formula for it."
+    if found.is_scaled:
+        said += " J̄ is J with metres and joint speeds scaled as said above."
+    residuals = [scientific(value, 1) if value > 1e-16 else "0" for value in differences]
+    rows = list(zip(map(mathml, names), residuals, strict=True))
     return f'{pairs(rows)}<p class="dim">Largest entries (definition 10). {said}</p>'
-
-
-def _sign(value: int) -> int:
-    return (value > 0) - (value < 0)
 
 
 def legend() -> str:

@@ -55,7 +55,7 @@ def torques_markup(state: State) -> str:
 
 
 def _decimals(full: float) -> int:
-    return 3 if full <= 20.0 else 2 if full <= 200.0 else 1
+    return 6 if full <= 0.02 else 3 if full <= 20.0 else 2 if full <= 200.0 else 1
 
 
 def verdict_markup(state: State) -> str:
@@ -79,7 +79,7 @@ def verdict(found: Balance, revolute: NDArray[np.bool_]) -> tuple[str, str, str]
     best = int(np.argmax(np.abs(found.torques) / np.maximum(found.least, 1e-300)))
     value, unit = float(found.torques[best]), "N m" if revolute[best] else "N"
     rest = f" Nothing to do for joint{'s' if len(idle) > 1 else ''} {_listed(idle)}." if idle else ""
-    said = f"{subscript('τ', best + 1)} = {number(value, 2)} {unit}.{rest}"
+    said = f"{subscript('τ', best + 1)} = {number(value, _decimals(abs(value)))} {unit}.{rest}"
     return "ok", f"Joint {best + 1} works hardest", said
 
 

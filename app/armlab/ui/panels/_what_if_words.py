@@ -92,8 +92,8 @@ def verdict_markup(state: State) -> str:
     word, sign, kind, mark = ("larger", "+", "ok", "▲") if grown > 0.0 else ("smaller", "−", "no", "▼")
     share = abs(grown) / before.value if before.value > 0.0 else math.inf
     if not all(each.refined for each in found.figures):
-        about = f"about {sign}{number(100.0 * share, 0)} %"
-        return _card("warn", "≈ …" if share < UNSURE else f"{mark} {word.capitalize()}, {about}", FOLLOWED)
+        about = f", about {sign}{number(100.0 * share, 0)} %" if math.isfinite(share) else ""
+        return _card("warn", "≈ …" if share < UNSURE else f"{mark} {word.capitalize()}{about}", FOLLOWED)
     most = math.hypot(before.error, after.error)
     if abs(grown) <= most:
         said = f"The difference is within the errors, ±{_of(most, most)} {after.unit}."

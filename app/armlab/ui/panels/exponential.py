@@ -189,6 +189,13 @@ def _eigen(found: Found) -> str:
     if not basis.real:
         real, imaginary = float(basis.values[0].real), abs(float(basis.values[0].imag))
         return f'<p class="dim">λ₁,₂ = {amount(real)} ± {amount(imaginary)} j, 1/s; complex eigenvectors.</p>'
+    if basis.basis == "none" and basis.values[0] == basis.values[1]:
+        vector = ", ".join(number(float(value), 3) for value in basis.T.real[:, 0])
+        value = amount(float(basis.values[0].real), "1/s")
+        return (
+            f'<p class="exp-eigen">{dot(css(EIGEN[0]))}λ₁ = λ₂ = {value}, a double eigenvalue with one eigenvector: '
+            f"v = ({vector})</p>"
+        )
     said = [
         f"{dot(css(EIGEN[i]))}λ{'₁₂'[i]} = {amount(float(basis.values[i].real), '1/s')}, "
         f"v = ({', '.join(number(float(value), 3) for value in basis.T.real[:, i])})"

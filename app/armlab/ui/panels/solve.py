@@ -12,7 +12,7 @@ from armlab.session.parts.solve import CLIP_KEY, AskFor, SetComponent, Solve, ha
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
 from armlab.session.solve_examples import EXAMPLES, ChooseSolveExample
 from armlab.session.solve_found import Found, found
-from armlab.session.solve_motion import BeginAlong, SlideAlong, begun, part_of
+from armlab.session.solve_motion import BeginAlong, SlideAlong, begun, looked_for, part_of
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped, mathml, matrix, readable
 from armlab.ui.markup import button, chips, options, row, select
@@ -140,15 +140,14 @@ def svd_markup(solved: Found) -> str:
     spaces = solved.spaces
     sigma: NDArray[np.float64] = np.zeros(solved.J.shape)
     np.fill_diagonal(sigma, spaces.sigma)
-    scaled = bool((spaces.lengths != 1.0).any() or (spaces.speeds != 1.0).any())
-    written = mathml((r"\bar{J}" if scaled else "J") + r"=U\,\Sigma\,V^T")
+    written = mathml((r"\bar{J}" if solved.is_scaled else "J") + r"=U\,\Sigma\,V^T")
     parts = [f'<div class="eq small">{written}</div>']
     for name, values in (("U", spaces.U), (r"\Sigma", sigma), ("V", spaces.V)):
         copies = f'<span class="copies">{copy_buttons(values)}</span>'
         parts.append(f"<h3>{mathml(name)}{copies}</h3>{_scrolled(values)}")
     m, n = solved.J.shape
     said = f"U is {m} × {m}, Σ {m} × {n}, V {n} × {n} (definition 11 has U and V exchanged)."
-    said += " J̄ is J with metres and joint speeds scaled as said above." if scaled else ""
+    said += " J̄ is J with metres and joint speeds scaled as said above." if solved.is_scaled else ""
     return f'{"".join(parts)}<p class="dim">{said}</p>'
 
 
@@ -223,7 +222,8 @@ class _SelfMotion:
         if not solved.answer.free.shape[1]:
             return ""
         if not on:
-            return '<p class="dim">Self-motion: none; these speeds leave the tool in place to first order only.</p>'
+            found = "none; these speeds leave the tool in place to first order only." if looked_for(state) else "…"
+            return f'<p class="dim">Self-motion: {found}</p>'
         playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
         cell, text = ("pause-self", "❚❚ Pause") if playing else ("play-self", "▶ Play")
         press = button(self._play.channel_id, cell, text, "chip", "Move the arm along and back; the tool stays")
