@@ -8,9 +8,9 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.velocity.dependence import dependent_columns, determinant_tests
+from armlab.kin.velocity.dependence import determinant_tests
 from armlab.kin.velocity.singular import singularities, usual_rank
-from armlab.kin.velocity.subspaces import task_matrix, task_subspaces
+from armlab.kin.velocity.subspaces import task_axes, task_matrix, task_subspaces
 from support.arms import random_pose, random_q
 
 DEGREE = math.radians(1.0)
@@ -82,48 +82,6 @@ def test_a_small_determinant_alone_says_nothing(truth):
     assert sigma[0] / sigma[1] - 1.0 == truth["ERR-1.19"]["expected"]["corrected_residual"]
 
 
-# -- dependent columns -----------------------------------------------------------------------------------------------
-
-
-def test_the_dependent_columns_of_the_notes(truth):
-    found = dependent_columns(truth["C5.1.3-3R-J-b"]["expected"]["J"])
-    assert [each.joints for each in found] == [(2,), (1, 3)]
-    np.testing.assert_allclose(found[1].factors, [1.0, 1.0], rtol=0, atol=1e-12)
-    # J1 + J3 = 0 alone does not make a 2 x 3 matrix singular (the text after 5.82).
-    counterexample = np.array([[1.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-    assert np.linalg.matrix_rank(counterexample) == truth["ERR-5.82"]["printed_value_if_wrong"]["printed_residual"]
-    assert [each.joints for each in dependent_columns(counterexample)] == [(1, 3)]
-
-
-def test_a_dependence_adds_up_to_zero_and_none_is_left_out(rng):
-    for size in (1, 2, 3, 4):
-        J = rng.normal(size=(6, 6))
-        joints = sorted(rng.choice(6, size, replace=False).tolist())
-        J[:, joints[-1]] = J[:, joints[:-1]] @ rng.uniform(0.5, 1.5, size - 1)
-        (found,) = dependent_columns(J)
-        assert found.joints == tuple(k + 1 for k in joints)
-        np.testing.assert_allclose(J[:, joints] @ found.factors, np.zeros(6), rtol=0, atol=1e-8)
-        assert np.abs(found.factors).max() == pytest.approx(1.0)
-
-
-def test_larger_sets_come_from_the_null_space(rng):
-    J = rng.normal(size=(6, 6))
-    J[:, 5] = J[:, :5] @ rng.uniform(0.5, 1.5, 5)
-    (found,) = dependent_columns(J)
-    assert found.joints == (1, 2, 3, 4, 5, 6)
-    assert dependent_columns(rng.normal(size=(6, 6))) == ()
-
-
-def test_what_is_always_dependent_has_not_become_so(rng):
-    arm = Arm.from_dh([("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0)], task="xyz")
-    usual = np.array([arm.jacobian(q)[:3] for q in random_q(arm, rng, 6)])
-    q = random_q(arm, rng)
-    assert [each.joints for each in dependent_columns(arm.jacobian(q)[:3])] == [(1, 2, 3)]
-    assert all(len(each.joints) == 3 for each in dependent_columns(arm.jacobian(q)[:3], usual))
-    stretched = arm.jacobian([0.3, 0.0, 0.7])[:3]
-    assert [each.joints for each in dependent_columns(stretched, usual) if len(each.joints) == 2] == []
-
-
 # -- named singularities ---------------------------------------------------------------------------------------------
 
 
@@ -146,6 +104,82 @@ def test_every_singular_pose_of_a_robot_has_a_reason(key):
             assert each.says.endswith(".")
             assert each.joints
             assert each.direction is None or abs(np.linalg.norm(each.direction) - 1.0) < 1e-12
+            assert_is_lost(robot.arm, q, each)
+
+
+def assert_is_lost(arm, q, found):
+    """Check a direction: of the tool where only that is controlled, else of the point that the sentence names."""
+    d, J = found.direction, arm.jacobian(q)
+    if d is None:
+        return
+    if arm.task.rotation == "none":
+        d = task_axes(arm, q).T @ (task_axes(arm, q) @ d)
+        assert np.abs(d @ J[:3]).max() < 1e-6 * np.abs(J[:3]).max()
+    elif found.kind == "dependent":
+        rows = J[3:] if found.turning else J[:3]
+        assert np.abs(d @ rows).max() < 1e-6 * np.abs(rows).max()
+    elif "centre" in found.says or "axes 5 and 6 meet" in found.says:
+        J = _at(arm, q, arm.n - 2, arm.n)
+        _, sigma, V_T = np.linalg.svd(J[:3])
+        held = V_T[int(np.sum(sigma > 1e-9 * sigma[0])) :].T
+        lost = d @ J[3:] @ held if found.turning else d @ J[:3]
+        assert np.abs(lost).max() < 1e-6 * np.abs(J[:3]).max()
+    else:
+        # The last axis of the planar part, as it is moved by the joints before it.
+        last = found.joints[-1] - 1
+        frames = np.asarray(arm.frames(q))
+        frames = frames[:-1] if arm.convention == "standard" else frames[1:]
+        J = J[:3] + np.cross(J[3:].T, frames[last, :3, 3] - arm.position(q)).T
+        assert np.abs(d @ J[:, :last]).max() < 1e-6 * np.abs(J).max()
+
+
+RIGHT = math.pi / 2
+WRIST = [("R", 0, -RIGHT, 0.5, 0), ("R", 0, RIGHT, 0, 0), ("R", 0, 0, 0.1, 0)]
+IN_LINE = {
+    "a slide oblique to the planar part": (
+        [("R", 0.5, 0, 0, 0.4), ("R", 0, 0.7, 0.7, 0), ("P", 0.5, 0.7, 0.2, RIGHT)],
+        [1.317, 0.0, 0.1],
+    ),
+    "joint 3 behind two parallel axes, and a spherical wrist": (
+        [("R", 0.5, 0, 0, 0), ("R", 0.3, 0.7, 0.2, 0), ("R", 0.3, RIGHT, 0, 0), *WRIST],
+        [-0.5, 0.0, -0.34, -0.75, 1.2, 0.4],
+    ),
+}
+
+
+@pytest.mark.parametrize("key", IN_LINE)
+def test_a_stretched_part_that_another_joint_moves_on_loses_another_direction(key):
+    rows, q = IN_LINE[key]
+    arm = Arm.from_dh(rows)
+    places = _zeros_of(lambda q2: _determinant(arm, [q[0], q2, *q[2:]]), (-3.0, 3.1))
+    met = 0
+    for q2 in places:
+        at = [q[0], q2, *q[2:]]
+        for each in singularities(arm, at):
+            assert_is_lost(arm, at, each)
+            met += each.kind == "elbow" and each.direction is not None
+    assert met >= 1
+
+
+def test_a_slide_that_leads_out_of_the_plane_leaves_no_shoulder():
+    """RRRP: the tool point is in the plane through axis 1, but joint 4 moves it along axes 2 and 3."""
+    rows = [("R", 0, 0, 0.2, 0), ("R", 0, RIGHT, 0, RIGHT), ("R", 0.3, 0, 0.7, RIGHT), ("P", 0, 0, 0.2, RIGHT)]
+    arm = Arm.from_dh(rows, convention="modified")
+    at = [math.pi, 0.0, -0.01594215067022886, -0.5243194049080313]
+    found = singularities(arm, at)
+    assert found
+    for each in found:
+        assert_is_lost(arm, at, each)
+
+
+def test_a_boundary_is_that_of_what_is_near():
+    """RRR with its second part folded: other joint values reach 0.4 m beyond."""
+    arm = Arm.from_dh([("R", 0.8, RIGHT, 0, 0), ("R", 1, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
+    (found,) = singularities(arm, [0.3, math.pi, math.pi])
+    assert found.boundary
+    assert "boundary of its workspace" not in found.says
+    assert "joint values near these take it to one side only" in found.says
+    assert "Others may reach beyond" in found.says
 
 
 @pytest.mark.parametrize(("l1", "l2"), [(1.0, 1.0), (0.9, 0.5)])

@@ -146,7 +146,7 @@ class FakeBrowser:
         elif "name" in message and "props" in message:
             self.nodes.setdefault(message["name"], {}).update(message["props"])
 
-    async def until(self, condition: Callable[[], bool], seconds: float = 10.0) -> None:
+    async def until(self, condition: Callable[[], bool], seconds: float = 30.0) -> None:
         """Wait until a condition on what was received holds."""
         deadline = time.perf_counter() + seconds
         while not condition():

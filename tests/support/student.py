@@ -13,12 +13,12 @@ Result = TypeVar("Result")
 
 
 def run(main: Coroutine[Any, Any, Result]) -> Result:
-    """Run the story of a test, for a minute at most, in a thread of its own.
+    """Run the story of a test, for two minutes at most, in a thread of its own.
 
     While a browser test's Playwright is open, its event loop occupies the thread of the tests.
     """
     with ThreadPoolExecutor(1) as own:
-        return own.submit(lambda: asyncio.run(asyncio.wait_for(main, 60.0))).result()
+        return own.submit(lambda: asyncio.run(asyncio.wait_for(main, 120.0))).result()
 
 
 async def student(url: str, cookie: str | None = None, path: str = "/") -> FakeBrowser:

@@ -70,6 +70,13 @@ def test_bars_are_finite_but_for_the_inverse_which_says_it_does_not_exist():
     assert "J is singular here: J⁻¹ does not exist" in words
 
 
+@pytest.mark.parametrize(("key", "how_far"), [("planar_2r", "34.4°"), ("scara", "34.4° or 401.1 mm")])
+def test_where_none_is_near_the_page_says_how_far_it_looked(key, how_far):
+    state = opened(key, MoveJoint(1, 1.5))
+    card = condition_card(state.derived(looked), state.derived(near), units_of(state))
+    assert f"No singularity was found that one joint alone reaches within {how_far}." in card
+
+
 def test_what_is_too_long_is_cut_and_told():
     state = opened("planar_2r", MoveJoint(1, 0.01))
     look, units = state.derived(looked), units_of(state)

@@ -80,13 +80,80 @@ def test_nonsense_is_refused():
 
 
 def test_what_is_near_is_near(robot, rng):
-    """No joint goes farther than FAR, and it goes the shortest way that any joint alone finds."""
+    """No joint goes farther than FAR."""
     task = ScaledTask(robot.arm)
     for q in rng.uniform(robot.arm.limits[:, 0], robot.arm.limits[:, 1], (6, robot.arm.n)):
         found = nearest_singular_pose(task, q)
         if found is not None:
             assert abs(found.away) <= FAR * task.joint_units[found.joint] * (1.0 + 1e-12)
             assert found.q[found.joint] - q[found.joint] == pytest.approx(found.away, abs=1e-12)
+
+
+def sampled_distance(task, q, samples=1201):
+    """Return how far the nearest singular configuration of one joint is on a dense grid, in scaled units; or inf.
+
+    It is where the determinant changes sign, or where the inverse condition dips to nearly zero between samples.
+    """
+    nearest = math.inf
+    for k in range(task.n):
+        low, high = np.clip(q[k] + np.array([-FAR, FAR]) * task.joint_units[k], *task.arm.limits[k])
+        places = np.linspace(low, high, samples)
+        along = np.tile(q, (samples, 1))
+        along[:, k] = places
+        J = task.jacobians(along, np.asarray(task.arm.fk(along)))
+        sigma = np.linalg.svd(J, compute_uv=False)
+        inverse = sigma[:, -1] / sigma[:, 0]
+        if np.ptp(inverse) < 1e-9:
+            continue
+        zero = np.zeros(samples, dtype=bool)
+        if task.m == task.n:
+            signs = np.sign(np.linalg.det(J))
+            zero[1:] = signs[1:] * signs[:-1] < 0.0
+        # Beside a zero a sample is at most half as large as the one on its other side, here and in the next.
+        middle, beside = inverse[1:-1], np.maximum(inverse[:-2], inverse[2:])
+        zero[1:-1] |= (middle <= np.minimum(inverse[:-2], inverse[2:])) & (middle < 0.5 * beside)
+        ways = np.abs(places[zero] - q[k]) / task.joint_units[k]
+        nearest = min(nearest, float(ways.min(initial=math.inf)))
+    return nearest
+
+
+@pytest.mark.parametrize("key", ["puma560", "ur5e", "scorbot", "stanford"])
+def test_no_joint_alone_finds_one_that_is_nearer(key, rng):
+    task = ScaledTask(catalogue()[key].arm)
+    one = 2.0 * FAR / 1200
+    met = 0
+    for q in rng.uniform(*task.arm.limits.T, (60, task.n)):
+        found, sampled = nearest_singular_pose(task, q), sampled_distance(task, q)
+        if sampled > FAR - one:
+            continue
+        met += 1
+        assert found is not None, (q.tolist(), sampled)
+        assert inverse_condition(task, found.q) <= SINGULAR
+        assert abs(found.away) / task.joint_units[found.joint] <= sampled + one, q.tolist()
+    assert met >= 15
+
+
+@pytest.mark.parametrize(
+    ("key", "q", "joint", "degrees"),
+    [
+        ("stanford", [0.3703, -2.9308, 1.1388, 1.7728, -0.3966, 0.2216], 5, 22.7),
+        ("ur5e", [-3.3015, -4.0141, 3.0441, 6.1508, 5.7715, 3.1707], 3, 5.6),
+        ("kr6r900", [-2.3971, -1.9834, 0.5507, -3.0435, -1.4455, 3.6562], 2, 9.1),
+    ],
+)
+def test_one_that_the_slope_at_the_start_does_not_lead_to(key, q, joint, degrees):
+    """The singular value bends on the way, or another singularity lies a little beyond the nearest."""
+    found = nearest_singular_pose(ScaledTask(catalogue()[key].arm), q)
+    assert found.joint == joint - 1
+    assert abs(math.degrees(found.away)) == pytest.approx(degrees, abs=0.05)
+
+
+def test_of_two_that_are_close_to_each_other_the_nearer_one_is_found():
+    """UR5e: the shoulder is met 3 degrees beyond the elbow."""
+    task = ScaledTask(catalogue()["ur5e"].arm)
+    q = np.array([4.7987, -0.325, -3.1806, -2.6124, -0.9815, -2.4196])
+    found = nearest_singular_pose(task, q)
+    assert (found.joint, found.away) == (2, pytest.approx(-math.pi - q[2], abs=1e-8))
 
 
 @pytest.mark.parametrize("key", ["planar_2r", "planar_2r_unequal"])

@@ -32,6 +32,10 @@ A double eigenvalue with one eigenvector is found as two that are sqrt(2e-16) = 
 its inverse.
 """
 
+DOUBLE = 1e-7
+"""Of the size of A: where there is no basis of eigenvectors, two eigenvalues that are nearer to each other are one if
+their eigenvectors are one, too. Rounding parts a double one by 1.5e-8 of it, into two real or two complex ones."""
+
 
 @dataclass(frozen=True, eq=False)
 class Diagonalisation:
@@ -40,7 +44,7 @@ class Diagonalisation:
     Attributes
     ----------
     values : ndarray of complex, shape (n,)
-        Eigenvalues, 1/s.
+        Eigenvalues, 1/s. A double one with a single eigenvector is there twice, exactly, and so is its eigenvector.
     T : ndarray of complex, shape (n, n)
         Columns: unit eigenvectors.
     condition : float
@@ -63,7 +67,10 @@ class Diagonalisation:
     def says(self) -> str:
         """What there is to know about T, in a sentence."""
         if self.basis == "none":
-            return "A is not diagonalisable within rounding: it has too few independent eigenvectors, T has no inverse"
+            return (
+                "A is not diagonalisable within rounding: it has too few independent eigenvectors, T has no inverse; "
+                "the series and SciPy do not need it"
+            )
         if self.basis == "poor":
             lost = round(math.log10(self.condition))
             return f"the eigenvectors are almost parallel: about {lost} of 16 digits are lost"
@@ -152,11 +159,38 @@ def diagonalised(A: ArrayLike) -> Diagonalisation:
         As of `by_scipy`.
     """
     matrix, _ = _checked(A, 0.0)
-    values, T = np.linalg.eig(matrix)
+    values, T = map(np.asarray, np.linalg.eig(matrix))
     sigma = np.linalg.svd(T, compute_uv=False)
     condition = float(sigma[0] / sigma[-1]) if sigma[-1] > 0.0 else math.inf
     basis: Basis = "none" if condition >= NONE else "poor" if condition >= POOR else "good"
-    return Diagonalisation(values.astype(np.complex128), T.astype(np.complex128), condition, basis)
+    values, T = values.astype(np.complex128), T.astype(np.complex128)
+    if basis == "none":
+        values, T = _doubled(matrix, values, T)
+    return Diagonalisation(values, T, condition, basis)
+
+
+def _doubled(matrix: Array, values: Complex, T: Complex) -> tuple[Complex, Complex]:
+    """Return eigenvalues and eigenvectors with those that only rounding has parted in pairs put together.
+
+    The mean of such a pair is right to rounding, although each is only half as many digits.
+    """
+    values, T = values.copy(), T.copy()
+    near = DOUBLE * _size(matrix)
+    left = list(range(len(values)))
+    while left:
+        i = left.pop(0)
+        j = min(left, key=lambda k: abs(values[k] - values[i]), default=i)
+        parallel = abs(np.vdot(T[:, i], T[:, j])) >= 1.0 - DOUBLE
+        if j == i or abs(values[j] - values[i]) > near or not parallel:
+            continue
+        left.remove(j)
+        mean = 0.5 * (values[i] + values[j])
+        if abs(mean.imag) <= near:
+            mean = mean.real
+        _, _, V_H = np.linalg.svd(matrix - mean * np.eye(len(matrix)))
+        values[[i, j]] = mean
+        T[:, [i, j]] = V_H[-1].conj()[:, None]
+    return values, T
 
 
 def by_eigenvectors(A: ArrayLike, t: float = 1.0) -> Array | None:

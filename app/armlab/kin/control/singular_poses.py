@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.checks import finite_floats
@@ -18,6 +20,10 @@ SINGULAR = 1e-9
 STEPS = 12
 """Of Newton's method on one singular value; it doubles its digits with each."""
 
+TRUSTED, HALVES = 2, 0.5
+"""After so many steps every step has to make the singular value at least so small, else there is no zero: one that is
+touched makes it a quarter."""
+
 NEAR_ENOUGH = 0.05
 """Inverse condition at a sampled minimum from which Newton's method is tried."""
 
@@ -27,6 +33,20 @@ DIFFERENCE = 1e-5
 
 FAR = 0.6
 """Radians, or length scales: a singular configuration farther away is not near."""
+
+BESIDE, PARTS, POINTS = 13, 12, 6
+"""Samples of one joint from -FAR to FAR about where it is; into how many parts the way from one to the next is divided,
+half a degree each; and of how many samples the polynomial is that gives the values between."""
+
+NEWTON = 2.0 * FAR / (BESIDE - 1) / PARTS
+"""Radians, or length scales, by which Newton's method corrects a start at most."""
+
+FALLS = 0.5
+"""There may be a zero where a size is below this part of one of the next two: beside a zero it is a third at most, but
+for bends, and at the bottom of what stays above zero it is almost one."""
+
+ROUNDING = 1e-12
+"""Of the largest size along a joint: what is smaller is zero."""
 
 TRIED = 2.0 * FAR
 """How far Newton's method may look: where the singular value bends, its first step is too long."""
@@ -51,11 +71,12 @@ class SingularPose(NamedTuple):
 
 
 def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None:
-    """Return the singular configuration that the least motion of one joint leads to; None where none is near.
+    """Return the singular configuration that the least motion of one joint leads to; None where none is found near.
 
-    Newton's method on the smallest singular value, whose derivative is u^T (dJ/dq_k) v, for each joint k that changes
-    it. It takes the shortest way by angles; one metre of a sliding joint counts as its share of the length scale. What
-    it finds lies inside the limits of the joint.
+    The determinant of the task Jacobian (of J J^T where it is not square) is sampled along each joint. From where it
+    seems to be zero, the nearest first, Newton's method goes on with the smallest singular value, whose derivative is
+    u^T (dJ/dq_k) v. Distances are angles; one metre of a sliding joint counts as its share of the length scale. What is
+    found lies inside the limits of the joint. Two that are nearer than half a degree to each other may be found as one.
 
     Parameters
     ----------
@@ -68,15 +89,72 @@ def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None
     Derivative of a singular value: Stewart and Sun, *Matrix Perturbation Theory*, 1990, section IV.2.
     """
     values = finite_floats(q, "q", (task.n,), f"{task.n} finite numbers")
-    U, sigma, V = _decomposed(task, values)
-    if sigma[-1] <= SINGULAR * sigma[0]:
+    if _inverse_condition(task, values) <= SINGULAR:
         return SingularPose(values, 0, 0.0)
+    best: SingularPose | None = None
+    for away, k, at in _starts(task, values):
+        if best is not None and away - NEWTON >= _distance(task, best):
+            break
+        pose = _along(task, _with(values, k, at), k)
+        if pose is None:
+            continue
+        found = SingularPose(pose.q, k, float(pose.q[k] - values[k]))
+        if _distance(task, found) <= FAR and (best is None or _distance(task, found) < _distance(task, best)):
+            best = found
+    return best
+
+
+def _starts(task: ScaledTask, q: Floats) -> list[tuple[float, int, float]]:
+    """Return where Newton's method may find a zero near q: how far it is, the joint, and its value there.
+
+    The nearest first.
+    """
+    low, high = (np.clip(q + side * FAR * task.joint_units, *task.arm.limits.T) for side in (-1.0, 1.0))
+    sampled = np.tile(q, (task.n, BESIDE, 1))
+    joints = np.arange(task.n)
+    sampled[joints, :, joints] = np.linspace(low, high, BESIDE, axis=1)
+    volumes = _volumes(task, sampled.reshape(-1, task.n)).reshape(task.n, BESIDE) @ _between().T
+    places = [(k, float(low[k] + part * (high[k] - low[k]))) for k, part in _zeros(volumes)]
+    return sorted((float(abs(at - q[k]) / task.joint_units[k]), k, at) for k, at in places)
+
+
+def _volumes(task: ScaledTask, q: Floats) -> Floats:
+    """Return in configurations (k, n) what is smooth and zero at singularities alone, shape (k,).
+
+    The determinant of the scaled task Jacobian, or of J J^T or J^T J where it is not square.
+    """
+    poses = task.arm.fk(q) if task.arm.task.rotation == "approach" else np.empty((0, 4, 4))
+    J = task.jacobians(q, np.asarray(poses))
+    if task.m != task.n:
+        J_T = np.swapaxes(J, 1, 2)
+        J = J @ J_T if task.m < task.n else J_T @ J
+    return np.asarray(np.linalg.det(J))
+
+
+@cache
+def _between() -> Floats:
+    """Return what takes BESIDE samples to values also between them, by polynomials of the POINTS that are nearest."""
+    at = np.linspace(0.0, BESIDE - 1.0, (BESIDE - 1) * PARTS + 1)
+    first = np.clip(np.floor(at).astype(int) - POINTS // 2 + 1, 0, BESIDE - POINTS)
+    weights = np.zeros((len(at), BESIDE))
+    for i in range(POINTS):
+        others = np.delete(np.arange(POINTS), i)
+        weights[np.arange(len(at)), first + i] = np.prod(((at - first)[:, None] - others) / (i - others), axis=1)
+    return weights
+
+
+def _zeros(volumes: Floats) -> list[tuple[int, float]]:
+    """Return where values (n, s) cross zero or touch it: the row, and the part of the way from its start to its end."""
+    sizes, cells = np.abs(volumes), volumes.shape[1] - 1
+    signed = np.where(sizes <= ROUNDING * sizes.max(axis=1, keepdims=True), 0.0, volumes)
+    crossed = np.pad(signed[:, :-1] * signed[:, 1:] < 0.0, ((0, 0), (1, 1)))
     found = []
-    for k in np.argsort([-abs(_slope(task, values, k, U, V)) for k in range(task.n)]).tolist():
-        pose = _along(task, values, k)
-        if pose is not None:
-            found.append(pose)
-    return min(found, key=lambda pose: _distance(task, pose), default=None)
+    for k, i in np.argwhere(crossed[:, 1:-1]).tolist():
+        found.append((k, (i + float(signed[k, i] / (signed[k, i] - signed[k, i + 1]))) / cells))
+    around = sliding_window_view(np.pad(sizes, ((0, 0), (2, 2)), mode="edge"), 5, axis=1)
+    dips = (sizes <= around[..., 1:4].min(axis=2)) & (sizes <= FALLS * around.max(axis=2))
+    found += [(k, i / cells) for k, i in np.argwhere(dips & ~crossed[:, :-1] & ~crossed[:, 1:]).tolist()]
+    return found
 
 
 def singular_poses(task: ScaledTask, q: ArrayLike) -> tuple[SingularPose, ...]:
@@ -113,8 +191,8 @@ def singular_poses(task: ScaledTask, q: ArrayLike) -> tuple[SingularPose, ...]:
 def _along(task: ScaledTask, q: Floats, k: int) -> SingularPose | None:
     """Return where joint k meets a singularity near q, inside its limits; None where it does not."""
     low, high = task.arm.limits[k]
-    at = q.copy()
-    for _ in range(STEPS):
+    at, last = q.copy(), np.inf
+    for step in range(STEPS):
         U, sigma, V = _decomposed(task, at)
         if sigma[-1] <= SINGULAR * sigma[0]:
             away = float(at[k] - q[k])
@@ -122,6 +200,9 @@ def _along(task: ScaledTask, q: Floats, k: int) -> SingularPose | None:
         slope = _slope(task, at, k, U, V)
         if abs(slope) * TRIED < sigma[-1]:
             return None
+        if step > TRUSTED and sigma[-1] > HALVES * last:
+            return None
+        last = float(sigma[-1])
         before = float(at[k])
         after = before - float(sigma[-1]) / slope * float(task.joint_units[k])
         at[k] = min(max(after, low), high)

@@ -28,7 +28,8 @@ VANISHES = 1e-5
 """A factor of the determinant, as a sine or a length over the length scale, that is the one which vanishes. The rank
 has decided before that one does; this only tells which."""
 
-BOUNDARY = " The tool is at the boundary of its workspace."
+BOUNDARY = " The tool is at a boundary: joint values near these take it to one side only. Others may reach beyond."
+"""Told by the second derivatives, so of what is near; all of the workspace may be larger."""
 
 CURVED = 1e-6
 """Second derivatives over the length scale above this bend the way the tool takes."""
@@ -54,8 +55,8 @@ class Singularity:
     turning : bool
         Whether turning about it is lost, else moving along it.
     boundary : bool
-        Whether the tool point is at the boundary of its workspace (near this configuration): whatever the joints do,
-        it goes to one side only.
+        Whether joint values near these take the tool point to one side only. In another posture the arm may reach
+        beyond.
     """
 
     kind: Kind
@@ -126,6 +127,9 @@ def _shoulder(posture: Posture, layout: Layout) -> Singularity | None:
     across = float(z @ np.cross(posture.axes[0], way))
     if abs(across) > VANISHES * arm.length_scale:
         return None
+    # A slide that is oblique to the planar part may still move it that way.
+    if np.abs(z @ posture.centre_jacobian[:, 1:]).max(initial=0.0) > VANISHES * arm.length_scale:
+        return None
     run, centre_name = _listed([k + 1 for k in layout.run]), layout.centre_name
     off = float(np.linalg.norm(np.cross(posture.axes[0], way)))
     if off <= VANISHES * arm.length_scale:
@@ -159,17 +163,25 @@ def _elbow(posture: Posture, layout: Layout, boundary: bool) -> Singularity | No
 
 
 def _lost_along(posture: Posture, layout: Layout, line: Array) -> Array | None:
-    """Return the direction that a stretched planar part loses.
+    """Return the direction (3,) that the end of a stretched planar part loses; None where it is none, or not one.
 
-    It is the line, unless a joint before the planar part moves its end along the line: beside an offset of the
-    shoulder joint 1 does, and another direction, oblique to the line, is lost instead.
+    It is the line, unless a joint before or behind the planar part moves its end along the line: beside an offset of
+    the shoulder joint 1 does, and another direction, oblique to the line, is lost instead.
     """
-    if layout.run[0] == 0:
-        return np.asarray(line)
-    if not layout.ends_at_centre:
-        return None
-    U, sigma, _ = np.linalg.svd(posture.centre_jacobian)
-    return np.asarray(U[:, 2] if sigma[1] > VANISHES * sigma[0] else line)
+    if posture.arm.task.rotation == "none":
+        J, rows = posture.arm.jacobian(posture.q)[:3], posture.task_axes
+    elif layout.ends_at_centre:
+        J, rows = posture.centre_jacobian, np.eye(3)
+    else:
+        # The last axis of the part moves along the line only by what comes before the part.
+        return np.asarray(line) if layout.run[0] == 0 else None
+    U, sigma, _ = np.linalg.svd(rows @ J)
+    sizes = np.pad(sigma, (0, len(rows) - len(sigma)))
+    lost = U[:, sizes <= VANISHES * sizes[0]]
+    if lost.shape[1] == 1:
+        return np.asarray(lost[:, 0] @ rows)
+    held = np.linalg.norm(line @ J) <= VANISHES * np.linalg.norm(J)
+    return np.asarray(line) if held else None
 
 
 def _wrist(posture: Posture, layout: Layout) -> Singularity | None:

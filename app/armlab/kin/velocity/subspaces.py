@@ -69,11 +69,6 @@ class Subspaces:
         return float(self.sigma[-1])
 
     @property
-    def lost_velocities(self) -> Array:
-        """``D u_i`` of the left null space (m, m - rank): velocities perpendicular, when scaled, to all of R(J)."""
-        return np.asarray(self.U[:, self.rank :] * self.lengths[:, None])
-
-    @property
     def inverse(self) -> Array:
         """The pseudo-inverse ``S V diag(1 / sigma) U^T D^-1``, shape (n, m).
 

@@ -68,11 +68,6 @@ class PlanarWorkspace:
     dexterous: tuple[Interval, ...]
     singular: tuple[tuple[float, tuple[Signs, ...]], ...]
 
-    @property
-    def singular_circles(self) -> tuple[float, ...]:
-        """Their radii, metres, smallest first."""
-        return tuple(r for r, _ in self.singular)
-
     def is_dexterous(self, r: float) -> bool:
         """Return whether all orientations are possible at a radius in metres."""
         edge = EDGE * sum(self.lengths)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.control.side_by_side import Compared
-from armlab.kin.control.singular_poses import SINGULAR
+from armlab.kin.control.singular_poses import FAR, SINGULAR
 from armlab.kin.task import Task
 from armlab.session.microscope_look import Look, Near
 from armlab.ui.colours import css, joint_colour
@@ -64,7 +64,7 @@ def condition_card(look: Look, near: Near | None, units: Units) -> str:
 
 def _which(look: Look, near: Near | None, units: Units) -> str:
     if near is None:
-        return "No joint alone leads to a singularity near here."
+        return f"No singularity was found that one joint alone reaches within {_looked(look, units)}."
     says = " ".join(each.says for each in near.why)
     if abs(near.pose.away) <= ROUND:
         return says
@@ -72,6 +72,14 @@ def _which(look: Look, near: Near | None, units: Units) -> str:
     away = units.angle(abs(near.pose.away)) if revolute else units.length(abs(near.pose.away))
     at = units.angle(float(near.pose.q[j])) if revolute else units.length(float(near.pose.q[j]))
     return f"{away} away, at {units.variable(j, revolute)} = {at}: {says}"
+
+
+def _looked(look: Look, units: Units) -> str:
+    """Return how far each kind of joint was looked along."""
+    arm, most = look.part.arm, FAR * look.task.joint_units
+    said = [units.angle(float(most[arm.revolute][0]))] if arm.revolute.any() else []
+    said += [units.length(float(most[~arm.revolute][0]))] if not arm.revolute.all() else []
+    return " or ".join(said)
 
 
 def sigma_bars(look: Look) -> str:
