@@ -175,6 +175,12 @@ class LabPage:
         self.page.mouse.up()
         self.rest()
 
+    def resize(self, size: tuple[int, int]) -> None:
+        """Give the window another size, and wait until the page has fitted itself to it."""
+        self.page.set_viewport_size({"width": size[0], "height": size[1]})
+        self.frames(2)
+        self.rest()
+
     # -- the panels ----------------------------------------------------------------------------------------------
 
     def open_tab(self, title: str) -> None:
