@@ -8,7 +8,7 @@ PLOTS = """() => [...document.querySelectorAll('.u-over')]
   .filter(each => each.getBoundingClientRect().width > 0).length"""
 CURSORS = """() => [...document.querySelectorAll('.al-cursor')]
   .filter(line => line.style.display !== 'none').map(line => parseFloat(line.style.left))"""
-RED = """() => [...document.querySelectorAll('.uplot canvas')].map(canvas => {
+RED = """() => [...document.querySelectorAll('.uplot canvas')].filter(each => each.width && each.height).map(canvas => {
   const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
   let count = 0;
   for (let k = 0; k < data.length; k += 4)

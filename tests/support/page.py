@@ -44,6 +44,15 @@ SEEN = """() => JSON.stringify([
 ])"""
 """What tells whether the page still changes."""
 
+FITTED = """() => {
+  const inside = selector => {
+    const box = document.querySelector(selector)?.getBoundingClientRect();
+    return !box || (box.right <= innerWidth + 1 && box.bottom <= innerHeight + 1);
+  };
+  return inside('canvas') && inside('[data-dock-region=right]');
+}"""
+"""Whether picture and panels have followed the window."""
+
 HANDLE = 0.14
 """Length of the handle's arrows, in sizes of the arm."""
 
@@ -178,7 +187,7 @@ class LabPage:
     def resize(self, size: tuple[int, int]) -> None:
         """Give the window another size, and wait until the page has fitted itself to it."""
         self.page.set_viewport_size({"width": size[0], "height": size[1]})
-        self.frames(2)
+        self.page.wait_for_function(FITTED)
         self.rest()
 
     # -- the panels ----------------------------------------------------------------------------------------------
