@@ -20,8 +20,7 @@ def find_browser(python):
     os.environ["ARMLAB_BROWSER"] = found.stdout.strip()
 
 
-# Who has nothing left takes over half of what the other has: browser tests come in a row and last longest.
-TWO_AT_A_TIME = ["-n", "2", "--dist", "worksteal"]
+TWO_AT_A_TIME = ["-n", "2"]
 
 os.chdir(str(ROOT))
 arguments = sys.argv[1:] or TWO_AT_A_TIME
