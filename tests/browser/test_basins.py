@@ -42,14 +42,14 @@ def test_a_map_draws_in_pieces_and_is_cancelled(visit):
     lab.press("points-256")
     lab.page.locator("button[data-cell=draw]").click()
     # The first pieces are a part of the picture, and there are more to come.
-    lab.page.wait_for_function("() => document.body.innerText.match(/Drawing: [1-9]/)", timeout=60_000)
+    lab.page.wait_for_function("() => document.body.innerText.match(/Drawing: [1-9]/)")
     # The page decodes a picture a moment after it has come.
     lab.until(lambda: drawn_rows(lab)[1] > 0)
     side, rows = drawn_rows(lab)
     assert side == 256
     assert rows < 256
     lab.page.locator("button[data-cell=cancel]").click()
-    lab.page.wait_for_selector("button[data-cell=draw]", timeout=20_000)
+    lab.page.wait_for_selector("button[data-cell=draw]")
     assert "Cancelled at" in lab.page.inner_text("body")
     lab.rest()
     _, rows = drawn_rows(lab)
@@ -64,7 +64,7 @@ def test_a_click_starts_the_film_at_that_configuration(visit):
     lab.page.locator("select[data-cell=method]").select_option("dls_error")
     lab.rest()
     lab.page.locator("button[data-cell=draw]").click()
-    lab.page.wait_for_selector("a[download]", timeout=60_000)
+    lab.page.wait_for_selector("a[download]")
     assert "Elbow up" in lab.page.inner_text(".ba-legend")
     with lab.page.expect_download() as saved:
         lab.page.locator("a[download]").click()

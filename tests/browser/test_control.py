@@ -17,7 +17,7 @@ def choose(lab, key):
     lab.page.locator('select[data-cell="example"]').select_option(key)
     lab.page.locator(".it-look", has_text=EXAMPLES[key].says[:20]).wait_for()
     lab.page.locator(".ct-card").wait_for()
-    lab.until(lambda: "…" not in lab.page.locator(".ct-card").inner_text(), 60.0)
+    lab.until(lambda: "…" not in lab.page.locator(".ct-card").inner_text())
 
 
 def row(lab, name):
@@ -49,7 +49,7 @@ def test_the_presets_of_the_notes_are_read_from_the_panel_and_played(visit):
     lab.rest()
     before = np.array(bodies(lab))
     lab.page.locator('.al-time button[data-cell="play"]').click()
-    lab.until(lambda: np.abs(np.array(bodies(lab)) - before).max() > 5.0, 30.0)
+    lab.until(lambda: np.abs(np.array(bodies(lab)) - before).max() > 5.0)
     lab.page.locator('.al-time button[data-cell="close"]').click()
 
 
@@ -59,7 +59,7 @@ def test_a_push_while_it_runs_is_made_good(visit):
     choose(lab, "cartesian_tracking")
     lab.page.locator('button[data-cell="push"]').click()
     lab.page.locator('button[data-cell="drop"]').wait_for()
-    lab.until(lambda: "…" not in lab.page.locator(".ct-card").inner_text(), 60.0)
+    lab.until(lambda: "…" not in lab.page.locator(".ct-card").inner_text())
     assert row(lab, "error at the end")[0] < 1.0
     assert lab.page.locator(".ct-run").count() == 3
     lab.page.locator('button[data-cell="remove 2"]').click()

@@ -54,7 +54,7 @@ def test_an_example_plays_steps_rewinds_and_says_how_it_ended(visit):
     turned = (np.array(bodies(lab)) - np.degrees(standing(ARM, film.q[2])) + 180.0) % 360.0 - 180.0
     np.testing.assert_allclose(turned, 0.0, atol=0.1)
     lab.page.locator('.al-time button[data-cell="play"]').click()
-    lab.until(lambda: present_row(lab)[:1] == [str(film.last)], 30.0)
+    lab.until(lambda: present_row(lab)[:1] == [str(film.last)])
     lab.page.locator('.it-table button[data-cell="row 0"]').click()
     lab.until(lambda: present_row(lab)[:1] == ["0"])
     lab.page.locator('.al-time button[data-cell="close"]').click()

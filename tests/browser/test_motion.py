@@ -62,7 +62,8 @@ def test_the_motion_is_played_and_scrubbed_and_the_arm_comes_back(visit):
     stood = turned(lab)
     lab.page.locator('.al button[data-cell="play-motion"]').click()
     lab.page.locator(".al-time").wait_for()
-    lab.until(lambda: off(lab, plan.motion.at(plan.duration)) < 1e-3, 30.0)
+    lab.until(lambda: off(lab, plan.motion.at(plan.duration)) < 1e-3)
+    lab.page.locator('.al-time button[data-cell="play"][title^="Play"]').wait_for()  # it stands at its end
     for share in (0.25, 0.6):
         lab.page.locator('.al-time input[data-cell="seek"]').fill(str(share))
         q = plan.motion.at(share * plan.duration)

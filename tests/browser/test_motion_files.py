@@ -72,11 +72,11 @@ def test_a_recording_plays_without_a_lab(visit, tmp_path):
     lab.page.context.set_offline(True)
     page.goto(path.as_uri())
     loaded = "Object.keys(window.__viserMutable?.nodeRefFromName ?? {}).filter(name => name.endsWith('/body')).length"
-    page.wait_for_function(f"() => {loaded} === 5", timeout=60_000)
+    page.wait_for_function(f"() => {loaded} === 5")
     assert page.title().endswith(": motion")
     turn = "window.__viserMutable.nodePoseData['/0/arm/1'].wxyz.join()"
     first = page.evaluate(turn)
-    page.wait_for_function(f"first => {turn} !== first", arg=first, timeout=20_000)
+    page.wait_for_function(f"first => {turn} !== first", arg=first)
     assert all(address.startswith(("file:", "data:", "blob:")) for address in asked)
     assert errors == []
     lab.page.context.set_offline(False)

@@ -92,8 +92,8 @@ def test_a_slow_page_draws_less_while_a_clip_plays_and_all_of_it_at_rest(visit):
     lab.page.evaluate(SLOW, "lit")
     play(lab)
     repeat(lab)
-    lab.until(lambda: lab.page.evaluate(LOOK)[0] == 0, 30.0)
-    lab.until(lambda: lab.page.evaluate(LOOK)[1] < whole[1], 30.0)
+    lab.until(lambda: lab.page.evaluate(LOOK)[0] == 0)
+    lab.until(lambda: lab.page.evaluate(LOOK)[1] < whole[1])
     lab.page.locator(".al-time button[data-cell=play]").click()
     lab.page.locator('.al-time button[aria-label="Play (space)"]').wait_for()
     lab.until(lambda: lab.page.evaluate(LOOK) == whole)
@@ -106,8 +106,8 @@ def test_a_screen_that_shows_few_pictures_costs_no_shadows(visit):
     lab.page.evaluate(SLOW, "always")
     play(lab)
     repeat(lab)
-    lab.until(lambda: lab.page.evaluate(LOOK)[0] == 0, 30.0)
-    lab.until(lambda: lab.page.evaluate(LOOK) == whole, 60.0)
+    lab.until(lambda: lab.page.evaluate(LOOK)[0] == 0)
+    lab.until(lambda: lab.page.evaluate(LOOK) == whole)
     assert lab.page.locator('.al-time button[aria-label="Pause (space)"]').count() == 1
 
 

@@ -12,7 +12,7 @@ KNOWN = "() => document.body.innerText.includes('To the boundary')"
 def test_a_click_in_the_side_view_moves_the_tool_and_a_slice_is_drawn(visit):
     lab = visit("robot/elbow_3r", size=(1024, 700))
     lab.open_tab("Section")
-    lab.page.wait_for_function(KNOWN, timeout=60_000)
+    lab.page.wait_for_function(KNOWN)
     lab.rest()
     assert "9.090 ±" in lab.page.inner_text("body")
     box = lab.page.locator(".sc-pick").bounding_box()

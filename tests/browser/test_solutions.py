@@ -26,7 +26,7 @@ def eight(visit):
     lab.press("eight")
     lab.open_tab("Target")
     lab.page.locator('button.page[data-cell="solutions"]').click()
-    lab.until(lambda: len(lab.page.evaluate(ROWS)) == 8, 30.0)
+    lab.until(lambda: len(lab.page.evaluate(ROWS)) == 8)
     lab.rest()
     return lab
 

@@ -25,7 +25,7 @@ def test_the_frame_travels_along_a_helix_and_nonsense_stays(visit):
     np.testing.assert_allclose(place(lab, "frenet"), (-0.2 - 2 * 0.18, -0.08, 0.15 + 0.25 * 0.5), rtol=0, atol=1e-4)
     before = place(lab, "frenet")
     lab.page.locator('.al-time button[data-cell="play"]').click()
-    lab.until(lambda: np.linalg.norm(place(lab, "frenet") - before) > 0.1, 30.0)
+    lab.until(lambda: np.linalg.norm(place(lab, "frenet") - before) > 0.1)
     lab.type_into("T", "soon")
     field = lab.page.locator('input[data-cell="T"]')
     assert field.input_value() == "soon"

@@ -25,7 +25,7 @@ def choose(lab, key):
 
 def become(lab, expected):
     """Wait until the page has these torques."""
-    lab.until(lambda: len(torques(lab)) == len(expected) and np.allclose(torques(lab), expected, atol=0.006), 20.0)
+    lab.until(lambda: len(torques(lab)) == len(expected) and np.allclose(torques(lab), expected, atol=0.006))
 
 
 def test_torques_are_read_and_a_typed_wrench_changes_them(visit):

@@ -50,7 +50,7 @@ def test_a_state_becomes_a_lesson_that_is_edited_checked_and_reloaded(folder, vi
     write(file, text)
     teacher.page.locator('button.page[data-cell="lessons"]').click()
     entry = teacher.page.locator('button[data-cell="lesson:reach_up"]')
-    entry.wait_for(timeout=15_000)  # it appears by itself
+    entry.wait_for()  # it appears by itself
     assert "Reach <b>up</b>" in entry.inner_text()
     assert problems("reach_up") == []
     command = [sys.executable, "-m", "armlab", "lesson", "check", str(file)]
@@ -59,11 +59,11 @@ def test_a_state_becomes_a_lesson_that_is_edited_checked_and_reloaded(folder, vi
 
     student = visit("lesson/reach_up")
     write(file, text, "```check", "Live from the editor.\n\n```check")
-    student.page.get_by_text("Live from the editor.").wait_for(timeout=15_000)
+    student.page.get_by_text("Live from the editor.").wait_for()
     # A slip of the pen takes nothing from those who are in the lesson, and is told with its file.
     write(file, text, "```check", "```chekc")
-    teacher.page.get_by_text("chekc").first.wait_for(timeout=15_000)
+    teacher.page.get_by_text("chekc").first.wait_for()
     assert student.page.get_by_text("Live from the editor.").is_visible()
     assert any("reach_up.md" in str(problem) for problem in lessons().problems)
     student.page.get_by_role("button", name="Right angle").click()
-    student.page.get_by_text("Lesson done").wait_for(timeout=15_000)
+    student.page.get_by_text("Lesson done").wait_for()

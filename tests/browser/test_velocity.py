@@ -52,7 +52,7 @@ def test_the_drive_moves_the_arm_and_nonsense_stays(visit):
     matrix = lab.page.locator(".mat.select").first
     before = matrix.inner_text()
     lab.press("drive")
-    lab.until(lambda: matrix.inner_text() != before, 30.0)
+    lab.until(lambda: matrix.inner_text() != before)
     lab.page.locator(".al-time").wait_for()
     lab.page.locator('.ve-fold[aria-expanded="true"]').wait_for()
     lab.type_into("point 0 1", "far")
@@ -79,10 +79,10 @@ def test_nothing_is_cut(visit):
     lab.page.locator(".ve-sum").wait_for()
     for fold in ("points", "higher"):
         lab.press(f"fold {fold} on")
-    assert lab.page.evaluate(CUT) == []
+    lab.finds_none(CUT)
     lab.resize((1024, 700))
-    assert lab.page.evaluate(CUT) == []
+    lab.finds_none(CUT)
     lab.page.locator("button.page[data-cell=turning]").click()
     lab.page.locator(".verdict").first.wait_for()
     lab.rest()
-    assert lab.page.evaluate(CUT) == []
+    lab.finds_none(CUT)

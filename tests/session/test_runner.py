@@ -12,7 +12,7 @@ from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.runner import Runner
 from armlab.session.session import Session
 
-PATIENCE = 5.0
+PATIENCE = 60.0
 
 
 class Desk:

@@ -18,6 +18,7 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.session import Redo, Refuse, Session, StartFresh, Undo
 from armlab.session.state import Command
 from armlab.session.worker import Worker
+from support.patience import Patience
 
 PUMA = catalogue()["puma560"]
 
@@ -187,10 +188,10 @@ class Recorder:
         self.done.set()
 
 
-def wait_for(condition, seconds=5.0):
-    deadline = time.monotonic() + seconds
+def wait_for(condition):
+    patience = Patience()
     while not condition():
-        assert time.monotonic() < deadline, "the condition did not come true"
+        assert patience.left(), "the condition did not come true"
         time.sleep(0.002)
 
 

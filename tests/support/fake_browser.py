@@ -9,12 +9,14 @@ import asyncio
 import contextlib
 import html
 import json
+import re
 import struct
 import time
 import urllib.request
 from collections import Counter
 from collections.abc import Callable
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import msgspec
 import viser
@@ -22,9 +24,13 @@ import websockets
 import zstandard
 
 from armlab.ui import plugin as plugins
+from support.patience import LOOK, Patience
 
 _ENCODER, _DECODER = msgspec.msgpack.Encoder(), msgspec.msgpack.Decoder()
 _INFLATE = zstandard.ZstdDecompressor()
+
+_CONNECTED: WeakKeyDictionary[asyncio.AbstractEventLoop, list[FakeBrowser]] = WeakKeyDictionary()
+"""The browsers that were connected on each loop."""
 
 CAMERA = {
     "type": "ViewerCameraMessage",
@@ -86,6 +92,7 @@ class FakeBrowser:
             max_size=None,
             compression=None,
         )
+        _CONNECTED.setdefault(asyncio.get_running_loop(), []).append(self)
         await self.send(CAMERA)
         self._reader = asyncio.create_task(self._read())
 
@@ -146,18 +153,15 @@ class FakeBrowser:
         elif "name" in message and "props" in message:
             self.nodes.setdefault(message["name"], {}).update(message["props"])
 
-    async def until(self, condition: Callable[[], bool], seconds: float = 30.0) -> None:
+    async def until(self, condition: Callable[[], bool]) -> None:
         """Wait until a condition on what was received holds."""
-        deadline = time.perf_counter() + seconds
+        patience = Patience()
         while not condition():
             self._changed.clear()
-            left = deadline - time.perf_counter()
-            if left <= 0:
+            if not (left := patience.left()):
                 raise TimeoutError("the condition did not come true")
-            try:
-                await asyncio.wait_for(self._changed.wait(), left)
-            except TimeoutError:
-                continue
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._changed.wait(), min(left, LOOK))
 
     # -- what a person does --------------------------------------------------------------------------------------
 
@@ -179,27 +183,58 @@ class FakeBrowser:
         await self.send({"type": "GuiUpdateMessage", "uuid": control["uuid"], "updates": {"value": value}})
 
     async def press(self, cell: str, text: str = "") -> None:
-        """Press a button, or fill a field, of our own markup."""
+        """Press a button, or fill a field, of our own markup, as soon as it is there."""
+        await self.until(lambda: self._markup_with(f'data-cell="{cell}"') is not None)
+        await self.press_on(self.channel(cell), cell, text)
+
+    def channel(self, cell: str) -> str:
+        """Return where a button or a field of our own markup sends to."""
         marker = f'data-cell="{cell}"'
-        content = next(c["props"]["content"] for c in self.controls.values() if marker in c["props"].get("content", ""))
-        channel = content.split(marker)[0].rsplit('data-chan="', 1)[1].split('"')[0]
+        found = self._markup_with(marker)
+        assert found is not None, cell
+        channel: str = found["props"]["content"].split(marker)[0].rsplit('data-chan="', 1)[1].split('"')[0]
+        return channel
+
+    async def press_on(self, channel: str, cell: str, text: str = "") -> None:
+        """Press or fill what was at a channel, which may be gone."""
         value = json.dumps([cell, text, time.perf_counter_ns()])  # half characters escaped, as a page does
         await self.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
 
     async def open(self, *panels: str) -> None:
         """See the tabs of these panels, and turn to their pages, as the page's script tells."""
-        notes = next(
-            c["props"]["content"] for c in self.controls.values() if "al-notes" in c["props"].get("content", "")
-        )
-        channel = json.loads(html.unescape(notes.split('data-notes="', 1)[1].split('"', 1)[0]))["chan"]
+        await self.until(lambda: self._markup_with("al-notes") is not None)
+        notes = self._markup_with("al-notes")
+        assert notes is not None
+        channel = json.loads(html.unescape(notes["props"]["content"].split('data-notes="', 1)[1].split('"', 1)[0]))
         found = plugins.panels()
-        tabs = json.dumps(sorted({found[key].tab or key for key in panels}))
-        value = json.dumps(["tabs", tabs, time.perf_counter_ns()])
-        await self.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
-        for key in panels:
-            if any(panel.tab == (found[key].tab or key) for panel in found.values()):
-                await self.press(key)
-        await asyncio.sleep(0.3)
+        tabs = {key: found[key].tab or key for key in panels}
+        await self.press_on(channel["chan"], "tabs", json.dumps(sorted(set(tabs.values()))))
+        for key, tab in tabs.items():
+            await self.until(lambda tab=tab: bool(self._built(tab)))
+            if any(panel.tab == tab for panel in found.values()):
+                await self._turn(key, tab)
+
+    async def _turn(self, key: str, tab: str) -> None:
+        """Turn to a page and wait until it is there instead of the one before."""
+        selected = re.compile(rf'data-cell="{key}"[^>]*aria-selected="true"')
+        if selected.search(self.html()):
+            return
+        before = self._built(tab)
+        await self.press(key)
+        await self.until(lambda: bool(selected.search(self.html())))
+        await self.until(lambda: bool(self._built(tab)) and not before & self._built(tab))
+
+    def _markup_with(self, text: str) -> Message | None:
+        """Return the first piece of markup that holds a text."""
+        return next((c for c in self.controls.values() if text in c["props"].get("content", "")), None)
+
+    def _built(self, tab: str) -> set[str]:
+        """Return the controls that are seen in a tab, besides its mark and its pages."""
+        mark = self._markup_with(f'data-tab="{tab}"')
+        if mark is None:
+            return set()
+        inside = [c for c in self.controls.values() if c.get("container_uuid") == mark["container_uuid"]]
+        return {c["uuid"] for c in inside if _is_of_page(c["props"])}
 
     async def drag(self, phase: str, position: Any = None, wxyz: Any = None, node: str = "/target") -> None:
         """Send one event of a drag: start, update or end."""
@@ -209,6 +244,19 @@ class FakeBrowser:
             message["position"] = tuple(map(float, position))
             message["wxyz"] = tuple(map(float, wxyz if wxyz is not None else self.nodes[node]["wxyz"]))
         await self.send(message)
+
+
+def _is_of_page(props: Message) -> bool:
+    content = props.get("content")
+    if content is None:
+        return bool(props.get("visible", True))
+    return "data-tab=" not in content and 'class="pages"' not in content
+
+
+async def hang_up() -> None:
+    """Close what the story of a test has left open: a test that fails must not make a later one complain."""
+    for browser in _CONNECTED.pop(asyncio.get_running_loop(), []):
+        await browser.close()
 
 
 def decode(frame: bytes) -> list[Message]:

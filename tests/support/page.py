@@ -13,6 +13,7 @@ from PIL import Image
 from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
 from armlab.ui.plugin import panels
+from support.patience import WAIT, Patience
 
 ARGUMENTS = (
     "--no-sandbox",
@@ -45,13 +46,15 @@ SEEN = """() => JSON.stringify([
 """What tells whether the page still changes."""
 
 FITTED = """() => {
-  const inside = selector => {
-    const box = document.querySelector(selector)?.getBoundingClientRect();
-    return !box || (box.right <= innerWidth + 1 && box.bottom <= innerHeight + 1);
-  };
-  return inside('canvas') && inside('[data-dock-region=right]');
+  const canvas = document.querySelector('canvas').getBoundingClientRect();
+  const dock = document.querySelector('[data-dock-region=right]')?.getBoundingClientRect();
+  const right = (dock ?? canvas).right;
+  return Math.abs(right - innerWidth) <= 1 && Math.abs(canvas.bottom - innerHeight) <= 1;
 }"""
 """Whether picture and panels have followed the window."""
+
+SETTLING = 10.0
+"""Seconds for which a page may still lay itself out anew."""
 
 HANDLE = 0.14
 """Length of the handle's arrows, in sizes of the arm."""
@@ -83,6 +86,7 @@ class LabPage:
 
     def __init__(self, context: BrowserContext, url: str, size: tuple[int, int] = SMALL) -> None:
         self.page = context.new_page()
+        self.page.set_default_timeout(1e3 * WAIT)
         self.page.set_viewport_size({"width": size[0], "height": size[1]})
         self.errors: list[str] = []
         self.requests: list[str] = []
@@ -102,10 +106,10 @@ class LabPage:
         """Wait until the arm and its handle are there and the picture has faded in."""
         # A lesson that begins with a prediction shows no handle.
         handle = "window.__viserMutable?.nodeRefFromName?.['/target']"
-        self.page.wait_for_function(f"() => {handle} || document.querySelector('.lesson-text')", timeout=60_000)
+        self.page.wait_for_function(f"() => {handle} || document.querySelector('.lesson-text')")
         bodies = "Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))"
         covered = "document.querySelector('.ask .dim')"
-        self.page.wait_for_function(f"() => {bodies} || {covered}", timeout=60_000)
+        self.page.wait_for_function(f"() => {bodies} || {covered}")
         self.rest(0.8)
 
     def dismiss_toasts(self) -> None:
@@ -261,16 +265,23 @@ class LabPage:
     def rest(self, least: float = 0.4, most: float = 15.0) -> None:
         """Wait for the lab's answer: until nothing in scene and panel has changed for a while."""
         time.sleep(least)
-        deadline = time.monotonic() + most
+        patience = Patience(most)
         before, since = self.page.evaluate(SEEN), time.monotonic()
-        while time.monotonic() < min(since + 0.4, deadline):
+        while time.monotonic() < since + 0.4 and patience.left():
             time.sleep(0.1)
             if (now := self.page.evaluate(SEEN)) != before:
                 before, since = now, time.monotonic()
 
-    def until(self, condition: Callable[[], bool], seconds: float = 30.0) -> None:
+    def until(self, condition: Callable[[], bool]) -> None:
         """Wait for something to come true."""
-        deadline = time.monotonic() + seconds
+        patience = Patience()
         while not condition():
-            assert time.monotonic() < deadline, "the condition did not come true"
+            assert patience.left(), "the condition did not come true"
+            time.sleep(0.1)
+
+    def finds_none(self, script: str) -> None:
+        """Expect that a script which lists defects of the layout finds none once the page has settled."""
+        patience = Patience(SETTLING)
+        while found := self.page.evaluate(script):
+            assert patience.left(), found
             time.sleep(0.1)

@@ -7,18 +7,28 @@ from collections.abc import Coroutine
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
 
-from support.fake_browser import FakeBrowser, cookie_of
+from support.fake_browser import FakeBrowser, cookie_of, hang_up
 
 Result = TypeVar("Result")
 
+MOST = 300.0
+"""Seconds for one story."""
+
 
 def run(main: Coroutine[Any, Any, Result]) -> Result:
-    """Run the story of a test, for two minutes at most, in a thread of its own.
+    """Run the story of a test in a thread of its own.
 
     While a browser test's Playwright is open, its event loop occupies the thread of the tests.
     """
+
+    async def story() -> Result:
+        try:
+            return await asyncio.wait_for(main, MOST)
+        finally:
+            await hang_up()
+
     with ThreadPoolExecutor(1) as own:
-        return own.submit(lambda: asyncio.run(asyncio.wait_for(main, 120.0))).result()
+        return own.submit(lambda: asyncio.run(story())).result()
 
 
 async def student(url: str, cookie: str | None = None, path: str = "/") -> FakeBrowser:

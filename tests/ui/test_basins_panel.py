@@ -147,7 +147,7 @@ def test_a_map_is_drawn_clicked_and_begins_a_film(url):
         await browser.press("method", "dls_error")
         await browser.until(lambda: 'data-cell="parameter-g"' in browser.html())
         await browser.press("draw")
-        await browser.until(lambda: "Save as PNG" in browser.html(), 60.0)
+        await browser.until(lambda: "Save as PNG" in browser.html())
         await browser.until(lambda: "Elbow up" in browser.html())
         assert "data:image/png;base64," in piece(browser, "ba-map")
         # A moving joint moves the mark; the picture is not sent again.
@@ -159,7 +159,7 @@ def test_a_map_is_drawn_clicked_and_begins_a_film(url):
         await browser.press("start", "0.5,0.25")
         await browser.press("start", "nan,0")
         await browser.press("start", "x")
-        await browser.until(lambda: "Converged in" in browser.html(), 20.0)
+        await browser.until(lambda: "Converged in" in browser.html())
         await browser.close()
 
     run(main())

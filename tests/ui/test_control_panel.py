@@ -35,7 +35,7 @@ async def at_runs(url, key="wrong_link"):
     await browser.press("example", key)
     await browser.until(lambda: escaped(EXAMPLES[key].says[:30]) in browser.html())
     # The plant is the last of the page that is made.
-    await browser.until(lambda: 'data-cell="w-step"' in browser.html() and "<td>…</td>" not in browser.html(), 40.0)
+    await browser.until(lambda: 'data-cell="w-step"' in browser.html() and "<td>…</td>" not in browser.html())
     return browser
 
 
@@ -117,13 +117,13 @@ def test_values_are_typed_and_refused_and_a_copy_is_compared(url):
         await browser.until(lambda: 'data-cell="remove 1"' in browser.html())
         await browser.press("w-wrong", "4")
         await browser.until(lambda: "link 2 4 % wrong" in browser.html())
-        await browser.until(lambda: "…" not in row(browser, "steps"), 20.0)
+        await browser.until(lambda: "…" not in row(browser, "steps"))
         first, second = (float(text) for text in row(browser, "error at the end, mm"))
         assert second == pytest.approx(2.0 * first, rel=0.05)
         await browser.press("law-Kp", "1 2 3")
-        await browser.until(lambda: "K_p: expected one gain, or 2" in browser.html(), 20.0)
+        await browser.until(lambda: "K_p: expected one gain, or 2" in browser.html())
         await browser.press("law-Kp", "")
-        await browser.until(lambda: "cannot be made" not in browser.html(), 20.0)
+        await browser.until(lambda: "cannot be made" not in browser.html())
         await browser.press("law", "joint_tracking")
         await browser.until(lambda: 'data-cell="law-K"' in browser.html())
         assert 'data-cell="inverse"' not in browser.html()
@@ -143,7 +143,7 @@ def test_pushes_are_made_and_taken_away(url):
         await browser.until(lambda: "✕ 2" in browser.html())
         await browser.press("drop")
         await browser.until(lambda: 'data-cell="drop"' not in browser.html())
-        await browser.until(lambda: "…" not in row(browser, "steps"), 20.0)
+        await browser.until(lambda: "…" not in row(browser, "steps"))
         assert float(row(browser, "largest error, mm")[0].split("·")[0]) < 10.0
         await browser.close()
 
@@ -173,7 +173,7 @@ def test_the_page_opens_on_every_kind_of_arm(url):
             browser = await student(url, path=f"/robot/{key}")
             await browser.open("control")
             await browser.until(
-                lambda b=browser: "cannot be made" in b.html() or bool(re.search(r"steps</td><td>4000", b.html())), 30.0
+                lambda b=browser: "cannot be made" in b.html() or bool(re.search(r"steps</td><td>4000", b.html()))
             )
             assert "cannot be made" not in browser.html()
             assert "has failed" not in browser.html()

@@ -46,7 +46,7 @@ def test_an_edited_file_is_shown_again_and_progress_is_kept(taught):
         await browser.press("lesson-step-0")
         await browser.until(lambda: "First words." in browser.html())
         write(folder, mine=lesson(TWO.replace("First words.", "Other words.") + "\n## Three\n\nMore.\n"))
-        await browser.until(lambda: "Other words." in browser.html(), 4.0)
+        await browser.until(lambda: "Other words." in browser.html())
         assert "<small>1 of 3</small>" in browser.html()
         await browser.until(lambda: browser.html().count('class="strip done"') == 2)
         await browser.close()
@@ -63,7 +63,7 @@ def test_a_question_that_becomes_another_kind_is_asked_anew(taught):
         await browser.press("lesson-step-1")
         await browser.until(lambda: "lesson-answer" in browser.html())
         write(folder, mine=lesson(grid))
-        await browser.until(lambda: 'class="entries"' in browser.html(), 4.0)
+        await browser.until(lambda: 'class="entries"' in browser.html())
         await browser.press("lesson-entry-0-0", "1")
         await browser.press("lesson-entry-0-1", "2")
         await browser.press("lesson-check")
@@ -80,7 +80,7 @@ def test_a_broken_edit_keeps_the_last_good_lesson_and_is_listed(taught):
         browser = await in_lesson(url, "mine")
         write(folder, mine=lesson(TWO).replace('kind = "number"', 'kind = "<b>nunber"'))
         await browser.open("lessons")
-        await browser.until(lambda: "mine.md" in piece(browser, "broken lesson file"), 4.0)
+        await browser.until(lambda: "mine.md" in piece(browser, "broken lesson file"))
         listed = piece(browser, "broken lesson file")
         assert "&lt;b&gt;nunber" in listed
         assert "<b>nunber" not in listed
@@ -88,7 +88,7 @@ def test_a_broken_edit_keeps_the_last_good_lesson_and_is_listed(taught):
         await browser.press("lesson-step-1")
         await browser.until(lambda: "lesson-answer" in browser.html())
         write(folder, mine=lesson(TWO))
-        await browser.until(lambda: "mine.md" not in browser.html(), 4.0)
+        await browser.until(lambda: "mine.md" not in browser.html())
         await browser.close()
 
     run(main())
@@ -102,7 +102,7 @@ def test_a_new_file_is_in_the_list_of_an_open_page(taught):
         await browser.open("lessons")
         await browser.until(lambda: 'data-cell="lesson:mine"' in browser.html())
         write(folder, another=lesson(title="Another one"))
-        await browser.until(lambda: "Another one" in piece(browser, 'data-cell="lesson:mine"'), 4.0)
+        await browser.until(lambda: "Another one" in piece(browser, 'data-cell="lesson:mine"'))
         await browser.close()
 
     run(main())

@@ -1,6 +1,7 @@
 """Small things that make a page feel broken when they are wrong."""
 
 import asyncio
+import re
 import time
 
 from armlab.session.session import Session
@@ -16,6 +17,11 @@ def steps(browser):
     return [part.split('"')[0] for part in parts]
 
 
+def pressed(browser, cell):
+    """Return whether a choice is shown as the one that holds."""
+    return re.search(rf'data-cell="{cell}"[^>]*aria-pressed="true"', browser.html()) is not None
+
+
 def test_a_choice_undone_at_once_is_shown_undone(url):
     async def main():
         browser = await student(url)
@@ -26,7 +32,37 @@ def test_a_choice_undone_at_once_is_shown_undone(url):
         await browser.set_value(method, other)
         await asyncio.sleep(0.15)
         await browser.press("undo")
-        await browser.until(lambda: browser.control("Method")["value"] == first, 3.0)
+        await browser.until(lambda: browser.control("Method")["value"] == first)
+        await browser.close()
+
+    run(main())
+
+
+def test_what_was_pressed_while_the_page_was_made_anew_counts(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("picture")
+        before = browser.channel("m")
+        await browser.press("rad")
+        await browser.until(lambda: browser.channel("m") != before)
+        await browser.press_on(before, "m")
+        await browser.until(lambda: pressed(browser, "m") and pressed(browser, "rad"))
+        await browser.close()
+
+    run(main())
+
+
+def test_what_was_pressed_for_another_arm_does_not_count(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("picture", "joints", "robot")
+        before = browser.channel("zero")
+        await browser.press("ur10e")
+        await browser.until(lambda: browser.channel("zero") != before)
+        await browser.press_on(before, "zero")
+        await browser.press("m")
+        await browser.until(lambda: pressed(browser, "m"))
+        assert browser.slider(1)["value"] != 0.0
         await browser.close()
 
     run(main())

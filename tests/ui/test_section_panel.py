@@ -140,7 +140,7 @@ def test_the_page_is_filled_clicked_and_sliced(url):
         browser = await student(url, path="/robot/planar_2r_unequal")
         try:
             await browser.open("section")
-            await browser.until(lambda: "To the boundary" in browser.html(), 30.0)
+            await browser.until(lambda: "To the boundary" in browser.html())
             assert "6.2832 ± 0.0001 m²" in browser.html()
             await browser.until(lambda: any(name.endswith("section/slice") for name in browser.nodes))
             before = browser.nodes["/target"]["position"]

@@ -36,7 +36,7 @@ def rows_of(html):
 
 
 async def listed(browser, count):
-    await browser.until(lambda: len(rows_of(browser.html())) == count, 30.0)
+    await browser.until(lambda: len(rows_of(browser.html())) == count)
     return rows_of(browser.html())
 
 
@@ -118,10 +118,10 @@ def test_the_self_motion_has_a_slider_and_the_proof_is_shown(url):
         await browser.open("solutions")
         await listed(browser, 2)
         await browser.press("prove")
-        await browser.until(lambda: "the same 2 solutions, no other." in browser.html(), 60.0)
+        await browser.until(lambda: "the same 2 solutions, no other." in browser.html())
         await browser.press("2R, centre")
-        await browser.until(lambda: "Infinitely many" in browser.html(), 20.0)
-        await browser.until(lambda: browser.control("along %")["props"]["visible"], 20.0)
+        await browser.until(lambda: "Infinitely many" in browser.html())
+        await browser.until(lambda: browser.control("along %")["props"]["visible"])
         await browser.open("joints", "solutions")
         before = browser.slider(1)["value"]
         await browser.set_value(browser.control("along %"), 75.0)

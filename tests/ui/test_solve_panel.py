@@ -342,7 +342,7 @@ def test_the_page_solves_moves_and_refuses(url):
         await browser.press("penrose")
         await browser.until(lambda: "definition 10" in browser.html())
         await browser.press("example", "redundant_3r")
-        await browser.until(lambda: "Self-motion, closed" in browser.html(), 20.0)
+        await browser.until(lambda: "Self-motion, closed" in browser.html())
         before = [browser.nodes[name]["wxyz"] for name in arm_nodes(browser)]
         await browser.set_value(browser.control("Along, %"), 30.0)
         await browser.until(lambda: [browser.nodes[name]["wxyz"] for name in arm_nodes(browser)] != before)

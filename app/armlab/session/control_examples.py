@@ -15,7 +15,7 @@ from armlab.session.examples import example_of, on_arm, with_clip_closed
 from armlab.session.parts.control import CLIP_KEY, Control
 from armlab.session.parts.iterations import checked_target
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.timeline import Timeline, clips
+from armlab.session.parts.timeline import with_clip
 from armlab.session.state import Command, State
 
 START = (-0.3175604292915214, 0.6351208585830428)
@@ -284,8 +284,7 @@ class ChooseControlExample(Command):
         """Return the state with the example in place."""
         example = example_of(EXAMPLES, self.key)
         state = on_arm(with_clip_closed(state), example.robot)
-        on = replace(state[Timeline], clip=CLIP_KEY, time=0.0, playing=False)
-        return clips()[CLIP_KEY].at(state.replace(_put(example, state), on), 0.0)
+        return with_clip(state.replace(_put(example, state)), CLIP_KEY)
 
 
 def _put(example: Example, state: State) -> Control:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
-from typing import TypeVar
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from armlab.content.robots import catalogue
 from armlab.errors import UnknownName
@@ -12,7 +12,34 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline, clips
 from armlab.session.state import State
 
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
 T = TypeVar("T")
+P = TypeVar("P", bound="DataclassInstance")
+
+
+@dataclass(frozen=True)
+class PartExample(Generic[P]):
+    """An example that is one part of the state.
+
+    Attributes
+    ----------
+    key, title : str
+    part : Part
+    says : str
+        What to look at, in one sentence.
+    """
+
+    key: str
+    title: str
+    part: P
+    says: str
+
+
+def part_examples(*examples: PartExample[P]) -> dict[str, PartExample[P]]:
+    """Return examples by key, in the order of the list; each part, which has an ``example``, knows which it is."""
+    return {one.key: replace(one, part=replace(one.part, example=one.key)) for one in examples}
 
 
 def example_of(examples: Mapping[str, T], key: object) -> T:

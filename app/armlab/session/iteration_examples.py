@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
@@ -15,7 +15,7 @@ from armlab.session.examples import example_of, on_arm, with_clip_closed
 from armlab.session.iteration_runs import FLOW, run_of
 from armlab.session.parts.iterations import CLIP_KEY, Iterations
 from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.timeline import Timeline, clips
+from armlab.session.parts.timeline import with_clip
 from armlab.session.state import Command, State
 
 
@@ -155,8 +155,7 @@ class ChooseExample(Command):
         """Return the state with the example in place."""
         example = example_of(EXAMPLES, self.key)
         state = on_arm(with_clip_closed(state), example.robot)
-        on = replace(state[Timeline], clip=CLIP_KEY, time=0.0, playing=False)
-        return clips()[CLIP_KEY].at(state.replace(_put(example, state), on), 0.0)
+        return with_clip(state.replace(_put(example, state)), CLIP_KEY)
 
 
 def _put(example: Example, state: State) -> Iterations:

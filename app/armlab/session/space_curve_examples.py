@@ -6,11 +6,11 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
-from armlab.errors import UnknownName
 from armlab.kin.motion import law_types
 from armlab.session.chosen import Chosen
+from armlab.session.examples import example_of
 from armlab.session.parts.space_curve import CLIP_KEY, SpaceCurve, check
-from armlab.session.parts.timeline import Timeline, clips
+from armlab.session.parts.timeline import with_clip
 from armlab.session.space_curve_laid import FORMULA, Point, kinds, made_curve
 from armlab.session.space_curve_turn import Triple
 from armlab.session.state import Command, State
@@ -221,19 +221,12 @@ class ChooseExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        if self.key not in EXAMPLES:
-            raise UnknownName("example", self.key, EXAMPLES)
-        part = example_part(self.key)
-        timeline = state[Timeline]
-        if timeline.clip not in ("", CLIP_KEY):
-            state = clips()[timeline.clip].closed(state)
-        on = replace(state[Timeline], clip=CLIP_KEY, time=0.0, playing=False)
-        return state.replace(part, on)
+        return with_clip(state.replace(example_part(self.key)), CLIP_KEY)
 
 
 def example_part(key: str) -> SpaceCurve:
     """Return the part with an example in place."""
-    part = replace(SpaceCurve(), **EXAMPLES[key].sets, example=key)
+    part = replace(SpaceCurve(), **example_of(EXAMPLES, key).sets, example=key)
     if key in OWN_TIMES:
         duration = made_curve(part.question).duration
         assert duration is not None

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.format import escaped
 from armlab.ui.markup import button
@@ -112,8 +113,10 @@ class Tab:
         again = again or other is not self._outside
         with self._container:
             if new:
+                # What was pressed for another arm must not reach this one.
+                same = before is not None and state[RobotPart] is before[RobotPart]
+                self._gui.clear(linger=same and self._built == self.page)
                 self._built = self.page
-                self._gui.clear()
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)

@@ -22,6 +22,9 @@ log = logging.getLogger(__name__)
 REST = 0.4
 """Seconds after a person's last touch before the lab writes to the same control: it must not pull at a moving hand."""
 
+LINGER = 2.0
+"""Seconds for which fields that were made anew still take what was on its way to them."""
+
 
 class Control:
     """A control with a value.
@@ -160,6 +163,12 @@ def _whole(text: str) -> str:
     return text.encode("utf-8", "replace").decode("utf-8")
 
 
+def _remove(handles: Sequence[Any]) -> None:
+    for handle in reversed(handles):
+        if not adapter.is_removed(handle):
+            handle.remove()
+
+
 class Segments:
     """A row of choices of which one holds."""
 
@@ -186,6 +195,7 @@ class Gui:
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
         self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
         self._made: list[Any] = []
+        self._channels: list[Any] = []
         self._drawing: set[asyncio.Task[None]] = set()
 
     @property
@@ -193,12 +203,14 @@ class Gui:
         """The address under which this browser knows the lab, without a slash at its end."""
         return adapter.origin_of(self._client)
 
-    def clear(self) -> None:
-        """Remove everything this has made."""
-        for handle in reversed(self._made):
-            if not adapter.is_removed(handle):
-                handle.remove()
-        self._made.clear()
+    def clear(self, linger: bool = False) -> None:
+        """Remove everything this has made; if it lingers, what a person pressed just before is still taken."""
+        _remove(self._made)
+        if linger:
+            asyncio.get_running_loop().call_later(LINGER, _remove, self._channels)
+        else:
+            _remove(self._channels)
+        self._made, self._channels = [], []
 
     def _keep(self, handle: Any) -> Any:
         self._made.append(handle)
@@ -275,7 +287,7 @@ class Gui:
     def fields(self, on_input: Callable[[str, str], None]) -> Fields:
         """Add markup with input fields; ``on_input`` gets the cell and the text."""
         fields = Fields(self._gui, on_input)
-        self._keep(fields.channel)
+        self._channels.append(fields.channel)
         self._keep(fields.html)
         return fields
 

@@ -22,7 +22,7 @@ from armlab.session.iteration_runs import MOST_RUNS, Run, fitting, refitted, run
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import FARTHEST, Target
-from armlab.session.parts.timeline import Timeline, clips
+from armlab.session.parts.timeline import Timeline, clips, with_clip
 from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, Json, Part, PartType, State
 
@@ -295,13 +295,9 @@ class StartIterations(Command):
     def apply(self, state: State) -> State:
         """Return the state with the start set and the film at its first picture."""
         start = checked_start(state[RobotPart].robot, self.q)
-        timeline = state[Timeline]
-        if timeline.clip not in ("", CLIP_KEY):
-            state = clips()[timeline.clip].closed(state)
         # Without the films of another start the arm stands at this one until they are made.
         begun = replace(state[Iterations], start=start, example="", films={})
-        on = replace(state[Timeline], clip=CLIP_KEY, time=0.0, playing=False)
-        return clips()[CLIP_KEY].at(state.replace(begun, on), 0.0)
+        return with_clip(state.replace(begun), CLIP_KEY)
 
 
 def on_film(state: State) -> State:

@@ -127,6 +127,14 @@ def duration(state: State) -> float:
     return clips()[clip].duration(state) if clip else 0.0
 
 
+def with_clip(state: State, key: str, playing: bool = False) -> State:
+    """Return the state with a clip on at its start, and what another one has changed put back."""
+    timeline = state[Timeline]
+    if timeline.clip not in ("", key):
+        state = clips()[timeline.clip].closed(state)
+    return _at(state.replace(replace(timeline, clip=key, playing=playing)), 0.0)
+
+
 @dataclass(frozen=True)
 class OpenClip(Command):
     """Put a clip on at its start, paused or playing; an empty key puts none on."""
@@ -139,12 +147,9 @@ class OpenClip(Command):
         """Return the state with the clip at its start."""
         if self.key and self.key not in clips():
             raise UnknownName("clip", self.key, clips())
-        timeline = state[Timeline]
-        if timeline.clip == self.key and not self.play:
+        if state[Timeline].clip == self.key and not self.play:
             return state
-        if timeline.clip and timeline.clip != self.key:
-            state = clips()[timeline.clip].closed(state)
-        return _at(state.replace(replace(timeline, clip=self.key, playing=self.play)), 0.0)
+        return with_clip(state, self.key, self.play)
 
 
 @dataclass(frozen=True)
