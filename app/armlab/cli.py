@@ -47,8 +47,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 lessons=tuple(options.lessons),
             )
         )
-        for problem in lessons().problems:
-            print(f"armlab: {problem}", file=sys.stderr)
     except ArmlabError as error:
         print(f"armlab: {error}", file=sys.stderr)
         return 1
@@ -67,6 +65,9 @@ def _run(running: Running, options: argparse.Namespace) -> int:
     print("Stop it with Ctrl-C.", flush=True)
     if not options.no_browser:
         threading.Thread(target=_open_browser, args=(own,), daemon=True).start()
+    # The front of a class reads the lessons for this alone, and students can come in meanwhile.
+    for problem in lessons().problems:
+        print(f"armlab: {problem}", file=sys.stderr)
     _wait(ended)
     running.stop()
     return 0

@@ -24,15 +24,18 @@ def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture
 def visit(browser: Browser, url: str) -> Iterator[Callable[..., LabPage]]:
-    """Open the lab as a new student; every page is checked for complaints at the end."""
+    """Open the lab as a new student; every page is checked for complaints at the end.
+
+    Only a test that looks at pixels asks for a page whose scene is painted.
+    """
     contexts, pages = [], []
 
-    def open_page(path: str = "", size: tuple[int, int] = SMALL, **options: object) -> LabPage:
+    def open_page(path: str = "", size: tuple[int, int] = SMALL, painted: bool = False, **options: object) -> LabPage:
         context = browser.new_context(**options)
         contexts.append(context)
         address, hash_sign, fragment = (url + path).partition("#")
         address += ("&" if "?" in address else "?") + COARSE
-        pages.append(LabPage(context, address + hash_sign + fragment, size))
+        pages.append(LabPage(context, address + hash_sign + fragment, size, painted))
         return pages[-1]
 
     yield open_page

@@ -173,7 +173,7 @@ def saturated(lab):
 
 
 def test_before_a_prediction_the_arm_is_not_there(visit):
-    lab = visit("lesson/questions", size=(1400, 850))
+    lab = visit("lesson/questions", size=(1400, 850), painted=True)
     lab.dismiss_toasts()
     before = saturated(lab)
     assert before > 300

@@ -222,7 +222,7 @@ def test_a_finger_moves_sliders_and_handle(visit):
 def test_the_page_comes_back_by_itself_after_a_restart(browser, tmp_path):
     lab = open_lab(tmp_path)
     context = browser.new_context()
-    page = LabPage(context, f"http://127.0.0.1:{lab.port}/?{COARSE}")
+    page = LabPage(context, f"http://127.0.0.1:{lab.port}/?{COARSE}", painted=False)
     page.drag_slider(1, 0.8)
     value = page.slider_value(1)
     port = lab.port

@@ -29,7 +29,7 @@ def bounds(lab, selector):
 
 
 def test_a_pressed_column_lights_up_and_a_second_press_lets_it_go(visit):
-    lab = visit()
+    lab = visit(painted=True)
     lab.open_tab("Pose")
     lab.rest()
     assert {"lit_frame", "lit_reference"} <= drawn(lab)

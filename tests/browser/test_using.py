@@ -21,7 +21,7 @@ def changed_pixels(before, after, inside):
 
 def test_the_arm_is_seen_where_it_is_and_moves(visit):
     """Between two poses pixels change around both tool points, and the sky above the arm does not change."""
-    lab = visit()
+    lab = visit(painted=True)
     tool_before = lab.on_screen("/target")
     before = lab.picture()
     lab.press("zero")
@@ -158,7 +158,7 @@ def test_named_poses_random_and_held_joints(visit):
 
 
 def test_pictures_switches_change_the_scene(visit):
-    lab = visit()
+    lab = visit(painted=True)
     plain = lab.picture()
     for key, least in (("f", 1000), ("k", 5000), ("l", 80000)):
         lab.page.keyboard.press(key)

@@ -68,7 +68,7 @@ def done(lab):
 
 
 def test_the_scene_is_saved_as_a_picture(visit):
-    lab = visit("robot/planar_2r")
+    lab = visit("robot/planar_2r", painted=True)
     lab.open_tab("Workspace")
     lab.press("sample")
     lab.page.locator('button[data-cell="png"]:visible').wait_for()

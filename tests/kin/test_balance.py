@@ -27,6 +27,21 @@ def follow(arm, q, targets, travel=0.6):
     return np.array(path)
 
 
+def at_rest(arm, q, T, most):
+    """Return where an arm comes to rest within some events of one hand, the very same joints in three more events.
+
+    An event knows only the joints before it, so those that one of them leaves as they were stay for ever; the three
+    more would show that this is no longer so.
+    """
+    path = follow(arm, q, [T])
+    for _ in range(most):
+        if path[-1].tolist() == path[-2].tolist():
+            break
+        path = follow(arm, path[-1], [T])
+    assert np.ptp(follow(arm, path[-1], [T] * 3), axis=0).max() == 0.0
+    return path[-1]
+
+
 def displaced(arm, q, by):
     T = np.array(arm.fk(q))
     T[:3, 3] += arm.reach * np.array(by)
@@ -94,14 +109,12 @@ def test_a_joint_a_hair_from_its_limit_does_not_keep_the_arm_on_a_balance():
 def test_any_arm_comes_to_rest_for_any_target(seed):
     """Random arms and targets in and out of reach: the same joints again and again, and the verdict agrees."""
     rng = np.random.default_rng(seed)
-    for k in range(6):
+    for k in range(2):
         arm = random_arm(rng, int(rng.integers(1, 8)), special=bool(k % 2))
         q, T = random_q(arm, rng), random_pose(rng)
         T[:3, 3] *= rng.choice([1.0, 10.0, 1000.0])
         T = feasible(arm, T, arm.fk(q))
-        path = follow(arm, q, [T] * 40)
-        assert path[-1].tolist() == path[-2].tolist()
-        assert ik.judge(arm, T, path[-1]).status != "moving"
+        assert ik.judge(arm, T, at_rest(arm, q, T, 38)).status != "moving"
 
 
 @pytest.mark.parametrize(("limits", "sign"), [([0.0, 2.0], 1), ([-2.0, 0.0], -1), ([-1.0, 2.0], 1), ([-2.0, 1.0], -1)])
@@ -129,12 +142,11 @@ def test_a_stretched_arm_pulled_outwards_is_at_rest():
 
 def test_the_same_hand_out_of_reach_leaves_the_very_same_joints(robot, rng):
     """No jitter and no creeping, however often the event comes again."""
-    for _ in range(4):
+    for _ in range(2):
         way = rng.normal(size=3)
         T = displaced(robot.arm, robot.home, 1.5 * way / np.linalg.norm(way))
-        path = follow(robot.arm, robot.home, [T] * 40)
-        assert np.ptp(path[-20:], axis=0).max() == 0.0
-        assert ik.judge(robot.arm, feasible(robot.arm, T, robot.arm.fk(path[-1])), path[-1]).status != "moving"
+        q = at_rest(robot.arm, robot.home, T, 20)
+        assert ik.judge(robot.arm, feasible(robot.arm, T, robot.arm.fk(q)), q).status != "moving"
 
 
 def test_a_small_distance_from_which_the_arm_could_move_is_not_the_closest():

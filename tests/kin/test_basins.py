@@ -53,6 +53,10 @@ CASES = [
 ]
 
 
+SPREAD = [divmod(7 * k % 16, 4) for k in range(16)]
+"""The pixels of a 4 x 4 map, neighbours far from each other."""
+
+
 @pytest.mark.parametrize("method", list(ik.iteration_methods()))
 @pytest.mark.parametrize("case", range(len(CASES)))
 def test_a_film_begun_at_a_pixel_ends_in_the_solution_of_the_map(case, method):
@@ -62,7 +66,9 @@ def test_a_film_begun_at_a_pixel_ends_in_the_solution_of_the_map(case, method):
     joints = options.get("joints", (1, 2))
     shared = {key: options[key] for key in ("task", "limits", "locked") if key in options}
     compared = 0
-    for row, column in np.ndindex(4, 4):
+    for row, column in SPREAD:
+        if compared == 3:
+            break
         start = start_of(found, row, column, joints)
         trace = ik.iterate(arm, target, start, method, most=MOST, **{"limits": "none", **shared})
         # A matrix that Broyden corrects many times may come near to a singular one unseen.

@@ -82,7 +82,7 @@ def test_closed_forms_have_titles_and_their_own_places():
 @pytest.mark.parametrize("name", list(WITH_ONE))
 def test_random_poses_of_the_robots(name, rng):
     arm = catalogue()[name].arm
-    for _ in range(25):
+    for _ in range(6):
         q = random_q(arm, rng)
         T = np.asarray(arm.fk(q))
         found = solve_all(arm, T)
@@ -184,7 +184,7 @@ def moved(arm, rng):
 
 @pytest.mark.parametrize("name", list(WITH_ONE))
 def test_other_zeros_base_tool_and_convention(name, rng):
-    for _ in range(3):
+    for _ in range(1):
         arm = moved(catalogue()[name].arm, rng)
         for one in (arm, converted(arm, "modified")):
             if closed_form_of(one) is None:
@@ -203,7 +203,7 @@ def test_other_zeros_base_tool_and_convention(name, rng):
 def test_any_three_joints_place_the_tool(kinds, rng):
     """Random axes, and special ones: right angles and lengths of zero."""
     solved = 0
-    for k in range(40):
+    for k in range(12):
         special = k % 2 == 1
         rows = []
         for kind in kinds:
@@ -220,12 +220,12 @@ def test_any_three_joints_place_the_tool(kinds, rng):
         assert worst_error(arm, found.q, T) < EXACT
         assert no_duplicates(arm, found.q)
         solved += 1
-    assert solved >= 20
+    assert solved >= 6
 
 
 @pytest.mark.parametrize("kinds", ["RRR", "RRP", "PRR", "RPR"])
 def test_any_arm_with_a_wrist_of_any_angles(kinds, rng):
-    for k in range(12):
+    for k in range(4):
         right = k % 2 == 0
         rows = [
             (kind, float(rng.uniform(0.1, 0.5)), float(rng.uniform(-2, 2)), float(rng.uniform(-0.3, 0.3)), 0.3)

@@ -46,7 +46,7 @@ def posed(arm, rng):
 
 
 @pytest.mark.parametrize("special", [False, True])
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", [0, 2, 4, 6, 8, 10, 14])  # 2, 4, 6, 8 and 16 solutions
 def test_all_that_a_thousand_descents_find(special, seed):
     rng = np.random.default_rng(100 * special + seed)
     arm = six(rng, special)

@@ -303,7 +303,7 @@ def test_no_drag_makes_an_arm_jump_or_leave_its_limits(robot, rng):
     """Wild targets, far outside and through singular poses: every step is bounded, finite and inside."""
     arm = robot.arm
     start = np.array(arm.fk(robot.home))
-    t = np.arange(120)[:, None]
+    t = np.arange(0, 120, 3)[:, None]
     course = start[:3, 3] + arm.reach * np.sin(t * [0.11, 0.07, 0.05] + [0.0, 1.0, 2.0]) - arm.reach * np.sin([0, 1, 2])
     targets = []
     for k, p in enumerate(course):

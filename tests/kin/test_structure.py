@@ -133,8 +133,8 @@ def test_both_conventions_have_one_structure(robot):
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_what_is_claimed_about_the_axes_of_special_arms_is_true(convention, rng):
     keys = set()
-    for n in (1, 2, 3, 4, 5, 6, 7, 8):
-        for _ in range(60):
+    for _ in range(15):
+        for n in (1, 2, 3, 4, 5, 6, 7, 8):
             keys.add(assert_facts(random_arm(rng, n, convention=convention, special=True), rng).key)
     assert {"planar", "scara", "spherical_wrist", "three_meeting", "three_parallel", "redundant", "general"} <= keys
 
@@ -234,7 +234,7 @@ def test_the_numbers_are_those_of_the_notes(truth):
     assert structure_of(arms["manseur_doty"].arm).most_solutions == truth["C4.3-IK16-MD"]["expected"]["n"]
 
 
-def solutions_found(arm, rng, starts=250):
+def solutions_found(arm, rng, starts=120):
     """Count the solutions for one reachable point that Newton finds from many starts."""
     target = arm.position(rng.uniform(-1.5, 1.5, arm.n))
     q = rng.uniform(-math.pi, math.pi, (starts, arm.n))

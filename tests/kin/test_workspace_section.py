@@ -102,7 +102,7 @@ def test_every_cell_is_filled_by_a_configuration_inside_the_limits_whose_point_l
 @pytest.mark.parametrize("key", ["planar_2r", "elbow_3r"])
 def test_every_section_on_the_way_is_true_and_only_the_last_is_finished(key):
     filled = -1
-    for found in sections(named(key), 32, 8192):
+    for found in sections(named(key), 16, 2048):
         assert found.filled.sum() >= filled
         filled = found.filled.sum()
         finished = found.finished
@@ -112,9 +112,9 @@ def test_every_section_on_the_way_is_true_and_only_the_last_is_finished(key):
 
 def test_the_same_arguments_give_the_same_section():
     arm = named("elbow_3r")
-    *_, first = sections(arm, 32, 8192, seed=3)
+    *_, first = sections(arm, 16, 2048, seed=3)
     # Another arm with the same table: nothing is remembered of it.
-    *_, second = sections(replace(arm, name="copy"), 32, 8192, seed=3)
+    *_, second = sections(replace(arm, name="copy"), 16, 2048, seed=3)
     assert_allclose(first.q, second.q, rtol=0, atol=0)
     assert size(first) == size(second)
 

@@ -2,6 +2,7 @@
 
 import json
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -46,8 +47,9 @@ def opened(key="planar_2r", *commands):
     return state
 
 
+@cache
 def mapped(key="planar_2r", *commands):
-    """Return a state with a small map."""
+    """Return a state with a small map; each is drawn once."""
     return drawn(opened(key, MapLike(points=64), *commands, DrawBasins()))
 
 
@@ -331,7 +333,7 @@ def test_a_locked_joint_stays_where_it_stands_and_its_map_is_one_of_the_film():
 def test_a_target_out_of_reach_is_white_and_says_that_there_is_no_solution():
     pose = np.eye(4)
     pose[:3, 3] = [3.0, 0.0, 0.0]
-    found = mapped("planar_2r", AimAt(pose), MapLike(most=50))[Basins].map
+    found = drawn(opened("planar_2r", MapLike(points=64, most=50), AimAt(pose), DrawBasins()))[Basins].map
     assert (found.found.index == FAILED).all()
     assert found.names == ()
     assert "no" in found.known.lower()
@@ -345,9 +347,9 @@ def test_starts_as_the_arm_stands():
 
 def test_the_gradient_reaches_both_arms_with_what_a_map_begins_with():
     """With an unsuitable step size, target or number of steps the map would be white."""
-    state = opened("planar_2r", MapMethod("gradient"), MapLike(points=64))
+    state = mapped("planar_2r", MapMethod("gradient"))
     assert state[Basins].run.values == {"alpha": 0.3}
-    index = mapped_of(state)
+    index = state[Basins].map.found.index
     assert (index == FAILED).mean() < 0.05
     assert set(np.unique(index)) >= {0, 1}
 
@@ -356,12 +358,6 @@ def test_another_arm_has_another_step_size_and_an_edited_one_keeps_it():
     state = opened("planar_2r", MapMethod("gradient", "alpha", 0.25))
     assert apply(state, SetCell(0, "a", 0.9))[Basins].run.values == {"alpha": 0.25}
     assert apply(state, ChooseRobot("elbow_3r"))[Basins].run.values["alpha"] != 0.25
-
-
-def mapped_of(state):
-    """Return the numbers of the solutions of a whole map."""
-    question = apply(state, DrawBasins())[Basins].drawing
-    return [found for found in run(question) if found is not None][-1].found.index
 
 
 def test_an_arm_that_had_one_joint_and_gets_a_second_has_two_axes():

@@ -1,6 +1,7 @@
 """Runs of kinematic control: their setups, and what becomes of them."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -40,6 +41,12 @@ from armlab.session.state import apply
 from support.control import done, opened, short_run
 
 
+@cache
+def example(key):
+    """Return the state with an example and all its runs, which take seconds."""
+    return done(opened(), choosing(f"control/{key}"))
+
+
 @pytest.fixture(scope="module")
 def short():
     return short_run()
@@ -71,7 +78,7 @@ def test_the_presets_read_as_the_corrected_notes(key, speeds, at, most, last):
 
 @pytest.mark.parametrize("key", [key for key in EXAMPLES if key not in ("line_170", "line_178", "saturated", "dls")])
 def test_every_example_runs_to_its_end(key):
-    state = done(opened(), choosing(f"control/{key}"))
+    state = example(key)
     part = state[Control]
     assert part.example == key
     assert len(part.runs) == len(EXAMPLES[key].runs)
@@ -88,20 +95,20 @@ def test_what_the_examples_say_is_so():
     def final(state, i):
         return 1000.0 * state[Control].outcomes[i].figures.final_position
 
-    wrong = done(opened(), ChooseControlExample("wrong_link"))
+    wrong = example("wrong_link")
     assert 15.0 < final(wrong, 0) < 25.0
     assert final(wrong, 2) < 1e-3
-    pushed = done(opened(), ChooseControlExample("push"))
+    pushed = example("push")
     assert final(pushed, 0) < 0.1
     assert final(pushed, 1) > 50.0
-    sampled = done(opened(), ChooseControlExample("sampling"))
+    sampled = example("sampling")
     assert final(sampled, 0) < 1.0
     assert final(sampled, 3) > 60.0
-    regulated = done(opened(), ChooseControlExample("regulation"))
+    regulated = example("regulation")
     way = regulated[Control].outcomes[0].run.p
     straight = np.linspace(way[0], way[-1], 50)
     assert np.abs(np.cross(way - way[0], straight[-1] - straight[0])[:, 2]).max() < 2e-2
-    redundant = done(opened(), ChooseControlExample("redundant"))
+    redundant = example("redundant")
     ends = [redundant[Control].outcomes[i].run.q[-1] for i in range(3)]
     assert np.abs(ends[1] - ends[0]).max() > math.radians(3.0)
     assert np.abs(ends[2] - ends[0]).max() > math.radians(3.0)

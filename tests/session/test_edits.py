@@ -210,10 +210,10 @@ def test_the_other_convention_is_the_same_arm(key, rng):
     assert arm_of(after).convention == other
     assert after[RobotPart].moved is not None
     back = apply(after, Convert(arm.convention))
-    for q in random_q(arm, rng, 20):
-        for converted in (after, back):
-            np.testing.assert_allclose(arm_of(converted).fk(q), arm.fk(q), atol=1e-12)
-            np.testing.assert_allclose(tool_by_products(arm_of(converted), q), arm.fk(q), atol=1e-12)
+    q = random_q(arm, rng, 20)
+    for converted in (arm_of(after), arm_of(back)):
+        np.testing.assert_allclose(converted.fk(q), arm.fk(q), atol=1e-12)
+        np.testing.assert_allclose([tool_by_products(converted, each) for each in q], arm.fk(q), atol=1e-12)
     np.testing.assert_array_equal(after[Joints].q, state[Joints].q)
     np.testing.assert_array_equal(arm_of(after).limits, arm.limits)
 
@@ -343,11 +343,11 @@ def test_a_damaged_saved_point_is_not_read(data):
 # -- any edits in any order --------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("key", ["puma560", "planar_2r", "scara", "panda"])
-def test_random_edits_are_undone_redone_and_written_down(key, rng):
-    session = Session("token", PUMA, State.initial(catalogue()[key]))
+@pytest.mark.parametrize(("key", "seed"), [("puma560", 1), ("planar_2r", 2), ("scara", 3), ("panda", 4)])
+def test_random_edits_are_undone_redone_and_written_down(key, seed):
+    rng, session = np.random.default_rng(seed), Session("token", PUMA, State.initial(catalogue()[key]))
     visited = [session.state]
-    for _ in range(150):
+    for _ in range(60):
         before, told = session.state, session.notice
         command = random_command(rng, before)
         session.apply(command, 0.0)
@@ -365,7 +365,7 @@ def test_random_edits_are_undone_redone_and_written_down(key, rng):
         assert np.all(np.isfinite(world_point(state)))
         assert max(abs(row.a) for row in arm.rows) <= LONGEST
         assert_read_back(read_back(state), state)
-    assert len(visited) > 60
+    assert len(visited) > 24
     steps = len(session.history.past)
     for state in reversed(visited[-steps - 1 : -1]):
         session.apply(Undo(), 0.0)

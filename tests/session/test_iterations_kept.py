@@ -192,7 +192,7 @@ def test_every_arm_opens_with_a_target_it_can_reach(robot):
 def test_random_commands_leave_a_usable_state(rng):
     state = opened()
     keys = list(methods())
-    for _ in range(150):
+    for _ in range(60):
         part, n = state[Iterations], state[Joints].arm.n
         choices = [
             lambda n=n: StartIterations(tuple(rng.uniform(-7.0, 7.0, n).tolist())),

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.session.bench import benches, choosing, refuse_other_arm, robot_of
 from armlab.session.hand_in import hand_in, judge
 from armlab.session.job import Deliver
+from armlab.session.jobs import plan as jobs_plan
 from armlab.session.jobs.plan import JOB, with_plan
 from armlab.session.lesson_commands import GoToStep, OpenLesson, TakeLessonArm
 from armlab.session.parts.joints import Joints, MoveJoint
@@ -23,7 +25,9 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
 from armlab.session.plan_commands import AllMovesLike, SetMove
 from armlab.session.plan_examples import TakeExample
 from armlab.session.plan_limits import LastFor, UseShare
+from armlab.session.plan_measured import measuring
 from armlab.session.plan_points import AddWaypoint
+from armlab.session.planning import making
 from armlab.session.play import Player, problems
 from armlab.session.state import State, apply
 from support.motion_lesson import MOTION
@@ -51,6 +55,20 @@ def to_its_end(state):
     """Return the state with the motion played to its end."""
     state = after(state, OpenClip("motion"))
     return after(state, Seek(duration(state)))
+
+
+@pytest.fixture(autouse=True, scope="module")
+def plans_are_made_once():
+    """Remember plans by their question: the players of these tests come to the same motions again and again."""
+
+    @cache
+    def made(question):
+        return tuple(measuring(making(question)))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(jobs_plan, "making", lambda question: question)
+        patch.setattr(jobs_plan, "measuring", made)
+        yield
 
 
 @pytest.fixture

@@ -32,6 +32,7 @@ from armlab.session.plan_question import Feasible
 from armlab.session.plan_samples import fastest_tool
 from armlab.session.plan_words import judged
 from armlab.session.state import State, apply
+from support.plans import ROBOTS
 
 
 def opened(robot="ur10e"):
@@ -186,7 +187,7 @@ def test_a_stop_between_flown_corners_can_be_taken_back():
     assert after(stopped, SetMove(1, stop=False))[Plan].parts == state[Plan].parts
 
 
-@pytest.mark.parametrize("robot", list(catalogue().robots))
+@pytest.mark.parametrize("robot", ROBOTS)
 @pytest.mark.parametrize("law", ["trapezoidal", "double_s", "quintic"])
 def test_the_fastest_time_is_enough_when_it_is_given(robot, law):
     state = after(opened(robot), SetMove(1, law=law))

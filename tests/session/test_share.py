@@ -98,7 +98,7 @@ def test_every_arm_comes_back_as_it_was_left(robot):
 
 
 def test_the_longest_of_busy_own_arms_fits_a_link():
-    states = [busy(own_arm(seed), np.random.default_rng(seed)) for seed in range(12)]
+    states = [busy(own_arm(seed), np.random.default_rng(seed)) for seed in range(4)]
     lengths = [len(short(state)) for state in states]
     assert max(lengths) <= LONGEST
     for state in states:
@@ -292,7 +292,7 @@ def test_mutations_of_what_is_packed_are_states_or_refusals():
     plain = [unpacked(short(busy(robot, rng))) for robot in (PUMA, own_arm(4), catalogue()["scara"])]
     pieces = [b"-1", b"1e309", b"null", b"[]", b"{}", b'""', b"true", b"NaN", b"9" * 400, b'"\\ud800"', b"<b>"]
     outcomes = set()
-    for k in range(250):
+    for k in range(90):
         data = bytearray(plain[k % 3])
         for _ in range(rng.integers(1, 4)):
             i = int(rng.integers(len(data)))

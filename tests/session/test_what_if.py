@@ -1,6 +1,8 @@
 """What if: an arm in thought, what its workspace would be, and taking it over."""
 
 import math
+from dataclasses import replace
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -211,11 +213,18 @@ def test_a_narrower_limit_of_a_box_takes_away_its_part():
     assert found.gained.mean() < 0.002
 
 
-def test_points_come_first_and_everything_gets_better():
+@cache
+def longer_puma():
+    """Return a Puma with a longer link, what comes of it piece by piece, and the same once it is remembered."""
     state = opened("puma560", Suppose(1, "a", 0.6))
     what_if_found._known.cache_clear()
-    found = list(comparing(Question(state[WhatIf].arm, state[WhatIf].other)))
-    kinds = [each for each in found if each is not None]
+    question = Question(state[WhatIf].arm, state[WhatIf].other)
+    first, again = ([each for each in comparing(question) if each is not None] for _ in range(2))
+    return state, first, again
+
+
+def test_points_come_first_and_everything_gets_better():
+    _, kinds, again = longer_puma()
     sizes = [len(each.new.points) for each in kinds]
     assert sizes[:2] == [4096, 24_576]
     assert all(one <= other for one, other in pairwise(sizes))
@@ -230,13 +239,15 @@ def test_points_come_first_and_everything_gets_better():
         assert of_samples.reach.outer <= of_boundary.reach.outer + 1e-6
     for one, other in zip(rough.figures, last.figures, strict=True):
         assert one.size.value == pytest.approx(other.size.value, rel=0.15)
-    again = [each for each in comparing(Question(last.before, last.after)) if each is not None]
     assert again[0].new is last.new
     assert again[-1].figures == last.figures
 
 
 def test_every_drawn_point_obeys_the_limits_it_belongs_to():
-    found = found_of("puma560", Suppose(1, "high", 1.0), Suppose(0, "low", -1.0))
+    part = opened("puma560", Suppose(1, "high", 1.0), Suppose(0, "low", -1.0))[WhatIf]
+    drawn = (each for each in comparing(Question(part.arm, part.other)) if each is not None)
+    found = next(each for each in drawn if len(each.new.points) == what_if_found.POINTS)
+    assert len(found.old.points) == what_if_found.POINTS
     for arm, cloud in ((found.before, found.old), (found.after, found.new)):
         q = cloud.q.astype(float)
         assert np.all((q >= arm.limits[:, 0]) & (q <= arm.limits[:, 1]))
@@ -269,7 +280,8 @@ def test_what_was_found_of_an_arm_that_is_not_thought_of_any_more_is_let_go():
 
 
 def test_points_are_kept_gained_or_lost_and_the_half_in_front_is_left_away():
-    state = compared(opened("puma560", Suppose(1, "a", 0.6), Suppose(2, "a", 0.2)))
+    state, kinds, _ = longer_puma()
+    state = state.replace(replace(state[WhatIf], found=kinds[-1]))
     found, parts = state[WhatIf].found, state.derived(parts_of)
     assert len(parts.thought) == 0
     assert 0 < len(parts.gained) < found.gained.sum()

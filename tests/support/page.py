@@ -37,6 +37,13 @@ SMALL = (900, 600)
 COARSE = "fixedDpr=0.5"
 """Draws the scene with half the pixels each way, which a software renderer can keep up with."""
 
+BLIND = """(() => {
+  const calls = ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced', 'drawRangeElements',
+    'clear', 'blitFramebuffer'];
+  for (const name of calls) WebGL2RenderingContext.prototype[name] = () => {};
+})()"""
+"""Lets a page do everything but paint its scene, which takes a software renderer most of the time."""
+
 SEEN = """() => JSON.stringify([
   Object.values(window.__viserMutable.nodePoseData).map(pose => pose && [pose.position, pose.wxyz]),
   Object.keys(window.__viserMutable.nodeRefFromName).length,
@@ -75,6 +82,14 @@ def chromium() -> Iterator[Browser]:
 class LabPage:
     """One open page.
 
+    Parameters
+    ----------
+    context : playwright BrowserContext
+    url : str
+    size : tuple of int
+    painted : bool
+        Whether the scene is painted; everything else, such as what lies under the pointer, is there without it.
+
     Attributes
     ----------
     page : playwright Page
@@ -84,8 +99,10 @@ class LabPage:
         Every address it asked for.
     """
 
-    def __init__(self, context: BrowserContext, url: str, size: tuple[int, int] = SMALL) -> None:
+    def __init__(self, context: BrowserContext, url: str, size: tuple[int, int] = SMALL, painted: bool = True) -> None:
         self.page = context.new_page()
+        if not painted:
+            self.page.add_init_script(BLIND)
         self.page.set_default_timeout(1e3 * WAIT)
         self.page.set_viewport_size({"width": size[0], "height": size[1]})
         self.errors: list[str] = []

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -26,11 +27,19 @@ from support.student import run, student
 ARMS = ("planar_2r_unequal", "elbow_3r", "cartesian_3p", "scara")
 
 
+@cache
 def whole(key, *given):
-    state = State.initial(catalogue()[key])
-    for command in given:
-        state = apply(state, command)
-    return found_section(state)
+    """Return a state with the section found; one more setting goes on from what is found without it."""
+    if not given:
+        return found_section(State.initial(catalogue()[key]))
+    return found_section(apply(whole(key, *given[:-1]), given[-1]))
+
+
+@cache
+def found_of_arm(*rows):
+    """Return the section of an elbow with other rows."""
+    arm = replace(catalogue()["elbow_3r"].arm, convention="modified", rows=rows, tool=np.eye(4))
+    return [each for each in finding(Question(arm, "reach", None)) if each is not None][-1]
 
 
 def test_an_error_has_one_figure_rounded_up():
@@ -69,10 +78,8 @@ def test_a_click_on_the_tool_goes_where_the_tool_is(key):
 
 @pytest.mark.parametrize(("apart", "label"), [(0.0, "frame 0"), (0.4, "ρ = z = 0")])
 def test_the_reach_is_told_from_where_it_is_measured(apart, label):
-    given = catalogue()["elbow_3r"].arm
-    rows = (Row("R", a=apart), Row("R", a=0.0, alpha=np.pi / 2), Row("R", a=1.0))
-    arm = replace(given, convention="modified", rows=rows, tool=np.eye(4))
-    found = [each for each in finding(Question(arm, "reach", None)) if each is not None][-1]
+    found = found_of_arm(Row("R", a=apart), Row("R", a=0.0, alpha=np.pi / 2), Row("R", a=1.0))
+    arm = found.arm
     joint = found.section.joint
     np.testing.assert_allclose(np.linalg.norm(joint.origin - arm.base[:3, 3]), apart, atol=1e-12)
     points = arm.position(np.random.default_rng(3).uniform(*arm.limits.T, (20_000, arm.n)))
@@ -84,10 +91,7 @@ def test_the_reach_is_told_from_where_it_is_measured(apart, label):
 
 @pytest.mark.parametrize(("alpha", "label"), [(0.0, "Height over frame 0"), (np.pi / 2, "Along axis 1")])
 def test_only_what_is_along_z0_is_called_a_height(alpha, label):
-    given = catalogue()["elbow_3r"].arm
-    rows = (Row("R", alpha=alpha), Row("R", a=0.2, alpha=np.pi / 2), Row("R", a=1.0))
-    arm = replace(given, convention="modified", rows=rows, tool=np.eye(4))
-    found = [each for each in finding(Question(arm, "reach", None)) if each is not None][-1]
+    found = found_of_arm(Row("R", alpha=alpha), Row("R", a=0.2, alpha=np.pi / 2), Row("R", a=1.0))
     page = facts(found, units_of(State.initial(catalogue()["elbow_3r"])))
     assert f"<span>{label}</span>" in page
 

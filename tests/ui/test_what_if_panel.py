@@ -3,6 +3,7 @@
 import math
 import re
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
@@ -33,6 +34,12 @@ def opened(key, *wished):
     for command in wished:
         state = apply(state, command)
     return state
+
+
+@cache
+def known(key, *wished):
+    """Return the state with both workspaces known."""
+    return compared(opened(key, *wished))
 
 
 def asked(state, cell, text=""):
@@ -89,18 +96,18 @@ def test_changes_are_listed_in_the_units_on_screen():
 
 
 def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
-    larger = compared(opened("planar_2r", Suppose(1, "a", 1.2)))
+    larger = known("planar_2r", Suppose(1, "a", 1.2))
     exact = 3.141592653589793 * 4 * 1.2
     words = plain(verdict_markup(larger))
     assert words.startswith("▲ The area is larger, +20.0 % +2.51")
     size = larger[WhatIf].found.figures[1].size
     assert abs(size.value - exact) <= size.error
-    smaller = compared(opened("planar_2r", Suppose(1, "a", 0.8)))
+    smaller = known("planar_2r", Suppose(1, "a", 0.8))
     assert plain(verdict_markup(smaller)).startswith("▼ The area is smaller, −20.0 %")
-    same = compared(opened("planar_2r", Suppose(0, "a", 1.00001)))
+    same = known("planar_2r", Suppose(0, "a", 1.00001))
     assert plain(verdict_markup(same)).startswith("≈ The same area The difference is within the errors, ±0.00")
-    assert verdict_markup(compared(opened("planar_2r"))) == ""
-    bent = compared(opened("planar_2r", Suppose(0, "alpha", 0.5)))
+    assert verdict_markup(known("planar_2r")) == ""
+    bent = known("planar_2r", Suppose(0, "alpha", 0.5))
     assert plain(verdict_markup(bent)) == "The area becomes a volume m² and m³ cannot be compared."
     assert re.search(
         r"Size 12\.56\d+ ± 0\.0\d+ m² \d\.\d+ ± 0\.\d+ m³", plain(figures_markup(bent[WhatIf].found, units_of(bent)))
@@ -111,7 +118,7 @@ def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
 
 
 def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
-    state = compared(opened("planar_2r", Suppose(1, "a", 1.2)))
+    state = known("planar_2r", Suppose(1, "a", 1.2))
     part = state[WhatIf]
 
     def said(found):
@@ -121,7 +128,7 @@ def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
     assert said(rough) == "▲ Larger, about +20 % The boundary is being followed."
     close = replace(rough, figures=(rough.figures[1], rough.figures[1]))
     assert said(close) == "≈ … The boundary is being followed."
-    line = compared(opened("planar_2r", Suppose(1, "a", 0.0)))
+    line = known("planar_2r", Suppose(1, "a", 0.0))
     nothing = replace(line[WhatIf].found, figures=(line[WhatIf].found.figures[1],) * 2)
     assert nothing.figures[0].size.value == 0.0
     assert plain(verdict_markup(line.replace(replace(line[WhatIf], found=nothing)))).startswith(
@@ -130,7 +137,7 @@ def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
 
 
 def test_figures_stand_side_by_side_with_their_errors():
-    state = compared(opened("planar_2r", Suppose(1, "a", 0.5)))
+    state = known("planar_2r", Suppose(1, "a", 0.5))
     found, units = state[WhatIf].found, units_of(state)
     words = plain(figures_markup(found, units))
     assert "as it is what if" in words
@@ -155,42 +162,42 @@ def test_the_directions_across_a_sliding_joint_1_are_named(alpha, names):
 
 
 def test_the_figures_of_a_box_have_a_row_for_each_direction_across_joint_1():
-    state = compared(opened("cartesian_3p"))
+    state = known("cartesian_3p")
     words = plain(figures_markup(state[WhatIf].found, units_of(state)))
     assert re.search(r"Along x₀ \S+ … \S+ Along y₀ \S+ … \S+$", words)
     assert "Reach" not in words
-    turning = compared(opened("elbow_3r"))
+    turning = known("elbow_3r")
     assert re.search(r"Reach 1900\.0$", plain(figures_markup(turning[WhatIf].found, units_of(turning))))
 
 
 def test_the_legend_names_the_colours_that_are_there():
-    state = compared(opened("planar_2r", Suppose(1, "a", 0.5)))
+    state = known("planar_2r", Suppose(1, "a", 0.5))
     found = state[WhatIf].found
     assert "lost" in legend_markup(found)
     assert "the arm with the changes" in legend_markup(found)
     early = legend_markup(replace(found, lost=None, gained=None))
     assert "what if" in early
     assert "lost" not in early
-    alone = legend_markup(compared(opened("planar_2r"))[WhatIf].found)
+    alone = legend_markup(known("planar_2r")[WhatIf].found)
     assert plain(alone) == "as it is"
 
 
 def test_sections_are_drawn_one_over_the_other_of_arms_in_space():
-    state = compared(opened("elbow_3r", Suppose(1, "a", 0.5)))
+    state = known("elbow_3r", Suppose(1, "a", 0.5))
     found, units = state[WhatIf].found, units_of(state)
     drawn = picture(found, units)
     assert drawn.count("<path") == 2
     numbers = [float(each) for each in re.findall(r"[ML](-?[\d.]+) ", drawn)]
     assert min(numbers) >= 0.0
     assert max(numbers) <= 320.0
-    assert picture(compared(opened("elbow_3r"))[WhatIf].found, units).count("<path") == 1
+    assert picture(known("elbow_3r")[WhatIf].found, units).count("<path") == 1
     assert picture(replace(found, sections=None), units) == ""
-    assert picture(compared(opened("planar_2r"))[WhatIf].found, units) == ""
+    assert picture(known("planar_2r")[WhatIf].found, units) == ""
 
 
 def test_what_is_drawn_belongs_in_the_picture():
     assert len(PANEL.around(opened("planar_2r"))) == 0
-    low, high = PANEL.around(compared(opened("planar_2r", Suppose(1, "a", 2.0))))
+    low, high = PANEL.around(known("planar_2r", Suppose(1, "a", 2.0)))
     assert high[0] == pytest.approx(3.0, abs=0.05)
     assert low[0] == pytest.approx(-3.0, abs=0.05)
 

@@ -13,7 +13,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -53,11 +53,15 @@ _PARTS = {
 }
 _LIVE = re.compile(r"\{\{([^{}\n]*)\}\}")
 _LIVE_BEGUN = re.compile(r"\{\{\s*([A-Za-z][^{}\n]{0,40})")
+MOST_FORMULAS = 8192
+"""Kept; the lessons of the lab have some 2400 different ones."""
+
 _NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 
 
+@lru_cache(MOST_FORMULAS)
 def formula(latex: str, block: bool = False) -> str:
-    """Return a formula as MathML.
+    """Return a formula as MathML; the same few stand in most texts.
 
     Raises
     ------

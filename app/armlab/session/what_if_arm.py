@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any, cast
 
 import numpy as np
@@ -98,23 +99,31 @@ def altered(arm: Arm, changes: Iterable[Change]) -> Arm:
         An unknown quantity, or sizes no arm on screen may have.
     """
     rows, limits, tool = list(arm.rows), np.array(arm.limits), np.array(arm.tool)
+    geometry = False
     for change in changes:
         value_of(arm, change.row, change.field)
         if not math.isfinite(change.value):
             raise InputError(f"{change.field}: expected a number, got {change.value}")
+        geometry |= change.field not in LIMITS
         if change.field in TOOL:
             tool[TOOL.index(change.field), 3] = change.value
         elif change.field in LIMITS:
             limits[change.row, LIMITS.index(change.field)] = change.value
         else:
             rows[change.row] = replace(rows[change.row], **cast(Any, {change.field: change.value}))
-    given = arm.task != default_task(arm.rows, arm.convention, arm.tool)
-    task = arm.task if given else default_task(rows, arm.convention, tool)
+    # Limits do not matter to the choice of a task, which takes a look at the whole geometry.
+    task = default_task(rows, arm.convention, tool) if geometry and not _task_is_given(arm) else arm.task
     limits.setflags(write=False)
     tool.setflags(write=False)
     other = replace(arm, rows=tuple(rows), limits=limits, tool=tool, task=task)
     check_sizes(other)
     return other
+
+
+@lru_cache(maxsize=64)
+def _task_is_given(arm: Arm) -> bool:
+    """Return whether the task is not the one that follows from the geometry (arms are compared by identity)."""
+    return arm.task != default_task(arm.rows, arm.convention, arm.tool)
 
 
 def span_of(arm: Arm, other: Arm, row: int, field: str) -> tuple[float, float]:

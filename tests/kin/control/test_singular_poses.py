@@ -89,22 +89,33 @@ def test_what_is_near_is_near(robot, rng):
             assert found.q[found.joint] - q[found.joint] == pytest.approx(found.away, abs=1e-12)
 
 
-def sampled_distance(task, q, samples=1201):
+SAMPLED = 2.0 * FAR / 1200
+"""Largest distance of two samples, in scaled units."""
+
+
+def sampled_conditions(task, q):
+    J = task.jacobians(q, np.asarray(task.arm.fk(q)))
+    sigma = np.linalg.svd(J, compute_uv=False)
+    return J, sigma[:, -1] / sigma[:, 0]
+
+
+def sampled_distance(task, q, reach):
     """Return how far the nearest singular configuration of one joint is on a dense grid, in scaled units; or inf.
 
-    It is where the determinant changes sign, or where the inverse condition dips to nearly zero between samples.
+    It is where the determinant changes sign, or where the inverse condition dips to nearly zero between samples. What
+    is farther than `reach` is not looked for.
     """
     nearest = math.inf
     for k in range(task.n):
-        low, high = np.clip(q[k] + np.array([-FAR, FAR]) * task.joint_units[k], *task.arm.limits[k])
+        low, high = np.clip(q[k] + np.array([-reach, reach]) * task.joint_units[k], *task.arm.limits[k])
+        samples = max(3, math.ceil((high - low) / (SAMPLED * task.joint_units[k])) + 1)
         places = np.linspace(low, high, samples)
         along = np.tile(q, (samples, 1))
         along[:, k] = places
-        J = task.jacobians(along, np.asarray(task.arm.fk(along)))
-        sigma = np.linalg.svd(J, compute_uv=False)
-        inverse = sigma[:, -1] / sigma[:, 0]
-        if np.ptp(inverse) < 1e-9:
+        # A joint that matters is seen to do so by a few of them.
+        if np.ptp(sampled_conditions(task, along[:: max(1, samples // 8)])[1]) < 1e-9:
             continue
+        J, inverse = sampled_conditions(task, along)
         zero = np.zeros(samples, dtype=bool)
         if task.m == task.n:
             signs = np.sign(np.linalg.det(J))
@@ -120,17 +131,19 @@ def sampled_distance(task, q, samples=1201):
 @pytest.mark.parametrize("key", ["puma560", "ur5e", "scorbot", "stanford"])
 def test_no_joint_alone_finds_one_that_is_nearer(key, rng):
     task = ScaledTask(catalogue()[key].arm)
-    one = 2.0 * FAR / 1200
     met = 0
-    for q in rng.uniform(*task.arm.limits.T, (60, task.n)):
-        found, sampled = nearest_singular_pose(task, q), sampled_distance(task, q)
-        if sampled > FAR - one:
+    for q in rng.uniform(*task.arm.limits.T, (24, task.n)):
+        found = nearest_singular_pose(task, q)
+        if found is None:
+            assert sampled_distance(task, q, FAR) > FAR - SAMPLED, q.tolist()
             continue
-        met += 1
-        assert found is not None, (q.tolist(), sampled)
         assert inverse_condition(task, found.q) <= SINGULAR
-        assert abs(found.away) / task.joint_units[found.joint] <= sampled + one, q.tolist()
-    assert met >= 15
+        away = abs(found.away) / task.joint_units[found.joint]
+        # Only what is nearer would be wrong: beyond, a few samples are enough to see a dip from both of its sides.
+        sampled = sampled_distance(task, q, min(away + 3 * SAMPLED, FAR))
+        assert away <= sampled + SAMPLED, q.tolist()
+        met += np.isfinite(sampled)
+    assert met >= 6
 
 
 @pytest.mark.parametrize(

@@ -38,5 +38,5 @@ class Kernel:
         """Evaluate rows: ``x`` (N, inputs) to ``out`` (N, outputs), in the precision of ``out``."""
         tape = self._tapes.get(out.dtype)
         if tape is None:
-            tape = self._tapes[out.dtype] = Tape(self.graph, self.outputs, out.dtype)
+            tape = self._tapes[out.dtype] = Tape(self.graph, self.outputs, self.inputs, out.dtype)
         tape.run(x, out)

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -53,6 +54,10 @@ class Step(NamedTuple):
     ufunc: np.ufunc
     sources: tuple[Place, ...]
     target: Place
+
+
+Call = tuple[np.ufunc, Callable[[Sequence[Any]], tuple[Any, ...]]]
+"""A ufunc, and what picks its arguments from a list of all places."""
 
 
 def half_angle(graph: Graph, outputs: Sequence[Number]) -> tuple[Graph, list[Number]]:
@@ -113,7 +118,7 @@ class _Registers:
 class Tape:
     """Formulas compiled for arrays of one precision."""
 
-    def __init__(self, graph: Graph, outputs: Sequence[Number], dtype: np.dtype[np.floating]) -> None:
+    def __init__(self, graph: Graph, outputs: Sequence[Number], inputs: int, dtype: np.dtype[np.floating]) -> None:
         if dtype == np.float64:
             graph, outputs = half_angle(graph, outputs)
         self.dtype = dtype
@@ -121,6 +126,7 @@ class Tape:
         self.width = len(outputs)
         self.steps: list[Step] = []
         self.registers = self._schedule(graph, outputs)
+        self.literals, self.calls = self._lined_up(inputs)
 
     def _schedule(self, graph: Graph, outputs: Sequence[Number]) -> int:
         """Fill the tape; return how many registers it needs (linear scan over last uses)."""
@@ -164,32 +170,31 @@ class Tape:
         outputs = np.empty((self.width, size), self.dtype)
         for k, value in self.constants:
             outputs[k] = value
-        calls = self._bind(inputs, registers, outputs, size)
         for start in range(0, total, size):
             stop = min(start + size, total)
-            if stop - start < size:
-                calls = self._bind(inputs, registers, outputs, stop - start)
-            inputs[:, : stop - start] = x[start:stop].T
-            for ufunc, arguments in calls:
-                ufunc(*arguments)
-            out[start:stop] = outputs[:, : stop - start].T
+            used = stop - start
+            inputs[:, :used] = x[start:stop].T
+            rows = [*self.literals, *inputs[:, :used], *registers[:, :used], *outputs[:, :used]]
+            for ufunc, arguments in self.calls:
+                ufunc(*arguments(rows))
+            out[start:stop] = outputs[:, :used].T
 
-    def _bind(
-        self,
-        inputs: NDArray[np.floating],
-        registers: NDArray[np.floating],
-        outputs: NDArray[np.floating],
-        size: int,
-    ) -> list[tuple[np.ufunc, tuple[Any, ...]]]:
-        """Replace places by array rows of this length, once a run."""
-        arrays = {"input": inputs, "register": registers, "output": outputs}
+    def _lined_up(self, inputs: int) -> tuple[list[np.floating], list[Call]]:
+        """Return the constants and the calls of the steps, whose list of all places begins with the constants.
 
-        def resolve(place: Place) -> Any:
-            if place.where == "constant":
-                return self.dtype.type(place.at)
-            return arrays[place.where][int(place.at), :size]
+        The list is made anew in each run, the choice from it only here: short batches would wait for it longer than
+        for the arithmetic.
+        """
+        values = {p.at: None for step in self.steps for p in step.sources if p.where == "constant"}
+        number = {Place("constant", at): k for k, at in enumerate(values)}
+        first = {"input": len(values), "register": len(values) + inputs}
+        first["output"] = first["register"] + self.registers
 
-        return [(s.ufunc, (*map(resolve, s.sources), resolve(s.target))) for s in self.steps]
+        def index(place: Place) -> int:
+            return number[place] if place.where == "constant" else first[place.where] + int(place.at)
+
+        calls: list[Call] = [(step.ufunc, itemgetter(*map(index, (*step.sources, step.target)))) for step in self.steps]
+        return [self.dtype.type(at) for at in values], calls
 
 
 def _sources(node: Node, place: dict[int, Place]) -> tuple[Place, ...]:

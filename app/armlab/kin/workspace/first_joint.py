@@ -120,7 +120,7 @@ def first_joint(arm: Arm) -> FirstJoint:
     moves = np.linalg.norm(arm.jacobian(q)[:, :3, :], axis=1).max(axis=0) > STILL * (arm.reach or 1.0)
     moving = tuple(i for i in range(1, arm.n) if moves[i])
     points = np.asarray(arm.position(q), dtype=np.float64)
-    spread, normals = np.linalg.svd(points - points.mean(axis=0))[1:]
+    spread, normals = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[1:]
     planar = bool(spread[2] <= STILL * (arm.reach or 1.0) * SAMPLES)
     if revolute and planar:
         # The plane has to be one that joint 1 keeps: it does not when that is locked, or the tool stays on its axis.

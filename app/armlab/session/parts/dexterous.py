@@ -72,7 +72,7 @@ class Dexterous(Part):
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the first look."""
-        return cls(turns=first_joint(robot.arm).revolute)
+        return cls(turns=bool(robot.arm.revolute[0]))
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep how finely it is looked at."""
@@ -80,8 +80,9 @@ class Dexterous(Part):
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep also what is looked at, if the arm still has it."""
-        method = self.method if self.method in methods(robot.arm) else ""
-        s = self.s if self.turns is first_joint(robot.arm).revolute else None
+        # Which methods there are is worth knowing only to one who has chosen one: it takes a look at the structure.
+        method = self.method if self.method and self.method in methods(robot.arm) else ""
+        s = self.s if self.turns is bool(robot.arm.revolute[0]) else None
         return replace(self.for_robot(robot), method=method, s=s, turned=self.turned)
 
     def to_json(self) -> Json:
@@ -118,8 +119,7 @@ PART = PartType(Dexterous, order=122)
 
 def _check(part: Dexterous, robot: Robot) -> None:
     """Raise `InputError` where a setting is none."""
-    known = methods(robot.arm)
-    if part.method not in ("", *known):
+    if part.method != "" and part.method not in (known := methods(robot.arm)):
         raise UnknownName("method", part.method, known)
     if part.draw not in DRAWINGS:
         raise UnknownName("drawing", part.draw, DRAWINGS)
@@ -205,7 +205,7 @@ class LookAtDexterous(Command):
 
 def _place(s: float, arm: Arm) -> float:
     """Return the place of a slice, an angle in (-pi, pi]; `InputError` for a plane beyond the reach."""
-    if first_joint(arm).revolute:
+    if arm.revolute[0]:
         turn = math.remainder(s, math.tau)
         return math.pi if turn == -math.pi else turn
     if abs(s) > arm.reach:

@@ -203,6 +203,8 @@ def at_place(place: str) -> Lesson:
 
 def is_place(place: str) -> bool:
     """Return whether there is a lesson to this place."""
+    if not place:
+        return False
     key, slash, variant = place.partition("/")
     there = lessons().lessons
     return key in there and bool(slash) == there[key].varies and (not slash or variant.isdecimal())
