@@ -2,9 +2,13 @@
 
 import os
 import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 
 import pytest
 
+from armlab.content import lessons as module
 from armlab.content.lesson_folder import MOST_LESSONS, MOST_TEXT
 from armlab.content.lessons import MOST_VARIANTS, Library, lesson, lessons, library
 from armlab.content.pictures import MOST_PICTURES
@@ -358,3 +362,21 @@ def test_a_mistake_of_ours_is_a_problem_of_one_file(lab, monkeypatch, caplog):
     assert set(found.lessons.lessons) == {"first"}
     assert problems(found) == ["second.md: cannot be used: RuntimeError('ours')"]
     assert "second.md cannot be read" in caplog.text
+
+
+def test_two_who_ask_at_once_get_one_library(monkeypatch):
+    made, begun = [], threading.Barrier(2)
+
+    class Slow:
+        def __init__(self, folders):
+            time.sleep(0.1)
+            made.append(self)
+
+    def ask(_):
+        begun.wait()
+        return module.library()
+
+    monkeypatch.setattr(module, "Library", Slow)
+    monkeypatch.setattr(module, "_library", cache(module._library.__wrapped__))
+    with ThreadPoolExecutor(2) as both:
+        assert list(both.map(ask, range(2))) == made * 2

@@ -5,6 +5,7 @@ import urllib.request
 
 import pytest
 
+from armlab.content import lessons as lessons_module
 from armlab.content.lessons import library
 from armlab.content.robots import catalogue
 from armlab.front.start import Settings, start
@@ -39,7 +40,7 @@ def taught(tmp_path):
     lab = start(Settings("127.0.0.1", [0], "puma560", None, lessons=(tmp_path,)))
     yield f"http://127.0.0.1:{lab.port}/", file
     lab.stop()
-    library.cache_clear()
+    lessons_module._library.cache_clear()
 
 
 def test_a_lesson_with_variants_is_reloaded_and_changed_by_its_number(taught):

@@ -274,12 +274,15 @@ def test_one_drag_is_one_chain_of_commands(session):
     assert len(session.history.past) == 1
 
 
-def test_what_is_refused_or_changes_nothing_is_counted_for_the_pages(session):
+def test_what_is_refused_changes_nothing_or_is_taken_back_is_counted_for_the_pages(session):
     for count, command in enumerate((Refuse("no"), LockJoint(0, False), TakePose("nowhere"), Undo()), start=1):
         session.apply(command, float(count))
         assert session.untaken == count
     session.apply(TakePose("zero"), 9.0)
     assert session.untaken == 4
+    # Pages that have not been shown the pose may think that nothing has changed.
+    session.apply(Undo(), 10.0)
+    assert session.untaken == 5
 
 
 def test_undo_of_an_edit_leaves_the_timeline_where_it_is(session):

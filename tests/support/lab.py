@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from armlab.content.lessons import library
+from armlab.content import lessons as lessons_module
 from armlab.front.start import Running, Settings, start
 
 
@@ -21,7 +21,7 @@ def running_lab(
     finally:
         lab.stop()
         if lessons is not None:
-            library.cache_clear()
+            lessons_module._library.cache_clear()
 
 
 def open_lab(

@@ -2,10 +2,13 @@
 
 import asyncio
 import re
+import threading
 import time
+import urllib.request
 
 from armlab.session.session import Session
 from armlab.ui import lab as lab_module
+from armlab.ui.pace import Pace
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from support.student import run, student
@@ -22,7 +25,8 @@ def pressed(browser, cell):
     return re.search(rf'data-cell="{cell}"[^>]*aria-pressed="true"', browser.html()) is not None
 
 
-def test_a_choice_undone_at_once_is_shown_undone(url):
+def test_a_choice_undone_before_anything_was_shown_is_shown_undone(url, monkeypatch):
+    monkeypatch.setattr(Pace, "interval", lambda self, usual: 0.5)
     async def main():
         browser = await student(url)
         await browser.open("target")
@@ -128,3 +132,20 @@ def test_a_page_closed_while_it_opens_leaves_nothing_behind(tmp_path, monkeypatc
     with running_lab(tmp_path) as url:
         run(main(url))
     assert built == []
+
+
+def test_the_page_loads_while_the_lessons_are_still_read(monkeypatch):
+    read, lessons = threading.Event(), lab_module.lessons
+    monkeypatch.setattr(lab_module, "lessons", lambda: (read.wait(), lessons())[1])
+    with running_lab() as url:
+        with urllib.request.urlopen(url) as page:
+            assert page.status == 200
+
+        async def main():
+            opening = asyncio.create_task(student(url))
+            await asyncio.sleep(0.5)
+            assert not opening.done()
+            read.set()
+            await (await opening).close()
+
+        run(main())

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from threading import RLock
+from threading import Lock, RLock
 
 from armlab import resources
 from armlab.content.folder import Folder
@@ -22,6 +22,8 @@ from armlab.content.robots import Catalogue
 from armlab.errors import ContentError, InputError
 
 log = logging.getLogger(__name__)
+
+_READING = Lock()
 
 MOST_VARIANTS = 256
 """Variants of lessons that are kept; a class of that size costs no reading twice."""
@@ -232,9 +234,17 @@ def _numbers(chapter: str) -> list[int]:
     return [int(part) for part in re.findall(r"\d{1,9}", number[0] if number else "")]
 
 
-@cache
 def library() -> Library:
-    """Return the library of this process, which begins with the lessons that come with the lab."""
+    """Return the library of this process, which begins with the lessons that come with the lab.
+
+    The first call reads them all, which takes seconds; others wait for it.
+    """
+    with _READING:
+        return _library()
+
+
+@cache
+def _library() -> Library:
     return Library([resources.folder("lessons")])
 
 

@@ -79,7 +79,8 @@ class Session:
     front : str
         Key of the panel last opened; a page that opens later begins there.
     untaken : int
-        How many commands were refused or changed nothing: pages then show again what holds.
+        How often a page may show what a person did and what does not hold: a command was refused, changed nothing, or
+        was taken back before anybody was shown it. Pages then show again what holds.
     """
 
     token: str
@@ -131,7 +132,7 @@ class Session:
         except Exception:
             log.exception("%s failed", command)
             self.tell(f"{type(command).__name__} failed inside the lab; nothing was changed.")
-        if self.state is before:
+        if self.state is before or isinstance(command, (Undo, Redo, StartFresh)):
             self.untaken += 1
 
     def _note(self, command: Command, after: State, at: float) -> None:

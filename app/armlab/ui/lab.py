@@ -61,7 +61,7 @@ class Lab:
 
     def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student.
-        for found in (part_types, methods, clips, jobs, tabs, layers, lessons):
+        for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
         self._secret = secret
         self.server = adapter.make_server(port)
@@ -84,7 +84,8 @@ class Lab:
         self.worker.start()
         self.runner.start()
         threading.Thread(target=self._keep_saving, daemon=True, name="armlab-saver").start()
-        threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons").start()
+        self._looking = threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons")
+        self._looking.start()
         # The others are made when somebody first asks for them: 0.2 s once, and no work beside that of a class.
         self._figure = threading.Thread(target=self.gallery.make, args=(opening.arm,), name="armlab-figure")
         self._figure.start()
@@ -102,6 +103,7 @@ class Lab:
         adapter.stop_server(self.server)
         # A thread cut off in the middle of NumPy at the interpreter's end would abort the process.
         self._figure.join()
+        self._looking.join()
         self.runner.join(PIECE_PATIENCE)
         self.store.save()
 
@@ -115,6 +117,8 @@ class Lab:
             log.warning("refused a connection that did not come through the front")
             return
         adapter.refuse_uploads(client)
+        # They are still being read when the lab has just opened: meanwhile the first pages load.
+        await self.loop.run_in_executor(None, lessons)
         session = self.store.get(token)
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
         if adapter.request_headers(self.server, client) is None:

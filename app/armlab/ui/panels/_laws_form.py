@@ -11,6 +11,7 @@ from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, Rgb, css
 from armlab.ui.format import dot, escaped
 from armlab.ui.markup import button, chip, chips, options, select
 from armlab.ui.option_form import option_markup
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.widgets import Fields
 
 LAW_COLOURS: tuple[Rgb, ...] = (BLUE, ORANGE, GREEN)
@@ -42,13 +43,10 @@ def form_markup(fields: Fields, part: Laws) -> str:
 
 def head_markup(fields: Fields, part: Laws) -> str:
     """Return the choice of an example, and whether the calculator is shown."""
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(fields.channel_id, "example", "Example", options(titles, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    said = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
+    examples = examples_markup(fields.channel_id, EXAMPLES, part.example)
     shown = "view bounds" if part.bounds_shown else "view laws"
     views = chips(fields.channel_id, VIEWS, shown, "What to look at")
-    return f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{said}<div class="bar">{views}</div>'
+    return f'{examples}<div class="bar">{views}</div>'
 
 
 def _timing(fields: Fields, part: Laws) -> str:

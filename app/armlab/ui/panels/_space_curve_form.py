@@ -12,6 +12,7 @@ from armlab.session.state import State
 from armlab.ui.format import escaped, trimmed
 from armlab.ui.markup import button, chip, chips, options, select
 from armlab.ui.option_form import Scale, option_markup
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._space_curve_words import corrected
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields
@@ -33,16 +34,10 @@ def head(fields: Fields, state: State) -> str:
     """Return the choice of curve or turn, the examples, and what plays."""
     part, channel = state[SpaceCurve], fields.channel_id
     view = chips(channel, {f"shown {key}": text for key, text in VIEWS.items()}, f"shown {part.shown}", "What is shown")
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    example = EXAMPLES.get(part.example)
-    chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
-    look = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
+    examples = examples_markup(channel, EXAMPLES, part.example)
     playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
     play = button(channel, *(("pause-curve", "❚❚ Pause") if playing else ("play-curve", "▶ Play")), "main")
-    return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{look}'
-        f'<div class="bar">{play}<span class="sc-view">{view}</span></div>'
-    )
+    return f'{examples}<div class="bar">{play}<span class="sc-view">{view}</span></div>'
 
 
 def curve_form(fields: Fields, state: State) -> str:

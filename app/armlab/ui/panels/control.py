@@ -33,10 +33,11 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped, number, trimmed
-from armlab.ui.markup import button, chips, options, select
+from armlab.ui.markup import button, chips
 from armlab.ui.panels._control_card import card_markup, runs_markup
 from armlab.ui.panels._control_form import law_markup, option_of, plant_markup, plant_words, reference_markup, value_of
 from armlab.ui.panels._control_plots import VIEWS, Plots
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.plugin import Panel, Points, Post, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import units_of
@@ -142,12 +143,7 @@ def _numbered(state: State, what: str, i: int, text: str) -> tuple[Command, ...]
 
 
 def _head(fields: Fields, state: State) -> str:
-    part = state[Control]
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(fields.channel_id, "example", "Example", options(titles, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    said = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
-    return f'<div class="it-head"><span class="dim">Experiments</span>{chooser}</div>{said}'
+    return examples_markup(fields.channel_id, EXAMPLES, state[Control].example, "Experiments")
 
 
 def _clock(fields: Fields, state: State) -> str:

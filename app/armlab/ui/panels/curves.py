@@ -25,14 +25,13 @@ from armlab.session.curves_examples import EXAMPLES, ChooseExample
 from armlab.session.curves_made import kinds
 from armlab.session.parts.curves import Curves
 from armlab.session.state import Command, State
-from armlab.ui.format import escaped
-from armlab.ui.markup import options, select
 from armlab.ui.option_form import Scale, option_value
 from armlab.ui.panels._curves_facts import facts, fastest_markup, verdicts
 from armlab.ui.panels._curves_list import curves_markup, knots_markup, limits_markup
 from armlab.ui.panels._curves_plots import Plots
 from armlab.ui.panels._curves_solved import rules_markup, solved_markup
 from armlab.ui.panels._curves_words import read, read_rows
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.tried import tried
 from armlab.ui.widgets import Fields, Gui
@@ -62,7 +61,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         nonlocal present
         present, part = state, state[Curves]
-        problem.show(_examples(problem.channel_id, part))
+        problem.show(examples_markup(problem.channel_id, EXAMPLES, part.example))
         knots.show(knots_markup(knots, part, as_text))
         curves.show(curves_markup(curves, part))
         limits.show(limits_markup(limits, part) + verdicts(part))
@@ -124,15 +123,6 @@ def _of_curve(part: Curves, cell: str, text: str) -> tuple[Command, ...]:
         raise InputError(f"option: {chosen.key} has none called {option[:40]!r}")
     value = option_value(field.seen(chosen.options), text, chosen.options.get(option), (Scale(part.unit),))
     return (SetOption(int(number), of, option, value),)
-
-
-def _examples(channel: str, part: Curves) -> str:
-    own = {} if part.example else {"": "your own"}
-    titles = {**own, **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    said = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
-    return f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{said}'
 
 
 PANEL = Panel(

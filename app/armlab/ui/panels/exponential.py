@@ -22,8 +22,8 @@ from armlab.session.parts.exponential import (
 from armlab.session.state import Command, State
 from armlab.ui.colours import BLUE, GREY, css
 from armlab.ui.format import capitalised, dot, escaped, mathml, number, readable, scientific
-from armlab.ui.markup import options, select
 from armlab.ui.matrices import copy_buttons
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._exponential_plane import EIGEN, plane
 from armlab.ui.plot import Curve, Plot
 from armlab.ui.plugin import Panel, Post, Show
@@ -117,10 +117,7 @@ class _ErrorPlot(Plot):
 
 
 def _head(fields: Fields, part: Exponential) -> str:
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(fields.channel_id, "example", "Example", options(titles, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    said = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
+    examples = examples_markup(fields.channel_id, EXAMPLES, part.example)
     values = {"x1": part.x0[0], "x2": part.x0[1], "end": part.end}
     values |= {f"a{i + 1}{j + 1}": part.A[i][j] for i in (0, 1) for j in (0, 1)}
 
@@ -130,7 +127,7 @@ def _head(fields: Fields, part: Exponential) -> str:
     matrix = "".join(f"<tr><td>{cell(f'a{i}1')}</td><td>{cell(f'a{i}2')}</td></tr>" for i in (1, 2))
     start = "".join(f"<tr><td>{cell(key)}</td></tr>" for key in ("x1", "x2"))
     return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{said}'
+        f"{examples}"
         f'<div class="eq small" title="Notes 1.50-1.52, 1.58 corrected">&emsp;{mathml(SYSTEM)}'
         f'</div><div class="exp-typed"><span>A =</span><table class="mat">{matrix}</table><i>1/s</i>'
         f'<span>x(0) =</span><table class="mat">{start}</table>'

@@ -15,8 +15,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import Command, State
-from armlab.ui.format import escaped
 from armlab.ui.markup import button, chips, options, select
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._iteration_plots import Plots
 from armlab.ui.panels._iteration_runs import run_command, runs_markup
 from armlab.ui.panels._iteration_table import Table
@@ -115,19 +115,14 @@ def _wanted(state: State, text: str) -> Command:
 
 def _problem(fields: Fields, state: State) -> str:
     part, channel = state[Iterations], fields.channel_id
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    example = EXAMPLES.get(part.example)
     playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
     play = (
         button(channel, "pause-steps", "❚❚ Pause", "main")
         if playing
         else button(channel, "play-steps", "▶ Play", "main")
     )
-    chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
-    said = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
     return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>'
-        + said
+        examples_markup(channel, EXAMPLES, part.example)
         + f'<div class="bar">{play}<span class="dim">{_present(state)}</span></div>'
         + _start_markup(fields, state)
         + _target_markup(channel, state)

@@ -16,8 +16,9 @@ from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import Command, State
 from armlab.ui.colours import GREY
 from armlab.ui.format import escaped, mathml, number, pairs
-from armlab.ui.markup import button, chips, options, row, select
+from armlab.ui.markup import button, chips, row
 from armlab.ui.option_form import option_markup, option_value
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._loop_pictures import ERROR, REACHED, WISH, bode, diagram
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.plugin import Panel, Post, Show
@@ -95,17 +96,15 @@ class _Plots:
             plot.cursor(TIME if on else None)
 
 
+def _written(says: str) -> str:
+    return escaped(says).replace("v_d", WISHED)
+
+
 def _head(fields: Fields, part: Loop) -> str:
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(fields.channel_id, "example", "Example", options(titles, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    said = f'<p class="it-look">{escaped(example.says).replace("v_d", WISHED)}</p>' if example is not None else ""
+    examples = examples_markup(fields.channel_id, EXAMPLES, part.example, written=_written)
     formula = mathml(r"M\,\dot v=F,\quad F=K\,(v_d-v)")
     title = "A mass without friction whose velocity is controlled by a force; notes 7.3-7.10"
-    return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{said}'
-        f'<div class="eq small" title="{title}">&emsp;{formula}</div>'
-    )
+    return f'{examples}<div class="eq small" title="{title}">&emsp;{formula}</div>'
 
 
 def _form(fields: Fields, part: Loop) -> str:

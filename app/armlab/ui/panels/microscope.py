@@ -26,7 +26,8 @@ from armlab.session.parts.microscope import (
 )
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped, readable
-from armlab.ui.markup import chip, options, select
+from armlab.ui.markup import chip
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._microscope_bars import bars
 from armlab.ui.panels._microscope_words import (
     components,
@@ -93,10 +94,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def _head(fields: Fields, state: State, units: Units) -> str:
     """Return examples, and where the arm can be brought."""
     arm, part = state[Joints].arm, state[Microscope]
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(fields.channel_id, "example", "Example", options(titles, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    said = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
+    examples = examples_markup(fields.channel_id, EXAMPLES, part.example)
     chips = []
     for i, place in enumerate(known_places(state)):
         j, revolute = place.pose.joint, bool(arm.revolute[place.pose.joint])
@@ -108,10 +106,7 @@ def _head(fields: Fields, state: State, units: Units) -> str:
     away = fields.field("distance", readable(part.distance / units.factor(True), 2), "Distance from the singularity")
     hint = "Of a joint that slides, as many length scales as these are radians"
     label = f'<label class="option" title="{hint}"><span>at a distance of</span>{away}<i>{units.angle_unit}</i></label>'
-    return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{said}'
-        f'<h3>Bring the arm near a singularity</h3><div class="bar">{found}</div>{label}'
-    )
+    return f'{examples}<h3>Bring the arm near a singularity</h3><div class="bar">{found}</div>{label}'
 
 
 def _wish(fields: Fields, look: Look, units: Units) -> str:

@@ -18,7 +18,8 @@ from armlab.session.plan_words import judged
 from armlab.session.state import Command, State
 from armlab.ui.format import capitalised, escaped
 from armlab.ui.layers.motion_frame import SWITCH as FRAME
-from armlab.ui.markup import button, chip, options, select
+from armlab.ui.markup import button, chip
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._motion_around import in_the_way, way_around
 from armlab.ui.panels._motion_limits import limit_command, time_markup
 from armlab.ui.panels._motion_move import move_command, move_markup
@@ -81,10 +82,7 @@ def _commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
 
 def _head(fields: Fields, state: State) -> str:
     part, channel = state[Plan], fields.channel_id
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    example = EXAMPLES.get(part.example)
-    says = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
-    chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
+    examples = examples_markup(channel, EXAMPLES, part.example)
     timeline = state[Timeline]
     playing = timeline.clip == CLIP_KEY and timeline.playing
     runs = planned(state) or last_planned(state)
@@ -94,10 +92,7 @@ def _head(fields: Fields, state: State) -> str:
         if playing
         else button(channel, "play-motion", "▶ Play", "main", off=off)
     )
-    return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{says}'
-        f'<div class="bar">{play}{_shown(state, channel)}</div>{_held(state)}{_verdict(state)}'
-    )
+    return f'{examples}<div class="bar">{play}{_shown(state, channel)}</div>{_held(state)}{_verdict(state)}'
 
 
 def _shown(state: State, channel: str) -> str:

@@ -14,9 +14,10 @@ from armlab.session.solve_examples import EXAMPLES, ChooseSolveExample
 from armlab.session.solve_found import Found, found
 from armlab.session.solve_motion import BeginAlong, SlideAlong, begun, looked_for, part_of
 from armlab.session.state import Command, State
-from armlab.ui.format import escaped, mathml, matrix, readable
-from armlab.ui.markup import button, chips, options, row, select
+from armlab.ui.format import mathml, matrix, readable
+from armlab.ui.markup import button, chips, row
 from armlab.ui.matrices import WIDE, copy_buttons
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._solve_words import (
     card,
     components,
@@ -115,9 +116,7 @@ def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command,
 def head_markup(fields: Fields, state: State, solved: Found, units: Units) -> str:
     """Return the choice of an example, what is asked, and the fields of the wanted velocity."""
     part, channel = state[Solve], fields.channel_id
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
-    said = f'<p class="it-look">{escaped(EXAMPLES[part.example].says)}</p>' if part.example in EXAMPLES else ""
+    examples = examples_markup(channel, EXAMPLES, part.example)
     asked = ""
     if has_choice(part.arm):
         hint = "What is asked of the tool; the rest of its motion is left free"
@@ -129,7 +128,7 @@ def head_markup(fields: Fields, state: State, solved: Found, units: Units) -> st
         cells.append(f"<label><span>{markup_of(name)}</span>{field}<i>{units.unit(turning)}/s</i></label>")
     frame = "frame 0" + ("; ωx′, ωy′ about x, y of the tool" if part.arm.task.rotation == "approach" else "")
     return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{said}{asked}'
+        f"{examples}{asked}"
         f"<h3>Wanted velocity {mathml('v')} <small>in axes of {frame}; or drag the blue arrow</small></h3>"
         f'<div class="it-numbers so-twist">{"".join(cells)}</div>'
     )

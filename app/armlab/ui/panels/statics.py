@@ -20,7 +20,8 @@ from armlab.session.parts.statics import (
 from armlab.session.state import Command, State
 from armlab.session.statics_examples import EXAMPLES, ChooseExample
 from armlab.ui.format import mathml, readable
-from armlab.ui.markup import button, chips, options, row, select
+from armlab.ui.markup import button, chips, row
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._statics_words import duality_markup, free_markup, torques_markup, verdict_markup, work_markup
 from armlab.ui.plugin import Panel, Points, Post, Show
 from armlab.ui.tried import tried
@@ -63,16 +64,13 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def _head(fields: Fields, part: Statics) -> str:
     """Return the choice of an example, of the axes, and the fields of the wrench."""
     channel = fields.channel_id
-    titles = {"": "own wrench"} | {key: example.title for key, example in EXAMPLES.items()}
-    example = select(channel, "example", "Example", options(titles, part.example), "An arm with a wrench to look at")
-    says = f'<p class="dim">{EXAMPLES[part.example].says}</p>' if part.example in EXAMPLES else ""
+    examples = examples_markup(channel, EXAMPLES, part.example)
     axes = chips(channel, AXES_TITLES, part.axes, "Along which axes the wrench is written; the wrench itself stays")
     lines = "".join(_line(fields, part, *each) for each in PARTS)
     release = button(channel, "release", "No wrench", "chip", "Force and moment zero")
     drawn = "Drag the tip of the force in the scene, or type."
     return (
-        f'<div class="bar">{example}</div>{says}'
-        f"<h3>Wrench at the tool <small>by the robot on the environment</small></h3>"
+        f"{examples}<h3>Wrench at the tool <small>by the robot on the environment</small></h3>"
         f"{row('Axes', axes + release)}{lines}"
         f'<p class="dim">{drawn}</p>'
     )

@@ -25,10 +25,11 @@ from armlab.session.velocity_commands import (
 )
 from armlab.session.velocity_examples import EXAMPLES, ChooseVelocityExample
 from armlab.session.velocity_motion import first_at_limit, moving_of, time_left
-from armlab.ui.format import escaped, mathml, number
+from armlab.ui.format import mathml, number
 from armlab.ui.layers.swept import SWITCH as SWEPT
-from armlab.ui.markup import button, chip, chips, options, select
+from armlab.ui.markup import button, chip, chips
 from armlab.ui.matrices import MatrixView
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._velocity_numbers import (
     ROWS,
     columns_of,
@@ -102,10 +103,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def _head(fields: Fields, state: State) -> str:
     """Return the examples, what plays, and what is drawn."""
     part, channel, timeline = state[Velocity], fields.channel_id, state[Timeline]
-    titles = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(channel, "example", "Example", options(titles, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    look = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
+    examples = examples_markup(channel, EXAMPLES, part.example)
     both = chip(channel, "all", "all", "Each with its usual speed") + chip(channel, "none", "none", "q̇ = 0")
     on = timeline.clip == CLIP_KEY
     cell, text = ("pause", "❚❚ Pause") if on and timeline.playing else ("drive", "▶ Drive")
@@ -113,8 +111,7 @@ def _head(fields: Fields, state: State) -> str:
     play = button(channel, cell, text, "main", "Move the joints with these speeds, until one is at a limit")
     told = "All joints stand still." if last is None else _until(last, time_left(state))
     return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{look}'
-        f'<h3>Joint speeds<span class="copies">{both}</span></h3>'
+        f'{examples}<h3>Joint speeds<span class="copies">{both}</span></h3>'
         f'<div class="bar">{play}<span class="dim">{told}</span></div>'
     )
 

@@ -30,9 +30,10 @@ from armlab.session.state import Command, State
 from armlab.session.workspace_examples import EXAMPLES, ChooseWorkspaceExample
 from armlab.session.workspace_files import as_csv, as_ply
 from armlab.session.workspace_view import AXES, drawing
-from armlab.ui.format import capitalised, escaped, readable
+from armlab.ui.format import capitalised, readable
 from armlab.ui.markup import button, chip, chips, options, row, select
 from armlab.ui.panels._dh_files import file_name
+from armlab.ui.panels._examples import examples_markup
 from armlab.ui.panels._workspace_words import chosen, counted, facts, scale
 from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show
 from armlab.ui.tried import tried
@@ -92,12 +93,8 @@ def _choices(fields: Fields, state: State, units: Units) -> str:
     counts = {f"count {count}": counted(count) for count in COUNTS}
     seed = fields.field("seed", str(part.seed), "Seed of the random numbers")
     seeded = f'<label class="option" title="The same seed gives the same points"><span>seed</span>{seed}</label>'
-    examples = {"": "Choose …", **{key: example.title for key, example in EXAMPLES.items()}}
-    chooser = select(channel, "example", "Example", options(examples, part.example), "Put one in place")
-    example = EXAMPLES.get(part.example)
-    said = f'<p class="it-look">{escaped(example.says)}</p>' if example is not None else ""
     return (
-        f'<div class="it-head"><span class="dim">Examples</span>{chooser}</div>{said}'
+        examples_markup(channel, EXAMPLES, part.example)
         + row("Colour", select(channel, "measure", "Colour", options(titles, part.measure)))
         + row("Samples", select(channel, "count", "Samples", options(counts, f"count {part.count}")) + seeded)
         + _action(channel, part)

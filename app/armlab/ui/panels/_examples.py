@@ -1,0 +1,50 @@
+"""The choice of an example at the head of a bench, and what to look at in the one in place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Protocol
+
+from armlab.ui.format import escaped
+from armlab.ui.markup import options, select
+
+
+class Shown(Protocol):
+    """What is shown of an example."""
+
+    @property
+    def title(self) -> str:
+        """In the list."""
+        ...
+
+    @property
+    def says(self) -> str:
+        """What to look at, in a sentence or two."""
+        ...
+
+
+def examples_markup(
+    channel: str,
+    examples: Mapping[str, Shown],
+    chosen: str,
+    label: str = "Examples",
+    written: Callable[[str], str] = escaped,
+) -> str:
+    """Return the choice among examples, and below what to look at.
+
+    Parameters
+    ----------
+    channel : str
+        Where the key is sent, as the text of a cell ``example``.
+    examples : mapping of str to example
+        By key, in the order of the list.
+    chosen : str
+        Key of the one in place; empty when there is none.
+    label : str
+    written : callable
+        Returns the markup of what an example says.
+    """
+    titles = {"": "Choose …", **{key: example.title for key, example in examples.items()}}
+    chooser = select(channel, "example", "Example", options(titles, chosen), "Put one in place")
+    look = f'<p class="it-look">{written(examples[chosen].says)}</p>' if chosen in examples else ""
+    return f'<div class="it-head"><span class="dim">{label}</span>{chooser}</div>{look}'
