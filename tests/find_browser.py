@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator
 
 NAMES = (
+    "chromium-headless-shell",  # without windows, whose frames a software renderer would paint, too
     "chromium",
     "chromium-browser",
     "google-chrome",
@@ -29,6 +30,15 @@ with sync_playwright() as p:
     print(p.chromium.executable_path)
 """
 SECONDS = 40.0
+
+SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+PAGE = (
+    "data:text/html,<p></p><script>document.querySelector('p').textContent = "
+    "document.createElement('canvas').getContext('webgl2') ? 'it-renders' : 'no'</script>"
+)
+
+DEBIAN = (("chromium-headless-shell", "chromium-common"), ("chromium",), ("chromium-browser",))
+"""What to install; the headless shell finds its software renderer in the common package but does not ask for it."""
 
 
 def main() -> int:
@@ -64,13 +74,13 @@ def installed() -> Iterator[str]:
 
 
 def renders(path: str) -> bool:
-    """Return whether the browser shows a page: its version alone is also printed by stubs and broken installations."""
-    command = [path, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--dump-dom"]
+    """Return whether the browser has WebGL: its version alone is also printed by stubs and broken installations."""
+    command = [path, "--headless", "--no-sandbox", "--no-first-run", "--dump-dom", *SOFTWARE]
     try:
-        result = subprocess.run([*command, "data:text/html,<p>it-renders"], capture_output=True, timeout=SECONDS)
+        result = subprocess.run([*command, PAGE], capture_output=True, timeout=SECONDS)
     except (OSError, subprocess.TimeoutExpired):
         return False
-    return b"it-renders" in result.stdout
+    return b"<p>it-renders" in result.stdout
 
 
 def with_playwright() -> None:
@@ -84,8 +94,8 @@ def with_apt() -> None:
         return
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
     subprocess.run(["apt-get", "update", "-qq"], env=quiet, stdout=sys.stderr)
-    for package in ("chromium", "chromium-browser"):
-        command = ["apt-get", "install", "-y", "-qq", "--no-install-recommends", package, "fonts-dejavu-core"]
+    for packages in DEBIAN:
+        command = ["apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages, "fonts-dejavu-core"]
         if subprocess.run(command, env=quiet, stdout=sys.stderr).returncode == 0:
             return
 

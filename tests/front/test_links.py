@@ -100,7 +100,7 @@ def test_a_shared_state_opens_beside_ones_own_work_and_a_reload_resets_nothing(u
         await browser.open("share")
         await browser.press("back-mine")
         await browser.until(lambda: len(arm_nodes(browser)) == 6)
-        assert "Your own work waits" not in browser.html()
+        await browser.until(lambda: "Your own work waits" not in browser.html())
         await browser.open("joints")
         await browser.until(lambda: browser.slider(1)["value"] == 30.0)
         assert browser.notices == []

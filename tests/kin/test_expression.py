@@ -182,4 +182,4 @@ def test_registers_are_used_again(graph):
     value = x
     for k in range(100):
         value = sin(value) + float(k)
-    assert Tape(graph, [value], np.dtype(np.float32)).registers <= 2
+    assert Tape(graph, [value], 1, np.dtype(np.float32)).registers <= 2

@@ -27,6 +27,7 @@ def pressed(browser, cell):
 
 def test_a_choice_undone_before_anything_was_shown_is_shown_undone(url, monkeypatch):
     monkeypatch.setattr(Pace, "interval", lambda self, usual: 0.5)
+
     async def main():
         browser = await student(url)
         await browser.open("target")
