@@ -48,11 +48,11 @@ def test_a_table_and_a_plan_are_saved_and_read_again(visit, tmp_path):
 def test_files_that_cannot_be_read_are_refused_in_words_and_the_page_lives_on(visit, tmp_path):
     lab = at_files(visit)
     said = lab.page.locator('p.no[role="alert"]')
-    for name, data, wanted in (
+    for name, data, wanted in (  # no sentence twice in a row, or the second would be taken for there at once
         ("empty.csv", b"", "the file is empty"),
         ("zeros.bin", bytes(3_000_000), "expected text in UTF-8, got a binary file"),
-        ("high.bin", b"\xff" * 1_400_000, "expected text in UTF-8, got a binary file"),
         ("many.csv", b"0,0,0,0,0\n" * 1_000_000, "the file is larger than 1.5 MB"),
+        ("high.bin", b"\xff" * 1_400_000, "expected text in UTF-8, got a binary file"),
         ("rows.csv", "".join(f"{k},0,0,0,0\n" for k in range(20_000)).encode(), "20000 rows are too many"),
     ):
         (tmp_path / name).write_bytes(data)
