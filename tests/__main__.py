@@ -20,7 +20,7 @@ def find_browser(python):
     os.environ["ARMLAB_BROWSER"] = found.stdout.strip()
 
 
-TWO_AT_A_TIME = ["-n", "2"]
+TWO_AT_A_TIME = ["-n", "2", "--dist", "worksteal"]
 
 os.chdir(str(ROOT))
 arguments = sys.argv[1:] or TWO_AT_A_TIME

@@ -58,6 +58,11 @@ def test_files_that_cannot_be_read_are_refused_in_words_and_the_page_lives_on(vi
         (tmp_path / name).write_bytes(data)
         lab.page.locator(READ).set_input_files(tmp_path / name)
         lab.until(lambda wanted=wanted: said.count() == 1 and wanted in said.inner_text())
+    for name in ("high.bin", "many.csv"):  # the first takes longer to read
+        lab.page.locator(READ).set_input_files(tmp_path / name)
+    lab.until(lambda: said.count() == 1 and "the file is larger than 1.5 MB" in said.inner_text())
+    lab.rest()
+    assert "the file is larger than 1.5 MB" in said.inner_text()
     assert "Plan of 2 waypoints" in says(lab)
 
 

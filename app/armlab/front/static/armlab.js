@@ -53,12 +53,15 @@
   // Files are read here and arrive as text: the lab takes no uploads. A field may take more bytes with data-most.
   // What becomes too long for a message when it is written as JSON is no text; the lab says so of a zero character.
   const fits = text => new Blob([JSON.stringify(text)]).size < 2e6;
+  let reading = Promise.resolve(); // one after the other, so that the last file chosen is the last one told
   document.addEventListener('change', event => {
     const file = event.target.matches?.('input[type=file][data-chan]') && event.target.files[0];
     if (!file) return;
     const field = event.target;
     const most = Number(field.dataset.most) || 50000; // one more is sent than the lab takes, so that it says so
-    file.slice(0, most + 1).text().then(text => send(field, fits(text) ? text : '\0'));
+    const part = file.slice(0, most + 1);
+    const told = text => send(field, fits(text) ? text : '\0');
+    reading = reading.then(() => part.text()).then(told).catch(error => console.error(error));
     field.value = '';
   });
 
