@@ -116,7 +116,6 @@ class Lab:
         if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
             log.warning("refused a connection that did not come through the front")
             return
-        adapter.refuse_uploads(client)
         # They are still being read when the lab has just opened: meanwhile the first pages load.
         await self.loop.run_in_executor(None, lessons)
         session = self.store.get(token)
