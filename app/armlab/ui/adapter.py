@@ -18,7 +18,7 @@ import viser
 from numpy.typing import NDArray
 from viser import _messages
 
-from armlab.errors import ArmlabError
+from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.gate import Gate
 
 log = logging.getLogger(__name__)
@@ -154,9 +154,9 @@ def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> Non
             callback(event)
         except ArmlabError as refusal:
             # Only a page that is not ours sends what cannot even become a command.
-            log.warning("an event was refused: %s", refusal)
-        except Exception:
-            log.exception("an event failed")
+            log.warning("an event was refused: %s", str(refusal)[:200])
+        except Exception as error:
+            _note_failure("an event", error)
 
     getattr(handle, register)(forward)
 
@@ -171,12 +171,18 @@ def on_scene_click(client: Any, callback: Callable[[Any], None]) -> Callable[[],
         try:
             callback(event)
         except ArmlabError as refusal:
-            log.warning("a click was refused: %s", refusal)
-        except Exception:
-            log.exception("a click failed")
+            log.warning("a click was refused: %s", str(refusal)[:200])
+        except Exception as error:
+            _note_failure("a click", error)
 
     client.scene.on_click()(forward)
     return lambda: client.scene.remove_click_callback(forward)
+
+
+def _note_failure(what: str, error: Exception) -> None:
+    """Note in one line what a message has led to, since strangers send messages, too; the trace is for debugging."""
+    log.error("%s failed: %s", what, in_one_line(error))
+    log.debug("%s failed", what, exc_info=error)
 
 
 async def picture_of(client: Any, seconds: float = 20.0) -> NDArray[np.uint8]:
