@@ -12,7 +12,7 @@ import numpy as np
 
 from armlab.content.robots import Robot
 from armlab.errors import ArmlabError, InputError, in_one_line
-from armlab.session.history import History
+from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
@@ -146,10 +146,12 @@ class Session:
         if (here.place, here.shared) != (there.place, there.shared):
             if not here.shared:
                 self._elsewhere[here.place] = self.history
+                while len(self._elsewhere) > 1 and sum(each.held for each in self._elsewhere.values()) > HEAVIEST:
+                    del self._elsewhere[next(iter(self._elsewhere))]
             self.history = self._elsewhere.pop(there.place, History())
             before = here.parked.get(there.place, before)
         if command.undoable:
-            self.history.note(before, command, at)
+            self.history.note(before, after, command, at)
 
     def _stepped(self, step: Callable[[State], State], back: Callable[[State], State]) -> State:
         """Return the state after an undo or a redo; a refused one stays in the history."""

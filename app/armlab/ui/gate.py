@@ -72,7 +72,9 @@ def _wrong(kind: str, fields: Mapping[str, Any], value_now: Any) -> str:
         updates = fields.get("updates")
         if not isinstance(updates, dict) or set(updates) != {"value"}:
             return "it wants to change what a control is"
-        return "" if value_now is None or _fits(updates["value"], value_now) else "it gives a control what it cannot hold"
+        return (
+            "" if value_now is None or _fits(updates["value"], value_now) else "it gives a control what it cannot hold"
+        )
     for name, value in fields.items():
         if not isinstance(value, bytes) and not _is_plain(value):
             return f"{kind} with a {name} that cannot be"
