@@ -61,6 +61,11 @@ class History:
         """Bytes that all steps hold, roughly."""
         return sum(step.held for step in (*self.past, *self.future))
 
+    def forget_half(self) -> None:
+        """Forget the older half of the steps back, and all steps forward."""
+        self.future.clear()
+        del self.past[: (len(self.past) + 1) // 2]
+
     def undo(self, present: State) -> State:
         """Return the state one step back, or the present one."""
         return self._step(present, self.past, self.future)
@@ -70,9 +75,10 @@ class History:
         return self._step(present, self.future, self.past)
 
     def _step(self, present: State, source: list[Step], other: list[Step]) -> State:
-        if not source:
+        try:
+            step = source.pop()
+        except IndexError:  # none left, or just forgotten by another thread
             return present
-        step = source.pop()
         other.append(Step(present, step.label, _lightened(present, step.state)))
         self._stroke = None
         return step.state

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import threading
+import time
 from pathlib import Path
 
 import viser
@@ -198,6 +199,7 @@ class Lab:
     def _keep_saving(self) -> None:
         while not self._stopped.wait(SAVE_INTERVAL):
             self.store.save()
+            self.store.let_go(frozenset(self._of_session), time.monotonic())
 
     def _keep_looking(self) -> None:
         said, known = "", lessons()
