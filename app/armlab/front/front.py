@@ -42,7 +42,7 @@ class Front:
     secret : str
         What this front says to its labs.
     labs : sequence of int
-        Loopback ports; a browser always gets the same one.
+        Loopback ports, one of which a browser always gets; they may change when a lab is started again.
     hosts : frozenset of str, or None
         Names this front is addressed by; None accepts every name.
     limits : Limits
@@ -58,7 +58,7 @@ class Front:
         limits: Limits | None = None,
     ) -> None:
         self._page, self._tokens, self._secret = page, tokens, secret
-        self._labs, self._hosts = list(labs), hosts
+        self._labs, self._hosts = labs, hosts
         self._limits = limits or Limits()
         self._meters: dict[str, Meter] = {}
         self._wishes = Wishes()
