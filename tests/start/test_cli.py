@@ -123,7 +123,9 @@ def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path):
     assert "puma560" in err
 
 
-@pytest.mark.parametrize("arguments", [("--port", "70000"), ("--port", "x"), ("--labs", "-1"), ("--nonsense",)])
+@pytest.mark.parametrize(
+    "arguments", [("--port", "70000"), ("--port", "x"), ("--labs", "-1"), ("--code", "abc"), ("--nonsense",)]
+)
 def test_wrong_options_are_refused(arguments, capsys):
     with pytest.raises(SystemExit) as refused:
         main(arguments)
@@ -135,7 +137,17 @@ def test_wrong_options_are_refused(arguments, capsys):
 def test_help_names_every_option():
     status, out, _ = finished("--help")
     assert status == 0
-    for option in ("--host", "--port", "--no-browser", "--robot", "--labs", "--lessons", "--state", "--version"):
+    for option in (
+        "--host",
+        "--port",
+        "--no-browser",
+        "--code",
+        "--robot",
+        "--labs",
+        "--lessons",
+        "--state",
+        "--version",
+    ):
         assert option in out
 
 
