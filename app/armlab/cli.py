@@ -47,7 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 folder=state_folder(options.state),
                 labs=options.labs,
                 lessons=tuple(options.lessons),
-                code=options.code,
+                code=options.code or "",
             )
         )
     except ArmlabError as error:
@@ -100,7 +100,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--port", type=_port, help="port to listen on; by default the first free one from 8080")
     p.add_argument("--no-browser", action="store_true", help="do not open a browser")
     p.add_argument(
-        "--code", type=_code, default="", metavar="WORD", help="what a browser is asked for before it gets in"
+        "--code", type=_code, metavar="WORD", help="what a browser is asked for before it gets in"
     )
     p.add_argument("--robot", default=DEFAULT_ROBOT, metavar="NAME", help=f"arm of new students ({DEFAULT_ROBOT})")
     p.add_argument("--labs", type=_count, default=0, metavar="N", help="for a class: N lab processes behind one front")
