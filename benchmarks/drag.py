@@ -101,7 +101,7 @@ async def drive(
     """Return the latencies of all students' events and the share of a processor the server used."""
     browsers = [server.browser() for _ in range(count)]
     await asyncio.gather(*(browser.connect() for browser in browsers))
-    await asyncio.gather(*(browser.until(lambda b=browser: is_open(b), 30.0) for browser in browsers))
+    await asyncio.gather(*(browser.until(lambda b=browser: is_open(b)) for browser in browsers))
     if prepare is not None:
         await asyncio.gather(*(prepare(browser) for browser in browsers))
     await asyncio.sleep(SETTLING)
