@@ -6,7 +6,7 @@ import logging
 import pytest
 
 from armlab.ui import adapter
-from armlab.ui.gate import FARTHEST, Gate
+from armlab.ui.gate import Gate
 from support.bare import Bare
 from support.fake_browser import CAMERA
 from support.patience import Patience
@@ -46,7 +46,6 @@ HOSTILE = {
     "a removed control": {"type": "GuiUpdateMessage", "uuid": "SLIDER", "updates": {"value": 0.1, "removed": True}},
     "a value of another kind": {"type": "GuiUpdateMessage", "uuid": "SLIDER", "updates": {"value": DIGITS}},
     "no number": {"type": "GuiUpdateMessage", "uuid": "SLIDER", "updates": {"value": float("nan")}},
-    "a huge number": {"type": "GuiUpdateMessage", "uuid": "SLIDER", "updates": {"value": 1e300}},
     "a truth value": {"type": "GuiUpdateMessage", "uuid": "SLIDER", "updates": {"value": True}},
     "a list": {"type": "GuiUpdateMessage", "uuid": "SLIDER", "updates": {"value": [0.1, 0.2]}},
     "an identifier that is a list": {"type": "GuiUpdateMessage", "uuid": ["x"], "updates": {"value": 0.1}},
@@ -101,7 +100,7 @@ def test_the_log_hears_of_a_flood_once(caplog):
 @pytest.mark.parametrize(
     ("now", "fits", "does_not"),
     [
-        (0.5, [0.1, -3, FARTHEST], ["0.1", None, float("inf"), 2 * FARTHEST, [0.1]]),
+        (0.5, [0.1, -3, 1e308], ["0.1", None, float("inf"), float("nan"), [0.1]]),
         ("text", ["", "9" * 10], [5, None, ["text"]]),
         (True, [False], [0, 1.0, "True"]),
         ((0.0, 1.0), [(2, 3), [2.0, 3.0]], [(1.0,), (1.0, "x"), (1.0, float("nan")), 5]),
