@@ -1,5 +1,7 @@
 """Arms: forward kinematics in every form, and what a wrong table is told."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -71,6 +73,16 @@ def test_single_precision_stays_single(robot, rng):
     np.testing.assert_allclose(positions, robot.arm.position(q), rtol=0, atol=5e-6)
 
 
+def test_batches_in_several_threads_do_not_touch_each_other(rng):
+    """Each thread keeps its own scratch memory."""
+    arm = Arm.from_dh([*TWO_R, *TWO_R])
+    batches = [rng.uniform(-3, 3, (n, 4)).astype(dtype) for n in (3, 500, 5000) for dtype in (np.float32, np.float64)]
+    expected = [arm.jacobian(q) for q in batches]
+    with ThreadPoolExecutor(3) as pool:
+        for found, q in zip(pool.map(arm.jacobian, batches * 5), expected * 5, strict=True):
+            np.testing.assert_array_equal(found, q)
+
+
 def test_whole_numbers_are_joint_values_too():
     assert Arm.from_dh(TWO_R).position([0, 0]).tolist() == [1.5, 0.0, 0.0]
 
@@ -94,6 +106,27 @@ def test_a_configuration_that_is_not_finite_is_refused(method, value):
         q[i] = value
         with pytest.raises(InputError, match="q: expected 3 finite numbers"):
             getattr(arm, method)(q)
+
+
+@pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+@pytest.mark.parametrize("method", ["fk", "frames", "position", "jacobian", "manipulability"])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_row_of_a_batch_that_is_not_finite_gives_nan_and_leaves_the_others(method, value, dtype, rng):
+    """Also in the joints a result does not depend on, and where its entries are constant."""
+    arm = Arm.from_dh([*TWO_R, ("P", 0, 0, 0, 0)])
+    q = rng.uniform(-1, 1, (6, 3)).astype(dtype)
+    expected = getattr(arm, method)(q)
+    for i in range(3):
+        q[2 * i, i] = value
+    found = getattr(arm, method)(q)
+    assert np.isnan(found[::2]).all()
+    np.testing.assert_array_equal(found[1::2], expected[1::2])
+
+
+def test_large_finite_joint_values_are_no_reason_for_nan():
+    slides = Arm.from_dh([("P", 0, 0, 0, 0), ("P", 0, 0, 0, 0)])
+    q = np.array([[1e308, 0.0], [1e308, 0.0]])
+    assert slides.frames(q)[:, 2, 2, 3].tolist() == [1e308, 1e308]
 
 
 @pytest.mark.parametrize("q", ["ab", [None, 0.0], [[0.0], [0.0, 1.0]], [10**400, 0.0]])
