@@ -1,5 +1,6 @@
 """Arms: forward kinematics in every form, and what a wrong table is told."""
 
+import math
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -150,6 +151,13 @@ def test_joint_values_that_are_no_numbers_are_refused(q):
         ({"tool": np.zeros((4, 4))}, "tool: the last row"),
         ({"task": "position"}, "task: unknown name 'position'"),
         ({"task": ["xy"]}, r"task: unknown name \['xy'\]"),
+        (
+            {"rows": [("R", 1, 90, 0, 0)]},
+            r"row 1, alpha: expected radians, .* got 90; did you mean 90 degrees\? Then write math.radians\(90\)",
+        ),
+        ({"rows": [TWO_R[0], ("R", 1, 0, 0, -30.0)]}, "row 2, theta: expected radians, .* did you mean -30 degrees"),
+        ({"rows": [{"kind": "R", "alpha": 6.3}]}, "row 1, alpha: expected radians"),
+        ({"limits": [["0", "1"], ["0", "1"]]}, r"limits: expected numbers of shape \(2, 2\), got"),
         ({"rows": None}, "rows: expected a list of rows, got None"),
         ({"rows": "RR"}, "rows: expected a list of rows, got 'RR'"),
         ({"rows": [5]}, "row 1: expected a row with the entries .*, got 5"),
@@ -164,6 +172,12 @@ def test_a_wrong_table_is_told_what_is_wrong(change, text):
     arguments = {"rows": TWO_R} | change
     with pytest.raises(InputError, match=text):
         Arm.from_dh(**arguments)
+
+
+def test_a_full_turn_in_a_table_is_taken_and_a_larger_angle_once_it_is_reduced():
+    quarter = Arm.from_dh([("R", 1.0, math.remainder(90.0, math.tau), 0.0, 0.0)])
+    np.testing.assert_allclose(quarter.fk([0.0])[1:3, 2], [-math.sin(90.0), math.cos(90.0)], rtol=0, atol=1e-14)
+    assert Arm.from_dh([("R", 1.0, math.tau, 0.0, -math.tau)]).n == 1
 
 
 def test_arms_cannot_be_changed():

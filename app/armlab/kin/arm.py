@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
@@ -244,6 +244,17 @@ class Arm:
             )
         kernel.batch(values.reshape(-1, self.n), out.reshape(-1, len(kernel.outputs)))
         return out
+
+    def __getstate__(self) -> dict[str, object]:
+        """Leave out what follows from the table: a copy finds it again."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        """Take a state over; copied arrays would be writable."""
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)
+        vars(self).update(state)
 
     def clip(self, q: ArrayLike) -> Array:
         """Return joint values moved inside the limits, shape (..., n)."""
