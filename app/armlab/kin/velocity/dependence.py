@@ -165,6 +165,50 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
     return tuple(found) or _of_null_space(matrix, floor)
 
 
+def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Dependence, ...]:
+    """Return so many dependences of which none follows from the others, as small as they are found, if there are.
+
+    Where the small sets of `dependent_columns` are too few, sets of more columns from the null space follow.
+
+    Parameters
+    ----------
+    J, usual : array_like
+        As of `dependent_columns`.
+    count : int
+    """
+    matrix, others = np.asarray(J, dtype=np.float64), np.asarray(usual, dtype=np.float64)
+    floor = RANK_TOLERANCE * float(np.linalg.norm(matrix, 2))
+    kept: list[Dependence] = []
+    vectors = np.zeros((0, matrix.shape[1]))
+    for found in (*dependent_columns(matrix, others), *_by_elimination(matrix, floor)):
+        columns = [joint - 1 for joint in found.joints]
+        vector = np.zeros(matrix.shape[1])
+        vector[columns] = found.factors
+        more = np.vstack([vectors, vector / np.linalg.norm(vector)])
+        if np.linalg.matrix_rank(more, tol=PART) == len(more) and not _always(others[:, :, columns]):
+            kept.append(found)
+            vectors = more
+    return tuple(kept[:count])
+
+
+def _by_elimination(matrix: Array, floor: float) -> tuple[Dependence, ...]:
+    """Return a basis of the null space with many zeros: the reduced row echelon form, with pivots as they are large."""
+    _, sigma, V_T = np.linalg.svd(matrix)
+    rows = V_T[int(np.sum(sigma > floor)) :].copy()
+    for i in range(len(rows)):
+        pivot = int(np.argmax(np.abs(rows[i])))
+        rows[i] /= rows[i, pivot]
+        for k in range(len(rows)):
+            if k != i:
+                rows[k] -= rows[k, pivot] * rows[i]
+    found = []
+    for row in rows:
+        vector = row / row[int(np.argmax(np.abs(row)))]
+        kept = [k for k in range(len(vector)) if abs(vector[k]) > PART]
+        found.append(Dependence(tuple(k + 1 for k in kept), vector[kept]))
+    return tuple(sorted(found, key=lambda each: len(each.joints)))
+
+
 def _dependence(columns: Array, floor: float) -> Array | None:
     """Return the factors of a sum that is zero, all of them of some size; None where there is none."""
     _, sigma, V_T = np.linalg.svd(columns)
