@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from armlab.errors import InputError, UnknownName
+from armlab.kin import velocity
 from armlab.kin.arm import Arm
+from armlab.kin.dh import link_transform
 from support.arms import frames_by_products, random_arm, random_q, tool_by_products
 
 TABLES = ["2R", "3R", "RRP", "RRP-alt", "3R-elbow", "PUMA-A", "PUMA-B", "UR10", "UR10-notes", "SCARA"]
@@ -215,3 +217,59 @@ def test_printing_shows_the_table_in_degrees():
 def test_an_unknown_name_lists_the_others():
     with pytest.raises(UnknownName, match=r"did you mean 'pose'\? Available: phi, pose, x, x phi, xy,"):
         Arm.from_dh(TWO_R, task="pos")
+
+
+NONSENSE = {
+    "too short": [0.0],
+    "a number": 1.0,
+    "text": "ab",
+    "numbers as text": ["1", "2"],
+    "complex": [1j, 0.0],
+    "ragged": [[0.0], [0.0, 1.0]],
+    "nothing": None,
+    "objects": [object(), object()],
+    "a mapping": {},
+    "another batch": np.zeros((2, 3)),
+    "too large": [10**400, 0],
+}
+
+
+@pytest.mark.parametrize("given", NONSENSE)
+@pytest.mark.parametrize(
+    "ask",
+    [
+        *(Arm.fk, Arm.frames, Arm.position, Arm.jacobian, Arm.manipulability, Arm.clip, Arm.within_limits),
+        *(velocity.singularities, velocity.task_matrix, velocity.task_subspaces, velocity.jacobian_at),
+        *(velocity.jacobian_derivative, velocity.analytic_jacobian),
+    ],
+)
+def test_whatever_takes_joint_values_says_what_it_expects(ask, given):
+    with pytest.raises(InputError, match="q: expected"):
+        ask(Arm.from_dh(TWO_R), NONSENSE[given])
+
+
+@pytest.mark.parametrize("given", [g for g in NONSENSE if g not in ("too short",)])
+def test_whatever_takes_a_jacobian_says_what_it_expects(given):
+    asked = NONSENSE[given] if given != "another batch" else np.zeros((2, 3, 2))
+    for ask in (velocity.dependent_columns, velocity.determinant_tests, velocity.subspaces):
+        with pytest.raises(InputError):
+            ask(asked)
+
+
+@pytest.mark.parametrize("out", ["x", 3, [1.0], np.empty((4, 4), int), np.empty((4, 4), complex), np.empty((2, 2))])
+def test_out_that_cannot_be_written_is_refused(out):
+    with pytest.raises(InputError, match="out: expected a C-contiguous"):
+        Arm.from_dh(TWO_R).fk([0.0, 0.0], out=out)
+    fixed = np.empty((4, 4))
+    fixed.setflags(write=False)
+    with pytest.raises(InputError, match="writable"):
+        Arm.from_dh(TWO_R).fk([0.0, 0.0], out=fixed)
+
+
+def test_links_and_rows_that_are_no_numbers_are_refused():
+    arm = Arm.from_dh(TWO_R)
+    for link in (3, -1, 1.0, "1", None, [1]):
+        with pytest.raises(InputError, match="link: expected"):
+            velocity.link_jacobian(arm, [0.0, 0.0], link)
+    with pytest.raises(InputError, match="alpha: expected numbers, got 'x'"):
+        link_transform(0.0, "x", 0.0, 0.0)

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.checks import finite_floats, wrong
+from armlab.kin.checks import as_floats, finite_floats, wrong
 
 Convention = Literal["standard", "modified"]
 Kind = Literal["R", "P"]
@@ -131,7 +131,8 @@ def link_transform(
     ----------
     Notes 4.13-4.14 (standard); Craig, *Introduction to Robotics*, 3.6 (modified).
     """
-    a_, alpha_, d_, theta_ = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (a, alpha, d, theta)))
+    entries = zip(FIELDS[1:], (a, alpha, d, theta), strict=True)
+    a_, alpha_, d_, theta_ = np.broadcast_arrays(*(as_floats(value, name, "numbers") for name, value in entries))
     ct, st, ca, sa = np.cos(theta_), np.sin(theta_), np.cos(alpha_), np.sin(alpha_)
     zero, one = np.zeros_like(ct), np.ones_like(ct)
     if convention == "standard":

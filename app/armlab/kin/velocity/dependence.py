@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import as_floats
+from armlab.kin.checks import as_floats, wrong
 from armlab.kin.ellipsoid import RANK_TOLERANCE
 
 Array = NDArray[np.float64]
@@ -141,6 +141,11 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
     usual : array_like, shape (s, m, n), optional
         The same matrix in other configurations: what is dependent in all of them, too, has not become so here.
 
+    Raises
+    ------
+    InputError
+        Not a matrix of finite numbers.
+
     References
     ----------
     Notes 5.79-5.83; J_1 + J_3 = 0 alone leaves a matrix of three columns its rank 2, J_2 = 0 is needed, too (the text
@@ -151,7 +156,9 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
     >>> [found.joints for found in dependent_columns([[-1.0, 0.0, 1.0], [0.0, 0.0, 0.0]])]
     [(2,), (1, 3)]
     """
-    matrix = np.asarray(J, dtype=np.float64)
+    matrix = as_floats(J, "J", "a matrix of numbers")
+    if matrix.ndim != 2 or not matrix.size or not np.isfinite(matrix).all():
+        raise wrong("J", "a matrix of finite numbers", J)
     others = np.zeros((0, *matrix.shape)) if usual is None else np.asarray(usual, dtype=np.float64)
     floor = RANK_TOLERANCE * float(np.linalg.norm(matrix, 2))
     found: list[Dependence] = []

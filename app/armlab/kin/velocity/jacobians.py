@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
-from armlab.kin.checks import as_floats, finite_floats
+from armlab.kin.checks import as_floats, finite_floats, whole_number
 from armlab.kin.euler import euler_angles
 from armlab.kin.velocity.rates import angle_rates
 
@@ -115,7 +115,7 @@ def link_jacobian(arm: Arm, q: ArrayLike, link: int, point: ArrayLike = (0.0, 0.
     ----------
     Notes 5.56-5.65; p_{i-1,E} of the text before 5.59 is in the axes of frame 0, and not zero for the last joint.
     """
-    if not 0 <= link <= arm.n:
+    if whole_number(link, "link", 0) > arm.n:
         raise InputError(f"link: expected 0 to {arm.n}, got {link}")
     frames = np.asarray(arm.frames(q), dtype=np.float64)
     at = finite_floats(point, "point", (3,), "three numbers of metres")
