@@ -6,10 +6,12 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
+from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin import velocity
 from armlab.kin.arm import Arm
 from armlab.kin.dh import link_transform
+from armlab.kin.workspace.measures import inverse_condition, sigma_min
 from support.arms import frames_by_products, random_arm, random_q, tool_by_products
 
 TABLES = ["2R", "3R", "RRP", "RRP-alt", "3R-elbow", "PUMA-A", "PUMA-B", "UR10", "UR10-notes", "SCARA"]
@@ -273,3 +275,22 @@ def test_links_and_rows_that_are_no_numbers_are_refused():
             velocity.link_jacobian(arm, [0.0, 0.0], link)
     with pytest.raises(InputError, match="alpha: expected numbers, got 'x'"):
         link_transform(0.0, "x", 0.0, 0.0)
+
+
+@pytest.mark.parametrize("key", ["puma560", "panda", "planar_3r", "scara"])
+@pytest.mark.parametrize(
+    "ask",
+    [
+        *(velocity.jacobian_at, velocity.jacobian_derivative, sigma_min, inverse_condition),
+        lambda arm, q: velocity.jacobian_rate(arm, q, np.ones(q.shape)),
+        lambda arm, q: velocity.analytic_jacobian(arm, q) if arm.n > 4 else velocity.jacobian_at(arm, q, "tool"),
+    ],
+)
+def test_what_follows_from_a_row_that_is_not_finite_is_nan_as_well(ask, key, rng):
+    arm = catalogue()[key].arm
+    q = rng.uniform(-1.0, 1.0, (4, arm.n))
+    expected = ask(arm, q)
+    q[1, 0], q[3, -1] = np.nan, np.inf
+    found = ask(arm, q)
+    assert np.isnan(found[1::2]).all()
+    np.testing.assert_allclose(found[::2], expected[::2], rtol=0, atol=1e-13)

@@ -222,9 +222,10 @@ def as_rotations(R: ArrayLike, where: str = "R") -> NDArray[np.float64]:
         raise InputError(f"{where}: expected shape (..., 3, 3), got {matrices.shape}")
     if matrices.ndim == 2:
         return as_rotation(matrices, where)
-    off = np.abs(np.swapaxes(matrices, -1, -2) @ matrices - np.eye(3)).max(axis=(-2, -1), initial=0.0)
     finite = np.isfinite(matrices).all(axis=(-2, -1))
-    doubtful = finite & ~((off < EXACT) & (np.linalg.det(matrices) > 0.0))
+    given = np.where(finite[..., None, None], matrices, np.eye(3))
+    off = np.abs(np.swapaxes(given, -1, -2) @ given - np.eye(3)).max(axis=(-2, -1), initial=0.0)
+    doubtful = ~((off < EXACT) & (np.linalg.det(given) > 0.0))
     if doubtful.any():
         matrices = matrices.copy()
         for index in np.argwhere(doubtful).tolist():

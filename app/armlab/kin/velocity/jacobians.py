@@ -188,7 +188,8 @@ def jacobian_derivative(arm: Arm, q: ArrayLike) -> Floats:
     moved, turned = _cross_each(angular, linear), _cross_each(angular, angular)
     upper = np.triu(np.ones((arm.n, arm.n), dtype=bool))
     before_or_same = np.where(upper, moved, np.swapaxes(moved, -1, -2))
-    before = np.swapaxes(np.where(np.triu(upper, 1), turned, 0.0), -1, -2)
+    # A product, and no choice: what is no number stays none.
+    before = np.swapaxes(np.triu(upper, 1) * turned, -1, -2)
     return np.concatenate([before_or_same, before], axis=-3)
 
 
