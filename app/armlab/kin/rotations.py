@@ -147,20 +147,13 @@ class NearestRotation:
 def nearest_rotation(R: ArrayLike, where: str = "R") -> NearestRotation:
     """Return the rotation nearest to a 3 x 3 matrix, in the sum of squared differences, and how far it is off.
 
-    With the singular values R = U S V^T it is U V^T, the middle factor diag(1, 1, -1) put in where that would be a
-    reflection. Numbers typed with a few decimals are turned into a rotation by it; what counts as near is left to who
-    asks.
-
-    Parameters
-    ----------
-    R : array_like, shape (3, 3)
-    where : str
-        What it is, for errors.
+    With R = U S V^T it is U V^T, with diag(1, 1, -1) between where that would be a reflection. What counts as near is
+    left to who asks.
 
     Raises
     ------
     InputError
-        Not a 3 x 3 matrix of finite numbers.
+        Not a 3 x 3 matrix of finite numbers; ``where`` says which.
 
     References
     ----------
@@ -194,7 +187,7 @@ def as_rotation(R: ArrayLike, where: str = "R") -> NDArray[np.float64]:
         Not a 3 x 3 matrix of finite numbers, a reflection, or farther off: the text says how far.
     """
     matrix = as_floats(R, where, "a 3 x 3 matrix of numbers")
-    if is_rotation(matrix, EXACT):
+    if matrix.shape == (3, 3) and _orthonormal(matrix.ravel().tolist(), EXACT):
         return matrix
     nearest = nearest_rotation(matrix, where)
     if nearest.off <= ROUNDED:
@@ -221,7 +214,8 @@ def as_rotations(R: ArrayLike, where: str = "R") -> NDArray[np.float64]:
     if matrices.shape[-2:] != (3, 3):
         raise InputError(f"{where}: expected shape (..., 3, 3), got {matrices.shape}")
     if matrices.ndim == 2:
-        return as_rotation(matrices, where)
+        # Without a copy: every picture of a moving mark asks.
+        return matrices if _orthonormal(matrices.ravel().tolist(), EXACT) else as_rotation(matrices, where)
     finite = np.isfinite(matrices).all(axis=(-2, -1))
     given = np.where(finite[..., None, None], matrices, np.eye(3))
     off = np.abs(np.swapaxes(given, -1, -2) @ given - np.eye(3)).max(axis=(-2, -1), initial=0.0)
@@ -285,6 +279,20 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
     q = np.moveaxis(q, 0, -1)
     q = q / np.linalg.norm(q, axis=-1, keepdims=True)
     return np.asarray(q * _sign_rule(q)[..., None])
+
+
+def _orthonormal(m: list[float], tolerance: float) -> bool:
+    """Return whether nine entries, row by row, are a rotation; false for what is no number."""
+    a, b, c, d, e, f, g, h, i = m
+    return (
+        -tolerance < a * a + b * b + c * c - 1.0 < tolerance
+        and -tolerance < d * d + e * e + f * f - 1.0 < tolerance
+        and -tolerance < g * g + h * h + i * i - 1.0 < tolerance
+        and -tolerance < a * d + b * e + c * f < tolerance
+        and -tolerance < d * g + e * h + f * i < tolerance
+        and -tolerance < g * a + h * b + i * c < tolerance
+        and g * (b * f - c * e) + h * (c * d - a * f) + i * (a * e - b * d) > 0.0
+    )
 
 
 def _of_one_rotation(a: float, b: float, c: float, d: float, e: float, f: float, g: float, h: float, i: float) -> Array:
@@ -388,11 +396,4 @@ def is_rotation(R: ArrayLike, tolerance: float = 1e-6) -> bool:
     R = np.asarray(R, dtype=float)
     if R.shape != (3, 3):
         return False
-    x, y, z = R.tolist()
-    errors = [x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0, x[0] * y[0] + x[1] * y[1] + x[2] * y[2]]
-    errors += [y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0, y[0] * z[0] + y[1] * z[1] + y[2] * z[2]]
-    errors += [z[0] * z[0] + z[1] * z[1] + z[2] * z[2] - 1.0, z[0] * x[0] + z[1] * x[1] + z[2] * x[2]]
-    determinant = z[0] * (x[1] * y[2] - x[2] * y[1])
-    determinant += z[1] * (x[2] * y[0] - x[0] * y[2]) + z[2] * (x[0] * y[1] - x[1] * y[0])
-    # Every one: a maximum would pass over what is not a number.
-    return all(abs(error) < tolerance for error in errors) and determinant > 0.0
+    return _orthonormal(R.ravel().tolist(), tolerance)
