@@ -79,7 +79,7 @@ def test_single_precision_stays_single(robot, rng):
 
 
 def test_batches_in_several_threads_do_not_touch_each_other(rng):
-    """Each thread keeps its own scratch memory."""
+    """Each run has its own scratch memory."""
     arm = Arm.from_dh([*TWO_R, *TWO_R])
     batches = [rng.uniform(-3, 3, (n, 4)).astype(dtype) for n in (3, 500, 5000) for dtype in (np.float32, np.float64)]
     expected = [arm.jacobian(q) for q in batches]

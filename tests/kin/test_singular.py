@@ -10,8 +10,9 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.velocity.dependence import determinant_tests
 from armlab.kin.velocity.singular import singularities, usual_rank
-from armlab.kin.velocity.subspaces import task_axes, task_matrix, task_subspaces
+from armlab.kin.velocity.subspaces import task_matrix, task_subspaces
 from support.arms import random_pose, random_q
+from support.singular import assert_is_lost, at_point
 
 DEGREE = math.radians(1.0)
 ROBOTS = catalogue().robots
@@ -107,74 +108,6 @@ def test_every_singular_pose_of_a_robot_has_a_reason(key):
             assert each.joints
             assert each.direction is None or abs(np.linalg.norm(each.direction) - 1.0) < 1e-12
             assert_is_lost(robot.arm, q, each)
-
-
-LATTICE = [0.0, RIGHT, -RIGHT, math.pi, 0.4, 1.1]
-"""Angles of which a draw makes several factors of a determinant vanish at once."""
-
-
-@pytest.mark.parametrize("key", list(ROBOTS))
-def test_as_many_reasons_are_named_as_ranks_are_lost(key, rng):
-    arm = ROBOTS[key].arm
-    low, high = arm.limits.T
-    for _ in range(60):
-        q = np.where(arm.revolute, rng.choice(LATTICE, arm.n), rng.uniform(low, high))
-        lost = usual_rank(arm) - task_subspaces(arm, q).rank
-        found = singularities(arm, q)
-        assert bool(found) == (lost > 0)
-        assert len(found) >= lost
-        assert len({each.says for each in found}) == len(found)
-        for each in found:
-            assert list(each.joints) == sorted(set(each.joints))
-            assert_is_lost(arm, q, each)
-
-
-def test_the_iiwa_upright_has_an_elbow_a_shoulder_and_a_wrist():
-    """Three ranks are lost: along the arm, across it, and a turn of the hand."""
-    found = singularities(ROBOTS["iiwa7"].arm, np.zeros(7))
-    assert [each.kind for each in found] == ["elbow", "shoulder", "wrist"]
-    assert "Joints 2 and 4 move it the same way" in found[1].says
-    assert abs(found[0].direction @ [0.0, 0.0, 1.0]) == pytest.approx(1.0)
-    assert abs(found[1].direction @ [0.0, 1.0, 0.0]) == pytest.approx(1.0)
-
-
-def test_the_iiwa_folded_flat_has_its_wrist_centre_at_the_shoulder():
-    found = singularities(ROBOTS["iiwa7"].arm, [0.4, 1.1, 0.4, math.pi, 1.0, 0.4, 1.0])
-    assert [each.kind for each in found] == ["elbow", "shoulder"]
-    assert "the wrist centre is at the shoulder centre" in found[1].says
-    assert abs(found[0].direction @ found[1].direction) < 1e-12
-
-
-def test_the_canadarm_stretched_with_more_axes_dependent_says_both():
-    found = singularities(ROBOTS["canadarm2"].arm, np.radians([90, 90, -90, 0, -90, 63, 180]))
-    assert [each.kind for each in found] == ["elbow", "dependent"]
-    assert "one of 2 motions" in found[1].says
-
-
-def assert_is_lost(arm, q, found):
-    """Check a direction: of the tool where only that is controlled, else of the point that the sentence names."""
-    d, J = found.direction, arm.jacobian(q)
-    if d is None:
-        return
-    if arm.task.rotation == "none":
-        d = task_axes(arm, q).T @ (task_axes(arm, q) @ d)
-        assert np.abs(d @ J[:3]).max() < 1e-6 * np.abs(J[:3]).max()
-    elif found.kind == "dependent":
-        rows = J[3:] if found.turning else J[:3]
-        assert np.abs(d @ rows).max() < 1e-6 * np.abs(rows).max()
-    elif "centre" in found.says or "axes 5 and 6 meet" in found.says:
-        J = _at(arm, q, arm.n - 2, arm.n)
-        _, sigma, V_T = np.linalg.svd(J[:3])
-        held = V_T[int(np.sum(sigma > 1e-9 * sigma[0])) :].T
-        lost = d @ J[3:] @ held if found.turning else d @ J[:3]
-        assert np.abs(lost).max() < 1e-6 * np.abs(J[:3]).max()
-    else:
-        # The last axis of the planar part, as it is moved by the joints before it.
-        last = found.joints[-1] - 1
-        frames = np.asarray(arm.frames(q))
-        frames = frames[:-1] if arm.convention == "standard" else frames[1:]
-        J = J[:3] + np.cross(J[3:].T, frames[last, :3, 3] - arm.position(q)).T
-        assert np.abs(d @ J[:, :last]).max() < 1e-6 * np.abs(J).max()
 
 
 WRIST = [("R", 0, -RIGHT, 0.5, 0), ("R", 0, RIGHT, 0, 0), ("R", 0, 0, 0.1, 0)]
@@ -342,7 +275,7 @@ def test_an_arm_of_seven_turns_has_shoulder_elbow_and_wrist(kind):
         assert line_angle(found.direction, moving) < DEGREE
     else:
         J = arm.jacobian(np.radians(degrees))
-        _, _, V_T = np.linalg.svd(_at(arm, np.radians(degrees), 4, 6)[:3])
+        _, _, V_T = np.linalg.svd(at_point(arm, np.radians(degrees), 4, 6)[:3])
         assert np.abs(found.direction @ J[3:] @ V_T[3:].T).max() < math.sin(DEGREE)
 
 
@@ -389,18 +322,6 @@ def _at_wrist_centre(arm, q):
     J = arm.jacobian(q)
     linear = J[:3] + np.cross(J[3:].T, centre - arm.position(q)).T
     return np.vstack([linear, J[3:]])
-
-
-def _at(arm, q, first, last):
-    """Return the Jacobian at the point where two axes (0-based) meet."""
-    frames = np.asarray(arm.frames(q))
-    frames = frames[:-1] if arm.convention == "standard" else frames[1:]
-    z, o = frames[:, :3, 2], frames[:, :3, 3]
-    second = last - 1
-    normal, way = np.cross(z[first], z[second]), o[second] - o[first]
-    centre = o[first] + np.cross(way, z[second]) @ normal / (normal @ normal) * z[first]
-    J = arm.jacobian(q)
-    return np.vstack([J[:3] + np.cross(J[3:].T, centre - arm.position(q)).T, J[3:]])
 
 
 def _zeros_of(function, limits, samples=181):

@@ -216,7 +216,7 @@ def as_rotations(R: ArrayLike, where: str = "R") -> NDArray[np.float64]:
     if matrices.ndim == 2:
         # Without a copy: every picture of a moving mark asks.
         return matrices if _orthonormal(matrices.ravel().tolist(), EXACT) else as_rotation(matrices, where)
-    finite = np.isfinite(matrices).all(axis=(-2, -1))
+    finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
     given = np.where(finite[..., None, None], matrices, np.eye(3))
     off = np.abs(np.swapaxes(given, -1, -2) @ given - np.eye(3)).max(axis=(-2, -1), initial=0.0)
     doubtful = ~((off < EXACT) & (np.linalg.det(given) > 0.0))

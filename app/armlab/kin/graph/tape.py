@@ -11,7 +11,6 @@ precision sine and cosine are the faster ones.
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -46,8 +45,8 @@ PAD = 8
 cache, and turning columns into rows would take four times as long."""
 
 
-KEPT = 4 << 20
-"""Bytes of scratch memory that a thread keeps; from this size on NumPy asks for large pages."""
+LARGE = 4 << 20
+"""Bytes from which on NumPy asks the system for large pages, whose addresses are translated faster."""
 
 FILLED = 3 << 20
 """Bytes of scratch memory that a chunk fills at most: many columns take fewer configurations at a time."""
@@ -123,29 +122,6 @@ class _Registers:
         return self.count - 1
 
 
-class _Scratch(threading.local):
-    """Memory that a thread keeps from one run to the next: the first touch of fresh pages costs more than the work."""
-
-    spare: NDArray[np.floating] | None = None
-
-    def take(self, shape: tuple[int, int], dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
-        """Return an array with anything in it."""
-        size, spare = shape[0] * shape[1], self.spare
-        self.spare = None
-        if spare is None or spare.nbytes < size * dtype.itemsize:
-            spare = np.empty(max(size, KEPT // dtype.itemsize), dtype)
-        return spare.view(dtype)[:size].reshape(shape)
-
-    def give(self, scratch: NDArray[np.floating]) -> None:
-        """Keep an array that was taken and is no longer needed."""
-        whole = scratch.base
-        if whole is not None and whole.nbytes <= KEPT:
-            self.spare = whole
-
-
-_SCRATCH = _Scratch()
-
-
 class Tape:
     """Formulas compiled for arrays of one precision."""
 
@@ -195,7 +171,7 @@ class Tape:
         total, first, count = len(x), len(self.literals), self.inputs
         columns = first + count + self.registers + self.width
         size = min(CHUNK, FILLED // (columns * self.dtype.itemsize), max(total, 1))
-        scratch = _SCRATCH.take((columns, size + PAD), self.dtype)
+        scratch = _scratch((columns, size + PAD), self.dtype)
         inputs, outputs = scratch[first : first + count], scratch[first + count + self.registers :]
         scratch[:first] = self.literals[:, None]
         for k, value in self.constants:
@@ -209,7 +185,6 @@ class Tape:
             out[start:stop] = outputs[:, :used].T
             if spoilt is not None:
                 out[start:stop][spoilt] = np.nan
-        _SCRATCH.give(scratch)
 
     def _compiled(self) -> tuple[NDArray[np.floating], Callable[..., None]]:
         """Return the constants, and the steps as a function of the rows of the scratch array.
@@ -232,6 +207,13 @@ class Tape:
         namespace: dict[str, Any] = {step.ufunc.__name__: step.ufunc for step in self.steps}
         exec("\n".join([f"def evaluate({parameters}):", *lines, "    return"]), namespace)
         return np.array(list(values), self.dtype), namespace["evaluate"]
+
+
+def _scratch(shape: tuple[int, int], dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
+    """Return an array with anything in it, in large pages where it has no less than half of one to fill."""
+    size = shape[0] * shape[1]
+    least = LARGE if size * dtype.itemsize >= LARGE // 4 else 0
+    return np.empty(max(size, least // dtype.itemsize), dtype)[:size].reshape(shape)
 
 
 def _copy(source: NDArray[np.floating], target: NDArray[np.floating]) -> None:
