@@ -44,7 +44,6 @@ PAD = 8
 """Doubles between the rows of the scratch array: rows a power of two apart would all meet in the same few sets of the
 cache, and turning columns into rows would take four times as long."""
 
-
 LARGE = 4 << 20
 """Bytes from which on NumPy asks the system for large pages, whose addresses are translated faster."""
 
@@ -201,16 +200,14 @@ class Tape:
             return f"r{number[place] if place.where == 'constant' else first[place.where] + int(place.at)}"
 
         parameters = ", ".join(f"r{k}" for k in range(first["output"] + self.width))
-        lines = [
-            f"    {step.ufunc.__name__}({', '.join(map(row, (*step.sources, step.target)))})" for step in self.steps
-        ]
+        lines = [f"    {s.ufunc.__name__}({', '.join(map(row, (*s.sources, s.target)))})" for s in self.steps]
         namespace: dict[str, Any] = {step.ufunc.__name__: step.ufunc for step in self.steps}
         exec("\n".join([f"def evaluate({parameters}):", *lines, "    return"]), namespace)
         return np.array(list(values), self.dtype), namespace["evaluate"]
 
 
 def _scratch(shape: tuple[int, int], dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
-    """Return an array with anything in it, in large pages where it has no less than half of one to fill."""
+    """Return an array with anything in it, in large pages where it fills half of one."""
     size = shape[0] * shape[1]
     least = LARGE if size * dtype.itemsize >= LARGE // 4 else 0
     return np.empty(max(size, least // dtype.itemsize), dtype)[:size].reshape(shape)

@@ -79,17 +79,15 @@ def _still(posture: Posture, J: Array, lost: Array | None) -> Reason:
     floor = VANISHES * posture.arm.length_scale
     still = [k + 1 for k in range(3) if float(np.linalg.norm(J[:, k])) <= floor]
     if len(still) == 3:
-        says = (
-            "Shoulder: the wrist centre is at the shoulder centre (where axes 1, 2 and 3 meet), so joints 1, 2 and 3 "
-        )
-        says += "do not move it. Beside the line of the elbow a second direction is lost to it."
+        says = "Shoulder: the wrist centre is at the shoulder centre (where axes 1, 2 and 3 meet), so joints 1, 2 and "
+        says += "3 do not move it. Beside the line of the elbow a second direction is lost to it."
         return "shoulder", says, (1, 2, 3), lost, False
     if len(still) == 2:
         (moving,) = {1, 2, 3} - set(still)
-        says = (
-            f"Shoulder: axes {still[0]} and {still[1]} pass through the wrist centre, so these joints do not move it. "
+        says = f"Shoulder: axes {still[0]} and {still[1]} pass through the wrist centre, so these joints do not move "
+        says += (
+            f"it. Joints {moving} and 4 move it the same way: beside the line of the elbow a second direction is lost."
         )
-        says += f"Joints {moving} and 4 move it the same way: beside the line of the elbow a second direction is lost."
         return "shoulder", says, (1, 2, 3), lost, False
     says = "Shoulder: axes 1, 2 and 3 lie in one plane with the wrist centre, and joints 1, 2, 3 and 4 all move it the "
     says += "same way: beside the line of the elbow a second direction is lost."

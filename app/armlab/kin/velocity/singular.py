@@ -114,7 +114,8 @@ def singularities(arm: Arm, q: ArrayLike) -> tuple[Singularity, ...]:
     missing = layout.rank - spaces.rank - len(found)
     if not found and missing == 1:
         return (_dependent(posture, layout, spaces, boundary),)
-    return (*found, *_more(posture, layout, spaces, found, missing, boundary))
+    all_found = (*found, *_more(posture, layout, spaces, found, missing, boundary))
+    return all_found or (_dependent(posture, layout, spaces, boundary),)
 
 
 def usual_rank(arm: Arm) -> int:
@@ -206,10 +207,8 @@ def _wrist(posture: Posture, layout: Layout) -> Singularity | None:
     across = f"the direction across axes {names[0]} and {names[1]}"
     normal = np.asarray(normal / np.linalg.norm(normal))
     if layout.spherical and _turned_by_others(posture, normal):
-        says = (
-            f"Wrist: {what}. About {across} the hand turns here only because joints before the wrist can turn it with "
-        )
-        says += f"{layout.centre_name} held."
+        says = f"Wrist: {what}. About {across} the hand turns here only because joints before the wrist can turn it "
+        says += f"with {layout.centre_name} held."
         return Singularity("wrist", says, joints, None, True)
     says = f"Wrist: {what}. With {layout.centre_name} held, the hand cannot turn about {across}."
     return Singularity("wrist", says, joints, normal, True)
