@@ -10,7 +10,7 @@ import peers
 from rounds import header, medians, row
 
 TITLE = "Core: Franka Panda, one core"
-MANY, FEW = 1_000_000, 2_000
+MANY, BATCH, FEW, SHORT = 1_000_000, 100_000, 2_000, 1_000
 
 
 def measure() -> Iterator[str]:
@@ -19,8 +19,9 @@ def measure() -> Iterator[str]:
     qs = rng.uniform(arm.limits[:, 0], arm.limits[:, 1], (MANY, arm.n))
     q = qs[0].copy()
     pinocchio, toolbox, ikpy = peers.Pinocchio(arm), peers.Toolbox(arm), peers.IKPy(arm)
-    positions, manipulability = peers.numba_kernels(arm)
-    agree(arm, qs[:20], pinocchio, toolbox, ikpy, positions, manipulability)
+    compiled = peers.numba_kernels(arm)
+    positions, manipulability = compiled.positions, compiled.manipulability
+    agree(arm, qs[:20], pinocchio, toolbox, ikpy, compiled)
     yield from header()
     one = {
         "Armlab": lambda: arm.fk(q),
@@ -52,6 +53,18 @@ def measure() -> Iterator[str]:
     found = medians({"Armlab": lambda: arm.manipulability(qs, out=w), "numba": lambda: manipulability(qs, w)}, MANY, 5)
     loops = {"pinocchio": lambda: [_w(pinocchio.jacobian(v)) for v in few]}
     yield row("manipulability, 10⁶ q, float64", found | medians(loops, FEW, 5), "ns each", 1e9, 0)
+    many = qs[:BATCH]
+    loops = {
+        "Armlab": lambda: arm.frames(many),
+        "numba": lambda: compiled.frames(many, np.empty((BATCH, arm.n + 1, 4, 4))),
+    }
+    yield row("all frames, 10⁵ q, fresh memory", medians(loops, BATCH, 15), "ns each", 1e9, 0)
+    few = qs[:SHORT]
+    loops = {
+        "Armlab": lambda: arm.jacobian(few),
+        "numba": lambda: compiled.jacobians(few, np.empty((SHORT, 6, arm.n))),
+    }
+    yield row("geometric Jacobians, 1000 q, fresh memory", medians(loops, SHORT, 15), "ns each", 1e9, 0)
     tracemalloc.start()
     arm.position(qs, out=out)
     peak = tracemalloc.get_traced_memory()[1] / 2**20
@@ -63,11 +76,16 @@ def _w(J: np.ndarray) -> float:
     return float(np.sqrt(np.linalg.det(J @ J.T)))
 
 
-def agree(arm, qs, pinocchio, toolbox, ikpy, positions, manipulability) -> None:
+def agree(arm, qs, pinocchio, toolbox, ikpy, compiled) -> None:
     """Check that all compute the same, so that the times are of the same work."""
     p, w = np.empty((len(qs), 3)), np.empty(len(qs))
-    positions(qs, p)
-    manipulability(qs, w)
+    frames, J = np.empty((len(qs), arm.n + 1, 4, 4)), np.empty((len(qs), 6, arm.n))
+    compiled.positions(qs, p)
+    compiled.manipulability(qs, w)
+    compiled.frames(qs, frames)
+    compiled.jacobians(qs, J)
+    np.testing.assert_allclose(frames, arm.frames(qs), atol=1e-9)
+    np.testing.assert_allclose(J, arm.jacobian(qs), atol=1e-9)
     np.testing.assert_allclose(p, arm.position(qs), atol=1e-9)
     np.testing.assert_allclose(w, arm.manipulability(qs), atol=1e-9)
     np.testing.assert_allclose(peers.naive_positions(arm, qs), p, atol=1e-9)

@@ -62,7 +62,7 @@ def followed(arm: Arm) -> Size:
 def against(arm: Arm) -> dict[str, float]:
     """Return seconds for one sample of ours and of the others, each with as many samples as it can do in a while."""
     written = converted(arm, "modified")
-    positions, manipulability = peers.numba_kernels(written)
+    positions, manipulability, *_ = peers.numba_kernels(written)
     toolbox = peers.Toolbox(arm)
     robot = as_users_build_it(arm)
     agree(arm, written, positions, manipulability, toolbox, robot)

@@ -62,7 +62,8 @@ class SelfMotion:
         Dimension of the null space at the start: 1 for a curve, more for a surface of which this is one curve, 0 for
         an isolated solution.
     stops : tuple of int
-        0-based joints whose limits stop it at its first and last point; -1 where it ends for another reason.
+        Places in q, from 0, of the joints whose limits stop it at its first and last point; -1 where it ends for
+        another reason.
     bounds : ndarray, shape (2, n)
         Least and greatest joint values it was followed to.
     """
