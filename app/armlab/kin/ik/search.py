@@ -17,7 +17,7 @@ from armlab.kin.ik.iterate.problem import Problem as Iterated
 from armlab.kin.ik.iterate.record import filmed, replayed, unfit
 from armlab.kin.ik.iterate.task_vector import task_vector
 from armlab.kin.ik.iterate.trace import Trace
-from armlab.kin.ik.loop import descend, turns_inside
+from armlab.kin.ik.loop import Descent, descend, descend_inside, turns_inside
 from armlab.kin.ik.method import Method
 from armlab.kin.ik.problem import REACHED_M, REACHED_RAD, Problem
 from armlab.kin.ik.rest import AT
@@ -35,6 +35,13 @@ MOST = 200
 
 NEAR = 8
 """Starts that are taken from samples near the target; more of them would lead to the same solutions."""
+
+FREELY = 2
+"""Samples from which an arm with joints to spare descends without limits only, which is quick; then inside them, too,
+which is slower and leads to a solution where few are inside."""
+
+STEPS_INSIDE = 30
+"""Steps of a descent inside the limits."""
 
 AT_ONCE = 25
 """Starts of an iterative method at most that go together after the first: they share the work of each call."""
@@ -57,12 +64,15 @@ class Begin:
         Values that angles stay near to, whole turns apart.
     free : list of float, or None
         1 for joints that may move and 0 for those that keep their value in ``start``; None when all may.
+    has_spare_joints : bool
+        Whether more joints may move than the task has components: an arm at its limits can then still go on.
     """
 
     def __init__(self, arm: Arm, start: Floats | None, locked: Sequence[bool] | None, seed: int, count: int) -> None:
         self.arm, self.start, self.seed, self.count = arm, start, seed, count
         self.near = np.zeros(arm.n) if start is None else start
         self.free = free_joints(locked)
+        self.has_spare_joints = (arm.n if self.free is None else sum(self.free)) > arm.task.m
 
     def starts(self, target: Sequence[float]) -> Iterator[list[float]]:
         """Yield the starts: the given one, then samples whose tool is near the target, then random ones."""
@@ -92,6 +102,14 @@ class Begin:
             if not low - AT <= inside[i] <= high + AT:
                 return None
         return np.array(inside)
+
+    def limits(self, q: Sequence[float]) -> tuple[list[float], list[float]]:
+        """Return the least and greatest values of a descent inside the limits; held joints stay, also outside."""
+        low, high, _ = map(list, zip(*task_error_of(self.arm).ranges, strict=True))
+        for i, may in enumerate(self.free or ()):
+            if not may:
+                low[i] = high[i] = q[i]
+        return low, high
 
     def _kept(self, q: Floats) -> Floats:
         return q if self.free is None else np.where(np.array(self.free) == 0.0, self.near, q)
@@ -142,17 +160,29 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
         The same as the formulas want it, see `TaskError.target`.
     """
     problem, free, iterations = problem_of(begin.arm, method), begin.free, 0
-    q, verdict, path, converged = None, None, None, False
-    for first in begin.starts(target):
+    found, path, converged = None, None, False
+    for number, first in enumerate(begin.starts(target)):
         path = [first] if keep else None
         descent = descend(problem, target, first, free, ITERATIONS, path)
         iterations, converged = iterations + descent.iterations, descent.converged
-        q = begin.placed(descent.q) if converged else None
-        if q is not None:
-            verdict = Verdict("reached", descent.errors.position, descent.errors.rotation, ())
+        found = _reached(begin, descent)
+        if found is None and begin.has_spare_joints and (number >= FREELY or begin.start is not None):
+            descent = descend_inside(problem, target, first, free, *begin.limits(first), STEPS_INSIDE)
+            iterations += descent.iterations
+            found = _reached(begin, descent)
+        if found is not None:
             break
     trace = None if path is None else _replayed(begin, T, method, np.array(path), converged)
+    q, verdict = (None, None) if found is None else found
     return Searched(q, verdict, iterations, trace)
+
+
+def _reached(begin: Begin, descent: Descent) -> tuple[Floats, Verdict] | None:
+    """Return the solution a descent ended at, and what it is worth; None where it has none inside the limits."""
+    q = begin.placed(descent.q) if descent.converged else None
+    if q is None:
+        return None
+    return q, Verdict("reached", descent.errors.position, descent.errors.rotation, ())
 
 
 def _replayed(begin: Begin, T: Floats, method: Method, path: Floats, converged: bool) -> Trace:
