@@ -177,6 +177,19 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
     return Searched(q, verdict, iterations, trace)
 
 
+def inside_solutions(begin: Begin, target: Sequence[float], method: Method, wanted: int) -> list[Floats]:
+    """Return solutions (n,) that descents inside the limits lead to: so many, or as many as the starts give."""
+    problem, found = problem_of(begin.arm, method), []
+    for first in begin.starts(target):
+        descent = descend_inside(problem, target, first, begin.free, *begin.limits(first), STEPS_INSIDE)
+        reached = _reached(begin, descent)
+        if reached is not None:
+            found.append(reached[0])
+            if len(found) == wanted:
+                break
+    return found
+
+
 def _reached(begin: Begin, descent: Descent) -> tuple[Floats, Verdict] | None:
     """Return the solution a descent ended at, and what it is worth; None where it has none inside the limits."""
     q = begin.placed(descent.q) if descent.converged else None

@@ -187,7 +187,11 @@ def _sentence(answer: Answer, inside: int) -> str:
         head = f"At least {k} solution{'' if k == 1 else 's'}." if k else "None found."
     else:
         head = f"{k} solution{'' if k == 1 else 's'}, and no others."
-    limits = f" {'None' if inside == 0 else inside} of them within the joint limits." if 0 < k != inside else ""
+    limits = f" {inside} of them within the joint limits." if 0 < inside < k else ""
+    if k and not inside:
+        # Of some solutions nothing follows for the others.
+        every = answer.completeness == "complete"
+        limits = " None of them within the joint limits." if every else " None was found within the joint limits."
     return f"{head} {answer.reason}".strip() + limits
 
 
