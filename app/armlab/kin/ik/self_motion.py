@@ -184,9 +184,9 @@ class _Tracer:
         n, values = self.arm.n, q.tolist()
         for _ in range(8):
             numbers = self.step(values)
-            if numbers[n] * self.task.per_square + numbers[n + 1] <= EXACT**2:
+            if numbers[2 * n + 1] * self.task.per_square + numbers[2 * n + 2] <= EXACT**2:
                 return np.array(values), self.task.at(values, self.target)[0]
-            values = [value + dq for value, dq in zip(values, numbers, strict=False)]
+            values = numbers[:n]
         return None
 
     def _solved(self, J: Vector, e: Vector) -> Vector:
