@@ -70,7 +70,7 @@ def test_the_same_seed_gives_the_same_answer_and_another_begins_elsewhere():
 def test_a_pose_that_redundant_arms_cannot_reach_is_not_called_proven_without_a_proof():
     panda = catalogue()["panda"].arm
     middle = panda.limits.mean(axis=1, keepdims=True)
-    arm = Arm.from_dh(panda.rows, panda.convention, limits=middle + [-0.2, 0.2])
+    arm = Arm.from_dh(panda.rows, panda.convention, limits=np.hstack([middle - 0.2, middle + 0.2]))
     found = ik.solve(arm, arm.fk(panda.limits[:, 0]), searches=10)
     assert not found.success
     assert not found.proven
