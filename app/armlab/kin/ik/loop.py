@@ -238,6 +238,8 @@ def turns_inside(value: float, near: float, low: float, high: float) -> float:
 
     Where no turn leads inside it is brought below the upper limit.
     """
+    if low <= value <= high and abs(near - value) < math.pi:
+        return 0.0
     turns = math.floor((near - value) / math.tau + 0.5)
     # The slack of `Arm.within_limits`: rounding at a limit must not cost a turn.
     least, most = math.ceil((low - AT - value) / math.tau), math.floor((high + AT - value) / math.tau)

@@ -228,6 +228,14 @@ class TaskError:
         found: list[float] = (self._to_frame_0 @ T).ravel().tolist()
         return found[:12]
 
+    def distance(self, target: Sequence[float]) -> float:
+        """Return how far the controlled coordinates of a target are from the origin of frame 0, in metres."""
+        return math.hypot(*[target[i] for i in self._places])
+
+    @cached_property
+    def _places(self) -> list[int]:
+        return [4 * k + 3 for k in self.arm.task.coordinates]
+
     @cached_property
     def _to_frame_0(self) -> NDArray[np.float64]:
         return np.asarray(inverse(self.arm.base), dtype=np.float64)

@@ -182,8 +182,9 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     """Return the outcome for checked arguments; `InputError` when joints are locked without a start."""
     if start is None and how.locked is not None and any(how.locked):
         raise InputError("locked: give q0, the values the locked joints keep")
-    target = task_error_of(arm).target(T)
-    distance = math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates))
+    task = task_error_of(arm)
+    target = task.target(T)
+    distance = task.distance(target)
     beyond = distance > arm.reach + REACHED_M + SURELY * distance
     pointless = beyond or (how.locked is not None and all(how.locked))
     begin = Begin(arm, start, how.locked, how.seed, 1 if pointless else how.searches)
