@@ -16,7 +16,7 @@ from armlab.kin.ik.search import Begin, inside_solutions
 from armlab.kin.ik.self_motion import STEP, SelfMotion, distance_to, evenly, trace_self_motion
 from armlab.kin.ik.solutions import Completeness, beyond_limits, wrapped_rows
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import distinct, polished, reaches
+from armlab.kin.ik.verified import distinct, reaches
 from armlab.kin.transforms import inverse
 
 Vector = NDArray[np.float64]
@@ -62,19 +62,18 @@ def _found(arm: Arm, T: Vector, seed: int, wanted: int) -> list[Vector]:
     found = verified_rows(arm, T, list(many_starts(arm, G, seed=seed, starts=FAMILY_STARTS, inside=True)))
     inside = [q for q in found if arm.within_limits(q)]
     if len(inside) < wanted:
-        target = task_error_of(arm).target(T)
         begin = Begin(arm, None, None, seed, max(INSIDE_STARTS, 2 * wanted))
-        more = inside_solutions(begin, target, methods()["dls"], wanted - len(inside))
-        exact = [q for one in more if (q := _polished_inside(arm, one, target)) is not None]
+        more = inside_solutions(begin, task_error_of(arm).target(T), methods()["dls"], wanted - len(inside))
+        exact = [row for q in more for row in _verified_inside(arm, T, q)]
         inside = in_order(arm, distinct(arm, [*inside, *exact]))
     return inside or found or verified_rows(arm, T, list(many_starts(arm, G, seed=seed + 1)))
 
 
-def _polished_inside(arm: Arm, q: Vector, target: list[float]) -> Vector | None:
-    """Return the solution at one inside the limits, inside them; a joint that rests at a limit stays there."""
-    at_limit = np.any(np.abs(q[:, None] - arm.limits) <= AT, axis=1)
-    exact = polished(arm, q, target, at_limit)
-    return exact if exact is not None and arm.within_limits(exact) else None
+def _verified_inside(arm: Arm, T: Vector, q: Vector) -> list[Vector]:
+    """Return the exact solution at one inside the limits, if it is inside: a joint that rests at a limit stays there."""
+    low, high = arm.limits.T
+    at_limit = {int(i): float(q[i]) for i in np.flatnonzero((q <= low + AT) | (q >= high - AT))}
+    return [row for row in verified_rows(arm, T, [q], at_limit) if arm.within_limits(row)]
 
 
 def _of_surfaces(arm: Arm, T: Vector, found: list[Vector]) -> tuple[Completeness, str]:
