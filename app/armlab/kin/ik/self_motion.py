@@ -35,6 +35,9 @@ LEAST_STEP = 1e-3
 MOST_STEPS = 2000
 """In each direction: about 300 rad of travel."""
 
+MOST_ON_SURFACE = 200
+"""The same where there is more than one direction to go: such a line need never close."""
+
 EXACT = 1e-12
 """Scaled error of a point on the curve; Newton steps leave a much smaller one."""
 
@@ -141,6 +144,8 @@ def trace_self_motion(arm: Arm, q: Vector, T: Vector, *, limits: bool = True, st
     bounds = np.array([tracer.low, tracer.high])
     if freedom == 0:
         return SelfMotion(q[None], T, False, 0, (-1, -1), bounds)
+    if freedom > 1:
+        steps = min(steps, MOST_ON_SURFACE)
     direction = _canonical(start)
     ahead, closed, last = tracer.follow(q, direction, steps)
     if closed:
