@@ -29,7 +29,7 @@ TABLES = 8
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Random configurations inside the limits of an arm, and where they put the tool.
+    """Random configurations inside the limits of an arm, of many the half less singular, and where they put the tool.
 
     Attributes
     ----------
@@ -63,10 +63,18 @@ def samples_of(arm: Arm, seed: int) -> Samples:
 @lru_cache(maxsize=64)
 def _samples_of(arm: Arm, seed: int) -> Samples:
     low, width = task_error_of(arm).starts
-    q = low + width * np.random.default_rng(seed).random((COUNT, arm.n))
+    drawn = low + width * np.random.default_rng(seed).random((2 * COUNT, arm.n))
+    q = drawn[np.argsort(-_manipulability(arm, drawn), kind="stable")[:COUNT]]
     tools, weights = many_at_once(arm).tools(q)[:, :3].reshape(COUNT, 12), _weights(arm.task, arm.length_scale)
     # |a - b|² = a² - 2 a b + b², of which the last is the same for all.
     return Samples(q, np.column_stack([-2.0 * weights * tools, tools**2 @ weights]))
+
+
+def _manipulability(arm: Arm, q: Floats) -> Floats:
+    """Return the squared manipulability (k,): descents from near singular samples go astray."""
+    J, _ = many_at_once(arm).linearised(q, np.eye(4))
+    turned = np.swapaxes(J, 1, 2)
+    return np.asarray(np.linalg.det(J @ turned if arm.task.m <= arm.n else turned @ J))
 
 
 def _weights(task: Task, length_scale: float) -> Floats:
