@@ -1,4 +1,4 @@
-"""One inverse-kinematics solution from a random start, inside the limits."""
+"""One inverse-kinematics solution where no start is given, inside the limits."""
 
 import time
 from collections.abc import Callable, Iterator
