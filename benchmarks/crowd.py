@@ -7,12 +7,12 @@ import numpy as np
 
 import drag
 import servers
-from rounds import quantile
+from rounds import quantile, sized
 from support.fake_browser import FakeBrowser
 
 TITLE = "A class dragging with a bench open: handle event to new pose"
-STUDENTS, ROUNDS = 30, 2
-BENCHES = ("joints", "table", "film", "pose", "ellipsoid", "solutions")
+STUDENTS, ROUNDS = sized((30, 2), (1, 1))
+BENCHES = sized(("joints", "table", "film", "pose", "ellipsoid", "solutions"), ("joints",))
 
 
 def measure() -> Iterator[str]:
