@@ -13,8 +13,9 @@ HERE = Path(__file__).resolve().parent
 FILE = HERE.parent / "docs" / "figures.md"
 HEAD = """# Figures
 
-Written by `python3 benchmarks`, never by hand; `python3 benchmarks NAME --write` replaces one section. Medians of interleaved
-rounds, peers in the same run. Absolute times are those of the machine that each section names; compare the ratios.
+Written by `python3 benchmarks`, never by hand; `python3 benchmarks NAME --write` replaces one section. Medians of
+interleaved rounds, peers in the same run. Absolute times are those of the machine that each section names; compare the
+ratios.
 """
 COMMAND = re.compile(r"^`python3 benchmarks (\w+)`", re.MULTILINE)
 

@@ -25,9 +25,10 @@ EASING = sized(4.0, 0.5)
 """Seconds in which the page finds out how much it can draw."""
 
 EXPLAINED = """\
-Shadows on at rest; the median in brackets; p95 is that of the others, from their hand to the new pose. While a clip plays
-and pictures are too few, the page leaves out shadows and then pixels. Where no graphics card draws, edges are not smoothed;
-a way is drawn with the few segments it needs, for each of them costs such a machine as much as many triangles."""
+Shadows on at rest; the median in brackets; p95 is that of the others, from their hand to the new pose. While a clip
+plays and pictures are too few, the page leaves out shadows and then pixels. Where no graphics card draws, edges are not
+smoothed; a way is drawn with the few segments it needs, for each of them costs such a machine as much as many
+triangles."""
 
 COUNT = """(() => {
   const kind = WebGL2RenderingContext.prototype, draw = kind.drawElements;

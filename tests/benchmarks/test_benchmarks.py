@@ -57,7 +57,7 @@ def skeleton(lines):
     """Return what does not depend on the machine: heads of tables and what is said around them."""
     heads = [lines[i - 1] for i, line in enumerate(lines) if line.startswith("| ---")]
     said = [line for line in lines if line and not line.startswith(("|", "`python3 "))]
-    return heads, said
+    return heads, " ".join(said).split()
 
 
 @pytest.mark.parametrize("name", NAMES)
