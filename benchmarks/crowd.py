@@ -22,7 +22,7 @@ def measure() -> Iterator[str]:
     for bench in BENCHES:
         found: dict[str, tuple[list[float], list[float]]] = {}
         for _ in range(ROUNDS):
-            for name, labs in (("bare viser", None), ("one process", 0), ("front and 2 labs", 2)):
+            for name, labs in (("bare viser", None), ("one process", 0), (f"front and {drag.LABS} labs", drag.LABS)):
                 latencies, load = _once(points, angles, bench, labs)
                 kept = found.setdefault(name, ([], []))
                 kept[0].extend(latencies)

@@ -17,6 +17,7 @@ from support.fake_browser import FakeBrowser, Message
 TITLE = "Dragging: handle event to new pose at the client"
 CLASSES, ROUNDS = sized(((1, 10, 30), 3), ((1,), 1))
 RATE, SECONDS = 20.0, sized(6.0, 0.5)
+LABS = sized(2, 1)
 EVENTS = int(RATE * SECONDS)
 SETTLING = sized(3.0, 0.2)
 """Seconds until every server has done what it does once, after its start and for new pages."""
@@ -29,7 +30,7 @@ def measure() -> Iterator[str]:
     kinds = {
         "bare viser": (servers.bare, lambda _browser: by_echo(points)),
         "Armlab, one process": (servers.lab, lambda browser: by_first_joint(browser, angles)),
-        "Armlab, front and 2 labs": (lambda: servers.lab(2), lambda browser: by_first_joint(browser, angles)),
+        f"Armlab, front and {LABS} labs": (lambda: servers.lab(LABS), lambda browser: by_first_joint(browser, angles)),
     }
     for count in CLASSES:
         found: dict[str, tuple[list[float], list[float]]] = {name: ([], []) for name in kinds}
