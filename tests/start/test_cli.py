@@ -29,6 +29,14 @@ def armlab(*arguments, lessons=NONE, **variables):
     return command(*arguments, code=lessons + MAIN, env={**os.environ, **variables})
 
 
+def opening_lines(process):
+    """Return what the command prints until it is open."""
+    lines = [process.stdout.readline()]
+    while lines[-1] and "Ctrl-C" not in lines[-1]:
+        lines.append(process.stdout.readline())
+    return lines
+
+
 def finished(*arguments, **variables):
     """Return exit status, output and complaint of a command that ends by itself."""
     process = armlab(*arguments, **variables)
@@ -57,9 +65,7 @@ def test_it_opens_and_ctrl_c_ends_it_without_a_word(tmp_path, number):
 
 def test_others_in_the_room_get_an_address_that_works(tmp_path):
     process = armlab("--no-browser", "--host", "0.0.0.0", "--port", "0", "--state", str(tmp_path))
-    lines = [process.stdout.readline()]
-    while "Ctrl-C" not in lines[-1]:
-        lines.append(process.stdout.readline())
+    lines = opening_lines(process)
     others = [re.fullmatch(r"Others in the room type (http://\S+/)\n", line) for line in lines[1:-1]]
     assert all(others), lines
     assert "http://127.0.0.1" in lines[0]
@@ -68,6 +74,15 @@ def test_others_in_the_room_get_an_address_that_works(tmp_path):
         assert "127.0.0.1" not in other[1]
         with urllib.request.urlopen(other[1]) as page:
             assert page.status == 200
+    assert end(process)[0] == 0
+
+
+def test_a_lab_with_a_code_says_it_to_those_who_may_know(tmp_path):
+    arguments = ("--no-browser", "--host", "0.0.0.0", "--port", "0", "--code", "blue elbow", "--state", str(tmp_path))
+    process = armlab(*arguments)
+    own, *others = opening_lines(process)[:-1]
+    assert re.fullmatch(r"Armlab is open at http://127\.0\.0\.1:\d+/\?code=blue%20elbow\n", own)
+    assert all(line.endswith(" and the code blue elbow\n") for line in others)
     assert end(process)[0] == 0
 
 
@@ -114,7 +129,9 @@ def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path):
     assert "puma560" in err
 
 
-@pytest.mark.parametrize("arguments", [("--port", "70000"), ("--port", "x"), ("--labs", "-1"), ("--nonsense",)])
+@pytest.mark.parametrize(
+    "arguments", [("--port", "70000"), ("--port", "x"), ("--labs", "-1"), ("--code", "abc"), ("--nonsense",)]
+)
 def test_wrong_options_are_refused(arguments, capsys):
     with pytest.raises(SystemExit) as refused:
         main(arguments)
@@ -126,7 +143,17 @@ def test_wrong_options_are_refused(arguments, capsys):
 def test_help_names_every_option():
     status, out, _ = finished("--help")
     assert status == 0
-    for option in ("--host", "--port", "--no-browser", "--robot", "--labs", "--lessons", "--state", "--version"):
+    for option in (
+        "--host",
+        "--port",
+        "--no-browser",
+        "--code",
+        "--robot",
+        "--labs",
+        "--lessons",
+        "--state",
+        "--version",
+    ):
         assert option in out
 
 
