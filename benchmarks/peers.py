@@ -10,10 +10,18 @@ from armlab import Arm
 from armlab.kin.dh import link_transform
 from armlab.kin.rotations import euler_zyx
 
+PINOCCHIO, TOOLBOX, IKPY = "pinocchio", "roboticstoolbox (C)", "ikpy"
+
 
 def is_installed(module: str) -> bool:
     """Return whether a library of others is there to be compared with."""
     return importlib.util.find_spec(module) is not None
+
+
+def of(arm: Arm) -> "dict[str, Pinocchio | Toolbox | IKPy]":
+    """Return the arm in each library that is installed, by the name it has in the tables."""
+    kinds = {PINOCCHIO: ("pinocchio", Pinocchio), TOOLBOX: ("roboticstoolbox", Toolbox), IKPY: ("ikpy", IKPy)}
+    return {name: kind(arm) for name, (module, kind) in kinds.items() if is_installed(module)}
 
 
 def fixed_part(arm: Arm, i: int) -> np.ndarray:
@@ -45,6 +53,9 @@ class Pinocchio:
     def pose(self, q: np.ndarray) -> object:
         self.pin.forwardKinematics(self.model, self.data, q)
         return self.pin.updateFramePlacement(self.model, self.data, self.frame)
+
+    def positions(self, qs: np.ndarray) -> object:
+        return [self.pose(q).translation for q in qs]
 
     def jacobian(self, q: np.ndarray) -> np.ndarray:
         axes = self.pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
@@ -84,7 +95,8 @@ class Toolbox:
         tool = spatialmath.SE3(arm.tool, check=False)
         self.ets = rtb.ETS([*parts, ET.SE3(tool)])
         self.limits = arm.limits
-        self.pose, self.jacobian = self.ets.eval, self.ets.jacob0
+        self.pose = self.positions = self.ets.eval
+        self.jacobian = self.ets.jacob0
 
     def solve(self, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
         start = rng.uniform(*self.limits.T)
@@ -150,8 +162,10 @@ class Compiled(NamedTuple):
     jacobians: Callable[[np.ndarray, np.ndarray], None]
 
 
-def numba_kernels(arm: Arm) -> Compiled:
-    """Return compiled loops of a modified, all-revolute arm whose base is the world."""
+def numba_kernels(arm: Arm) -> Compiled | None:
+    """Return compiled loops of a modified, all-revolute arm whose base is the world, if numba is installed."""
+    if not is_installed("numba"):
+        return None
     import numba
 
     fixed = np.ascontiguousarray(np.array([fixed_part(arm, i)[:3] for i in range(arm.n)]))

@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 from scipy.interpolate import CubicSpline
 
 from armlab.content.robots import catalogue
@@ -194,7 +195,7 @@ def test_the_polynomial_wanders_and_the_spline_bends_least(state):
     assert polynomial.overshoot > 0.9
     assert spline.overshoot == 0.0
     for each in (polynomial, spline):
-        assert each.bending == pytest.approx(np.trapezoid(each.at(t)[2] ** 2, t), rel=1e-5)
+        assert each.bending == pytest.approx(trapezoid(each.at(t)[2] ** 2, t), rel=1e-5)
     clamped = curve(polynomial.knots, "spline")
     assert spline.bending < clamped.bending < polynomial.bending
 

@@ -18,7 +18,7 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.session import LONGEST_NOTICE, Redo, Refuse, Session, StartFresh, Undo
 from armlab.session.state import Command
 from armlab.session.worker import TOO_MANY, TURN, Worker
-from support.patience import Patience
+from support.patience import WAIT, Patience
 
 PUMA = catalogue()["puma560"]
 
@@ -324,7 +324,7 @@ def test_one_drag_is_one_chain_of_commands(session):
         T[0, 3] += 0.005
         publish.clear()
         worker.post(session, DragTarget(T, 1))
-        assert publish.wait(5.0)
+        assert publish.wait(WAIT)
     worker.post(session, EndDrag(T, 1))
     wait_for(lambda: worker.counts.applied == 11)
     worker.stop()

@@ -4,8 +4,6 @@ import os
 import re
 import signal
 import socket
-import subprocess
-import sys
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -13,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from armlab.cli import main
+from support.command import MAIN, command
+from support.patience import WAIT
 from support.student import run, student
-
-APP = Path(__file__).resolve().parents[2] / "app"
 
 NONE = (
     "import armlab.resources as there; real = there.folder; "
@@ -28,14 +26,7 @@ ALL = ""
 
 def armlab(*arguments, lessons=NONE, **variables):
     """Start the command; without the lab's lessons, which take longer to read than all the rest."""
-    code = f"import sys; sys.path.insert(0, {str(APP)!r}); {lessons}from armlab.cli import main; sys.exit(main())"
-    return subprocess.Popen(
-        [sys.executable, "-P", "-c", code, *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, **variables},
-    )
+    return command(*arguments, code=lessons + MAIN, env={**os.environ, **variables})
 
 
 def opening_lines(process):
@@ -49,13 +40,13 @@ def opening_lines(process):
 def finished(*arguments, **variables):
     """Return exit status, output and complaint of a command that ends by itself."""
     process = armlab(*arguments, **variables)
-    out, err = process.communicate(timeout=60.0)
+    out, err = process.communicate(timeout=WAIT)
     return process.returncode, out, err
 
 
 def end(process, number=signal.SIGINT):
     process.send_signal(number)
-    out, err = process.communicate(timeout=20.0)
+    out, err = process.communicate(timeout=WAIT)
     return process.returncode, out, err
 
 
@@ -124,7 +115,7 @@ def test_a_lab_that_was_killed_does_not_keep_its_folder(tmp_path):
     process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
     assert process.stdout.readline().startswith("Armlab is open at ")
     process.kill()
-    process.communicate(timeout=20.0)
+    process.communicate(timeout=WAIT)
     again = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
     assert again.stdout.readline().startswith("Armlab is open at ")
     assert end(again)[0] == 0
