@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.checks import whole_number, wrong
-from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, merged, stopped
+from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, jumps, merged, stopped
 from armlab.kin.motion.field import positive
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.path import Path
@@ -94,11 +94,27 @@ class Motion(ABC):
         return np.concatenate([[0.0], self.pieces, [self.duration]])
 
     @cached_property
-    def _classes(self) -> Floats:
+    def _sides(self) -> tuple[list[Floats], list[Floats], Floats]:
+        """Derivatives from the left and from the right at the edges, and the lengths of the shorter pieces there."""
         places = self.edges
         left, right = (stopped(self.limits_at(places, before), before) for before in (True, False))
         lengths = np.diff(places)
-        return classes(left, right, np.minimum(np.append(lengths, np.inf), np.append(np.inf, lengths)))
+        return left, right, np.minimum(np.append(lengths, np.inf), np.append(np.inf, lengths))
+
+    @cached_property
+    def _classes(self) -> Floats:
+        return classes(*self._sides)
+
+    def jumps(self, order: int) -> list[tuple[int, float]]:
+        """Return the joints (from 1) of which a derivative jumps, and when, standstill before and after included.
+
+        Parameters
+        ----------
+        order : int
+            1: velocity, 2: acceleration.
+        """
+        found = jumps(*self._sides)[order]
+        return [(int(j) + 1, float(self.edges[k])) for k, j in np.argwhere(found)]
 
     @property
     def breaks(self) -> Floats:
