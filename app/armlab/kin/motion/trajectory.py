@@ -23,6 +23,9 @@ Floats = NDArray[np.float64]
 OUTSIDE = 1e-9
 """A law may leave [0, 1] by so much: rounding."""
 
+SAME_PLACE = 1e-13
+"""Two s that differ by no more are the same place."""
+
 MOST_SAMPLES = 1_000_000
 
 HALVINGS = 60
@@ -232,7 +235,7 @@ def times_at(law: Law, places: Floats) -> Floats:
             middle = 0.5 * (low + high)
             short = law.at(middle) < places
             low, high = np.where(short, middle, low), np.where(short, high, middle)
-        return high
+        return _snapped(law, places, high)
     series = series_of(lambda t: law.at(t)[:, None], law.edges, law.degree)
     found = []
     for (start, end), terms in zip(series.edges, series.coefficients[:, :, 0], strict=True):
@@ -241,6 +244,18 @@ def times_at(law: Law, places: Floats) -> Floats:
             shifted[0] -= place
             found.append(start + (end - start) * (0.5 + 0.5 * roots_inside(shifted)))
     return np.sort(np.concatenate(found))
+
+
+def _snapped(law: Law, places: Floats, times: Floats) -> Floats:
+    """Return times, those of places at which a piece of the law ends put there: where s stands still it tells no time.
+    """
+    if len(law.pieces) == 0:
+        return times
+    passed = law.at(law.pieces)
+    k = np.clip(np.searchsorted(passed, places), 1, max(len(passed) - 1, 1))
+    before, after = np.minimum(k - 1, len(passed) - 1), np.minimum(k, len(passed) - 1)
+    near = np.where(np.abs(passed[before] - places) < np.abs(passed[after] - places), before, after)
+    return np.where(np.abs(passed[near] - places) <= SAME_PLACE, law.pieces[near], times)
 
 
 def in_time(q: dict[int, Floats], s: Sequence[Floats], order: int, shape: tuple[int, ...]) -> Floats:

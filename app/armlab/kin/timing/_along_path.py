@@ -71,8 +71,6 @@ class Grid:
         N = len(self.h)
         A = np.concatenate([of_x.reshape(N, -1), fast * (1.0 - t[:, 0])], axis=1) * tight[:, None]
         B = np.concatenate([of_y.reshape(N, -1), fast * t[:, 0]], axis=1) * tight[:, None]
-        # A squared speed held at zero is that divided by nothing: so large that no other is left.
-        A[self.stops[:-1], -3], B[self.stops[1:], -1] = STOPPED, STOPPED
         return Bands(A, B)
 
     def most_at_end(self, bands: Bands) -> float:
@@ -98,10 +96,6 @@ def _largest(values: Floats, places: Floats) -> Floats:
     top = np.where(turns, start - slope * slope / (4.0 * np.where(turns, bend, 1.0)), start)
     most = np.maximum(np.maximum(np.abs(start), np.abs(end)), np.abs(top))
     return np.asarray((most + BESIDE * beside).max(axis=1))
-
-
-STOPPED = 1e30
-"""In place of one over zero, per squared unit of s a second."""
 
 
 def grid_of(path: Path, limits: Limits, steps: int) -> Grid:

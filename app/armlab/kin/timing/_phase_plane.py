@@ -24,6 +24,10 @@ ROUNDING = 1e-13
 HUGE = 1e30
 """Larger than any squared speed."""
 
+RUSH = 1e6
+"""Times the median of the largest squared speeds: where the path itself stands still, s may become as fast as one
+likes. Faster than this it gains less than a thousandth of the time."""
+
 
 class Bands(NamedTuple):
     """Limits of N steps, R bands each.
@@ -105,7 +109,7 @@ def _back(e: Floats, f: Floats, y: Floats) -> Floats:
     return y
 
 
-def controllable(bands: Bands, end: tuple[float, float]) -> Controllable:
+def controllable(bands: Bands, end: tuple[float, float], stops: NDArray[np.bool_]) -> Controllable:
     """Return from where the end can be reached, by a pass back.
 
     Parameters
@@ -113,6 +117,8 @@ def controllable(bands: Bands, end: tuple[float, float]) -> Controllable:
     bands : Bands
     end : (float, float)
         Least and most squared speed at the end.
+    stops : ndarray of bool, shape (N+1,)
+        Where the speed must be zero.
 
     Notes
     -----
@@ -120,6 +126,7 @@ def controllable(bands: Bands, end: tuple[float, float]) -> Controllable:
     """
     N = len(bands.A)
     top, at = tops(bands)
+    top = np.where(stops[:-1], 0.0, np.minimum(top, RUSH * np.median(top)))
     e, f = solved_for(bands.A, bands.B)
     least, most = np.zeros(N + 1), np.zeros(N + 1)
     low, high = end

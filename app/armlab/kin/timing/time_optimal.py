@@ -29,8 +29,9 @@ HELD = 1e-10
 NEAR = 1e-6
 """Relative excess that is taken away by slowing down the whole, where it begins and ends at rest."""
 
-ALIKE = 1e-9
-"""Of the largest s'': neighbouring steps that differ by less are one piece of the law."""
+ALIKE, ROUNDING = 1e-12, 1e-13
+"""Neighbouring steps whose s'' differs by less than this part of it, and by the rounding of the squared speeds it comes
+from, are one piece of the law."""
 
 REMARK = "The acceleration jumps wherever another joint or another limit takes over."
 
@@ -84,7 +85,7 @@ def _speeds(grid: Grid, bands: Bands, options: dict[str, Any]) -> Floats:
     if end is not None and not end * end <= most * (1.0 + HELD):
         raise InputError(f"sdot_end: expected at most {math.sqrt(most):.6g} to keep the limits, got {end:g}")
     last = 0.0 if end is None else min(end * end, most)
-    sets = controllable(bands, (last, most if end is None and grid.still[1] else last))
+    sets = controllable(bands, (last, most if end is None and grid.still[1] else last), grid.stops)
     if not np.isfinite(sets.most).all():
         raise InputError("limits: on a part of the path none of them holds the motion back")
     low, high = float(sets.least[0]), float(sets.most[0])
@@ -101,7 +102,9 @@ def _law(grid: Grid, x: Floats) -> PolynomialLaw:
     speed = np.sqrt(x)
     times = 2.0 * grid.h / (speed[:-1] + speed[1:])
     push = np.diff(x) / (2.0 * grid.h)
-    first = np.concatenate([[True], np.abs(np.diff(push)) > ALIKE * np.abs(push).max()])
+    size, blur = np.abs(push), ROUNDING * np.maximum(x[:-1], x[1:]) / grid.h
+    alike = ALIKE * np.maximum(size[1:], size[:-1]) + blur[1:] + blur[:-1]
+    first = np.concatenate([[True], np.abs(np.diff(push)) > alike])
     knots = np.concatenate([[0.0], np.cumsum(times)])
     rows = np.stack([grid.s[:-1], speed[:-1], 0.5 * push], axis=1)[first]
     return PolynomialLaw(Piecewise(np.append(knots[:-1][first], knots[-1]), rows[:, :, None]), (REMARK,))
