@@ -21,12 +21,12 @@ NOTHING = 1e-12
 ROUNDING = 1e-13
 """Relative height above the top at which two lines count as meeting there."""
 
-HUGE = 1e30
+HUGE = 1e60
 """Larger than any squared speed."""
 
-RUSH = 1e6
+RUSH = 1e4
 """Times the median of the largest squared speeds: where the path itself stands still, s may become as fast as one
-likes. Faster than this it gains less than a thousandth of the time."""
+likes. Beyond this, a hundred times its usual speed, it would gain less than a hundredth of the time."""
 
 
 class Bands(NamedTuple):
@@ -84,10 +84,11 @@ def tops(bands: Bands) -> tuple[Floats, Floats]:
         slope = f[at, least]
         open_[at] = (top[at] < meet - ROUNDING * np.abs(meet)) & (slope != 0.0)
         left[at], right[at] = np.where(slope > 0.0, least, low), np.where(slope > 0.0, high, least)
-    # A band without x holds y alone.
+    # Where no line falls it is the lower sides that end it; a band without x holds y alone.
+    y[unbounded] = HUGE
     y = np.minimum(y, np.where(np.isinf(e), 1.0 / np.maximum(np.abs(bands.B), 1.0 / HUGE), HUGE).min(axis=1))
     y = _back(e, f, y)
-    return np.where(unbounded, np.inf, (e + f * y[:, None]).min(axis=1)), y
+    return np.where(y >= HUGE, np.inf, (e + f * y[:, None]).min(axis=1)), y
 
 
 def _back(e: Floats, f: Floats, y: Floats) -> Floats:
