@@ -262,7 +262,7 @@ def test_a_script_holds_only_what_it_needs_and_no_words_of_a_student():
     text = motion_script(replace(state[RobotPart], robot=robot), planned(state), 40.0, "motion.csv")
     assert "import os" not in text
     compile(text, "again.py", "exec")
-    assert re.search(r"^from armlab\.kin\.motion import Trajectory, law_type, path_type$", text, re.MULTILINE)
+    assert re.search(r"^from armlab\.kin\.motion import Limits, Trajectory, law_type, path_type$", text, re.MULTILINE)
 
 
 def test_of_a_plan_that_ends_early_the_script_makes_what_can_be_run(tmp_path):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import BANG_COAST_BANG, PLUS_MINUS_ONE
 from armlab.session.chosen import Chosen
 from armlab.session.examples import example_of
@@ -49,7 +49,7 @@ class Example:
         entries = []
         for colour, (key, given) in enumerate(self.laws):
             options = {name: value for name, value in given.items() if name != "as_typed"}
-            chosen = Chosen.of(law_types(), key, **options)
+            chosen = Chosen.of(free_law_types(), key, **options)
             entries.append(Entry(chosen, bool(given.get("as_typed")), colour))
         return Laws(
             tuple(entries),

@@ -95,9 +95,7 @@ def test_many_sorted_samples_are_those_in_any_order(path_case, rng):
     shuffled = rng.permutation(3000)
     for order in range(4):
         sorted_values, size = path.at(s, order), np.abs(path.at(s, order)).max() + 1.0
-        np.testing.assert_allclose(
-            path.at(s[shuffled], order), sorted_values[shuffled], rtol=0, atol=ROUNDING * size
-        )
+        np.testing.assert_allclose(path.at(s[shuffled], order), sorted_values[shuffled], rtol=0, atol=ROUNDING * size)
 
 
 def test_exact_peaks_are_those_of_dense_samples_and_never_less(path_case):

@@ -42,9 +42,7 @@ def fastest_along(
     options : dict
         Of the law.
     """
-    bounds = law_bounds(path, shape)
-    if not bounds.possible:
-        bounds = bounds.lowered()
+    bounds = law_bounds(path, shape).usable
     law = kind.shaped(Limits(bounds.V, bounds.A, bounds.jerk), **options)
     found, scaling = as_fast_as_allowed(Trajectory(path, law), limits, jumps=jumps or restless(options))
     if not restless(options):

@@ -70,6 +70,11 @@ class LawBounds:
         moving = self.M_v > 0.0
         return float((self.limits.jerk[moving] / self.M_v[moving]).min())
 
+    @property
+    def usable(self) -> LawBounds:
+        """Itself where a law can use it, and otherwise with V lowered."""
+        return self if self.possible else self.lowered()
+
     def lowered(self) -> LawBounds:
         """Return the bounds with V lowered so that some A is left: to sqrt(1/2) of V_bend, if that is less than V."""
         return _bounds(self, min(self.V, BALANCED * self.V_bend))

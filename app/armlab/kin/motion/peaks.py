@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats
 from armlab.kin.motion.extremes import Extremes, exceeding, extremes_of_series, outside
-from armlab.kin.arm import Arm
 from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.series import Series, series_of
 from armlab.kin.motion.trajectory import Motion
@@ -107,9 +107,7 @@ def violations(
     return sorted(found, key=lambda violation: (violation.start, violation.joint, violation.quantity))
 
 
-def _jumping(
-    motion: Motion, order: int, bounds: Floats, known: list[Violation], from_rest: bool
-) -> list[Violation]:
+def _jumping(motion: Motion, order: int, bounds: Floats, known: list[Violation], from_rest: bool) -> list[Violation]:
     """Return the instants at which a lower derivative jumps, but for those at which the limit is exceeded anyway."""
     found = set()
     for lower in range(1, order):

@@ -83,7 +83,9 @@ def _stretched(
     if restless(options):
         raise InputError(f"duration: {kind.title} with speeds at its ends lasts {law.duration:.6g} s; leave it out")
     if duration < law.duration * (1.0 - SLACK):
-        raise InputError(f"duration: {duration:g} s is too short for the limits; it takes at least {law.duration:.6g} s")
+        raise InputError(
+            f"duration: {duration:g} s is too short for the limits; it takes at least {law.duration:.6g} s"
+        )
     return Trajectory(path, law.stretched(duration / law.duration))
 
 

@@ -247,8 +247,7 @@ def times_at(law: Law, places: Floats) -> Floats:
 
 
 def _snapped(law: Law, places: Floats, times: Floats) -> Floats:
-    """Return times, those of places at which a piece of the law ends put there: where s stands still it tells no time.
-    """
+    """Return times, those at which a piece of the law ends put there: where s stands still it tells no time."""
     if len(law.pieces) == 0:
         return times
     passed = law.at(law.pieces)

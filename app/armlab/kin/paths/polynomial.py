@@ -163,7 +163,9 @@ def make(knots: Floats, options: dict[str, Any]) -> PolynomialPath:
     else:
         given = [_rows(options[key], key, m) for key in ("start", "end")]
         if 1 + len(given[0]) + len(given[1]) > MOST_DEGREE:
-            raise InputError(f"start and end: at most {MOST_DEGREE - 1} conditions, got {len(given[0]) + len(given[1])}")
+            raise InputError(
+                f"start and end: at most {MOST_DEGREE - 1} conditions, got {len(given[0]) + len(given[1])}"
+            )
         T = Fraction(duration)
         start, end = ([knot, *each] for knot, each in zip(knots, given, strict=True))
         rows = [

@@ -50,7 +50,7 @@ class Controllable(NamedTuple):
 
 
 def solved_for(one: Floats, other: Floats) -> tuple[Floats, Floats]:
-    """Return e and f (N, R) with -e + f v <= u <= e + f v for bands |one u + other v| <= 1; those without u are free."""
+    """Return e and f (N, R) with -e + f v <= u <= e + f v for bands |one u + other v| <= 1; infinite e without u."""
     size = np.maximum(np.abs(one), np.abs(other)).max(axis=1, keepdims=True, initial=0.0)
     known = np.abs(one) > NOTHING * size
     safe = np.where(known, one, 1.0)
@@ -127,11 +127,12 @@ def controllable(bands: Bands, end: tuple[float, float], stops: NDArray[np.bool_
     """
     N = len(bands.A)
     top, at = tops(bands)
-    top = np.where(stops[:-1], 0.0, np.minimum(top, RUSH * np.median(top)))
+    rush = RUSH * float(np.median(top))
+    top = np.where(stops[:-1], 0.0, np.minimum(top, rush))
     e, f = solved_for(bands.A, bands.B)
     least, most = np.zeros(N + 1), np.zeros(N + 1)
-    low, high = end
-    least[N], most[N] = end
+    low, high = end[0], max(end[0], min(end[1], rush))
+    least[N], most[N] = low, high
     caps, places = top.tolist(), at.tolist()
     for k in range(N - 1, -1, -1):
         if places[k] > high:

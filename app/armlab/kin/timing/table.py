@@ -45,7 +45,9 @@ def acceleration_law(rows: Any, sdot_first: float = 0.0) -> PolynomialLaw:
     (8.0, [-1.0, 1.0])
     """
     table = _checked(rows)
-    return PolynomialLaw(integrated(np.diff(table[:, :2], axis=1)[:, 0].tolist(), table[:, 2].tolist(), [0.0, sdot_first]))
+    return PolynomialLaw(
+        integrated(np.diff(table[:, :2], axis=1)[:, 0].tolist(), table[:, 2].tolist(), [0.0, sdot_first])
+    )
 
 
 def _checked(rows: Any) -> Any:

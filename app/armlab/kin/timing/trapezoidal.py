@@ -34,8 +34,8 @@ def ramps_of(duration: float, distance: float, options: dict[str, Any]) -> tuple
     v = (distance - 0.5 * v_0 * t_a - 0.5 * v_1 * t_d) / (duration - 0.5 * t_a - 0.5 * t_d)
     if v < 0.0:
         raise InputError(
-            f"sdot_start and sdot_end: at {v_0:g} and {v_1:g} ramps alone go farther than {distance:g} in {duration:g} s; "
-            "lower them, or take less time"
+            f"sdot_start and sdot_end: at {v_0:g} and {v_1:g} ramps alone go farther than {distance:g} in "
+            f"{duration:g} s; lower them, or take less time"
         )
     return t_a, t_d, v
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
-from armlab.kin.motion import Law, law_types
+from armlab.kin.motion import Law, free_law_types
 from armlab.session.chosen import Chosen
 from armlab.session.laws_bounds import Bounded
 from armlab.session.laws_timing import AS_TYPED, QUANTITIES, Entry, Timing, law_of
@@ -104,7 +104,7 @@ class Laws(Part):
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read it back; raises when nothing can be computed with it."""
         entries = tuple(
-            Entry(Chosen.from_json(each["law"], law_types()), bool(each["as_typed"]), int(each["colour"]))
+            Entry(Chosen.from_json(each["law"], free_law_types()), bool(each["as_typed"]), int(each["colour"]))
             for each in data["laws"]
         )
         timing = Timing(fastest=bool(data["timing"]["fastest"]))

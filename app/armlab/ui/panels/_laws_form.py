@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.session.laws_examples import EXAMPLES
 from armlab.session.laws_timing import AS_TYPED, QUANTITIES, excesses, phases
 from armlab.session.laws_words import corrections, excess_text, phases_text, remarks
@@ -67,9 +67,12 @@ def _timing(fields: Fields, part: Laws) -> str:
 
 def _law(fields: Fields, part: Laws, i: int) -> str:
     entry, channel = part.entries[i], fields.channel_id
-    kind = law_types()[entry.chosen.key]
+    kind = free_law_types()[entry.chosen.key]
     chooser = select(
-        channel, f"law {i}", f"Law {i + 1}", options({key: each.title for key, each in law_types().items()}, kind.key)
+        channel,
+        f"law {i}",
+        f"Law {i + 1}",
+        options({key: each.title for key, each in free_law_types().items()}, kind.key),
     )
     away = button(channel, f"remove {i}", "✕", "copy", "Take this law away") if len(part.entries) > 1 else ""
     typed = ""
