@@ -72,7 +72,7 @@ LAWS = {
     "cosine": [({}, 3, 1)],
     "table": [({}, 1, 1), ({"rows": [[0, 1, 2], [1, 3, -0.5], [3, 4, 0], [4, 5, -1]]}, 1, 1)],
 }
-"""Options, the class inside, and the class from and to rest; at least one of each law in the folder that needs no path."""
+"""Options, the class inside, and the class from and to rest; at least one of each law that needs no path."""
 
 
 def waypoints(example, rng):

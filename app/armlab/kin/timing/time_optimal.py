@@ -48,7 +48,8 @@ def on_path(path: Path, limits: Limits, options: dict[str, Any]) -> Law:
     Notes
     -----
     Limits are kept at both ends and in the middle of each step, then looked at in between, and made tighter there as
-    far as needed. Where the direction of the path jumps s stands still for an instant.
+    far as needed. Where the direction of the path jumps s stands still for an instant, and where dq/ds is zero inside
+    the path the joints do, as s would have to be infinitely fast there to go on; at the ends of the path s may be fast.
 
     References
     ----------
@@ -89,8 +90,9 @@ def _speeds(grid: Grid, bands: Bands, options: dict[str, Any]) -> Floats:
     if not np.isfinite(sets.most).all():
         raise InputError("limits: on a part of the path none of them holds the motion back")
     low, high = float(sets.least[0]), float(sets.most[0])
-    if start is None:
-        return fastest_speeds(bands, sets, high if grid.still[0] else low)
+    if start is None and grid.still[0]:
+        return fastest_speeds(bands, sets, high)
+    start = 0.0 if start is None else start
     if not low * (1.0 - HELD) <= start * start <= high * (1.0 + HELD):
         least, most = math.sqrt(low), math.sqrt(max(high, 0.0))
         raise InputError(f"sdot_start: expected {least:.6g} to {most:.6g} to keep the limits, got {start:g}")
