@@ -135,7 +135,7 @@ EXAMPLES: dict[str, Example] = {
         Example(
             "end_speeds",
             "End speeds that are not zero",
-            (("trapezoidal", {"v_start": 0.3, "v_end": 0.6}), ("double_s", {"v_start": 0.3, "v_end": 0.6})),
+            (("trapezoidal", {"sdot_start": 0.3, "sdot_end": 0.6}), ("double_s", {"sdot_start": 0.3, "sdot_end": 0.6})),
             Timing(True, 2.0, 1.5, 1.0, 2.0, 10.0),
             "Both laws begin at 0.3 and end at 0.6 1/s, as pieces of a longer motion do; the areas under ṡ are 1.5 all "
             "the same.",

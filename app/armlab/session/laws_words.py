@@ -106,11 +106,6 @@ def _fastest_text(found: Phases, timing: Timing) -> str:
     )
 
 
-def remarks(part: Laws, i: int) -> tuple[str, ...]:
-    """Return the remarks of a law."""
-    return part.laws[i].remarks
-
-
 def excess_text(excess: Excess) -> str:
     """Return in words how a limit is not kept.
 

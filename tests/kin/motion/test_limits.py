@@ -67,7 +67,7 @@ def test_on_a_line_every_law_keeps_every_limit_or_refuses_it(law):
         smooth = kind.law().continuity_from_rest
         kept = [name for name, finite in zip(NAMES, limits.bounded, strict=True) if finite]
         if NAMES.index(kept[-1]) > smooth:
-            with pytest.raises(InputError, match="so no time keeps it|none of those given can hold back"):
+            with pytest.raises(InputError, match=r"so no time keeps it|none of those given can hold back"):
                 run_along(line, law, limits)
             continue
         assert violations(run_along(line, law, limits), limits) == []
