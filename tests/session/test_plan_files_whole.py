@@ -232,6 +232,21 @@ def each_joint_by_itself_in_a_time():
     return apply(each_joint_by_itself(), LastFor(9.0))
 
 
+def time_optimal():
+    """Return a spline of joints and a line in space, each as fast as can be, and a corner that is not stopped at."""
+    state = opened("puma560", points=6)
+    for k in (1, 2):
+        state = apply(apply(state, SetMove(k, path="spline")), SetMove(k, law="time_optimal"))
+    for k in (4, 5):
+        state = apply(state, SetMove(k, path="polyline"))
+    return apply(state, LimitTool(0.9))
+
+
+def time_optimal_in_space_in_a_time():
+    state = apply(opened("ur10e"), SetMove(1, space="cartesian"))
+    return apply(apply(state, SetMove(1, law="time_optimal")), LastFor(9.0))
+
+
 def recorded():
     state = opened("planar_2r")
     return apply(apply(state, ReadMotion(table(state, 30.0))), LastFor(5.0))
@@ -247,6 +262,8 @@ def recorded():
         own_table,
         each_joint_by_itself,
         each_joint_by_itself_in_a_time,
+        time_optimal,
+        time_optimal_in_space_in_a_time,
         recorded,
     ],
 )

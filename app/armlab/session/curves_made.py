@@ -166,7 +166,7 @@ class Made:
         return float(np.abs(self.at(t)[0] - q).max())
 
     def beyond(self, v_max: float | None, a_max: float | None) -> list[Violation]:
-        """Return when limits are exceeded, that of acceleration also where a velocity jumps; times from the first knot."""
+        """Return when limits are exceeded, that of acceleration also at jumps; times count from the first knot."""
         found = []
         for order, limit in ((1, v_max), (2, a_max)):
             if limit is not None:

@@ -32,6 +32,7 @@ RAMPS = {"ramp", "rounding"}
 
 JERK_JUMPS = "the acceleration jumps, so the limit of jerk cannot be kept"
 SPEED_JUMPS = "the speed jumps where it begins or ends: no motor can do that. Take a law that rests there"
+CORNERS = "the velocity jumps at a corner: no motor can do that. Fly over it, or take the time-optimal law, which stops"
 
 
 def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:
@@ -73,6 +74,8 @@ def how(question: Question, stretch: Stretch) -> dict[str, Any]:
 
 def unkept(question: Question, motion: Motion) -> tuple[str, ...]:
     """Return the limits that a motion cannot keep in any time, in words."""
+    if motion.continuity < 1.0:
+        return (CORNERS,)
     if motion.continuity_from_rest < 1.0:
         return (SPEED_JUMPS,)
     jumps = motion.continuity_from_rest < SMOOTH_ENOUGH

@@ -33,7 +33,7 @@ def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
 
 
 def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
-    """Return the largest values of what can be run of a plan, None when that is nothing; pause behind each quantity of a leg."""
+    """Return the largest values of what can be run of a plan, None for nothing; pause behind each quantity."""
     samples, limits = plan.samples, plan.question.limits
     if plan.motion is None or samples is None:
         return None
