@@ -49,9 +49,9 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:
     except InputError as refusal:
         raise InputError(f"move {stretch.title}: {refusal}") from None
     motion = Trajectory(path, law)
-    motion = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
-    assert isinstance(motion, Trajectory)
-    return motion
+    slower = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
+    assert isinstance(slower, Trajectory)
+    return slower
 
 
 def bounds_of(question: Question, stretch: Stretch, path: Path) -> LawBounds | None:

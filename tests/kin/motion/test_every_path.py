@@ -128,3 +128,9 @@ def test_every_path_says_what_it_is():
         for field in kind.fields:
             assert field.title or field.symbol
             field.checked(field.default)
+
+
+def test_paths_with_their_own_time_say_whether_they_rest(path_case):
+    kind, example, *_ = path_case
+    if "duration" in {field.key for field in kind.fields} and not example.options:
+        assert kind.rests == (example.rest > 0)
