@@ -130,6 +130,14 @@ def test_an_end_speed_that_the_start_cannot_reach_is_refused():
         LAW.along(line, Limits(100.0, 2.0), sdot_end=2.2)
 
 
+def test_an_end_speed_that_the_last_corner_leaves_no_room_for_is_refused():
+    path = path_type("polyline").path([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]])
+    # s is 1/2 on the last side of 1 m: with 2 m/s^2 at most 2 m/s at its end, which is 1/s of s.
+    assert LAW.along(path, Limits(100.0, 2.0), sdot_end=0.999).at(0.0, 1) == 0.0
+    with pytest.raises(InputError, match=r"sdot_end: 1\.1 cannot be reached within the limits on what is left"):
+        LAW.along(path, Limits(100.0, 2.0), sdot_end=1.1)
+
+
 def test_what_it_needs_is_said():
     line = path_type("line").path([[0.0, 0.0], [1.0, 0.5]])
     with pytest.raises(InputError, match="limit of acceleration: the time-optimal law needs one"):

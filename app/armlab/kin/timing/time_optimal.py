@@ -89,6 +89,8 @@ def _speeds(grid: Grid, bands: Bands, options: dict[str, Any]) -> Floats:
     sets = controllable(bands, (last, most if end is None and grid.still[1] else last), grid.stops)
     if not np.isfinite(sets.most).all():
         raise InputError("limits: on a part of the path none of them holds the motion back")
+    if (sets.least[1:] > sets.most[1:] * (1.0 + HELD)).any():
+        raise InputError(f"sdot_end: {end:g} cannot be reached within the limits on what is left of the path")
     low, high = float(sets.least[0]), float(sets.most[0])
     if start is None and grid.still[0]:
         return fastest_speeds(bands, sets, high)
@@ -102,6 +104,8 @@ def _speeds(grid: Grid, bands: Bands, options: dict[str, Any]) -> Floats:
 def _law(grid: Grid, x: Floats) -> PolynomialLaw:
     """Return the law of constant s'' in each step from the squared speeds at their ends."""
     speed = np.sqrt(x)
+    if not (speed[:-1] + speed[1:] > 0.0).all():
+        raise InputError("steps: within the limits the motion comes to a halt on the path; take more steps")
     times = 2.0 * grid.h / (speed[:-1] + speed[1:])
     push = np.diff(x) / (2.0 * grid.h)
     size, blur = np.abs(push), ROUNDING * np.maximum(x[:-1], x[1:]) / grid.h
