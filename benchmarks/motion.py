@@ -10,6 +10,7 @@ import peers
 from armlab.kin.motion.follow import follow
 from armlab.kin.motion.geometry import ByLength
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.minimum_time import minimum_time_spline
 from armlab.kin.motion.orientation import about_one_axis
 from armlab.kin.motion.path_types import path_type
@@ -134,4 +135,4 @@ def followed() -> dict[str, Callable[[], object]]:
 
 
 def least_time(knots: np.ndarray) -> dict[str, Callable[[], object]]:
-    return {"Armlab": lambda: minimum_time_spline(knots[:7], 2.0, 5.0)}
+    return {"Armlab": lambda: minimum_time_spline(knots[:7], Limits(2.0, 5.0))}
