@@ -99,9 +99,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--host", default="127.0.0.1", help="address to listen on; 0.0.0.0 lets others in the room in")
     p.add_argument("--port", type=_port, help="port to listen on; by default the first free one from 8080")
     p.add_argument("--no-browser", action="store_true", help="do not open a browser")
-    p.add_argument(
-        "--code", type=_code, metavar="WORD", help="what a browser is asked for before it gets in"
-    )
+    p.add_argument("--code", type=_code, metavar="WORD", help="what a browser is asked for before it gets in")
     p.add_argument("--robot", default=DEFAULT_ROBOT, metavar="NAME", help=f"arm of new students ({DEFAULT_ROBOT})")
     p.add_argument("--labs", type=_count, default=0, metavar="N", help="for a class: N lab processes behind one front")
     p.add_argument(
