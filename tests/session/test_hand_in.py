@@ -92,6 +92,44 @@ def test_work_gets_the_verdicts_of_the_screen(solved):
     assert part.progress.passed(part.lesson) == {i for i, step in enumerate(report.steps) if step.passed}
 
 
+@pytest.mark.parametrize("last", ["11", "x", ""])
+def test_an_answer_that_was_right_once_counts_on_screen_and_in_the_file(fresh, own, last):
+    state = done(fresh, OpenLesson("v", variant=3), GoToStep(2))
+    right = state[LessonPart].step.question.right_answer
+    state = done(state, Answer(right), Answer(last))
+    part, report = state[LessonPart], judge(hand_in(state))
+    assert 2 in part.progress.passed(part.lesson)
+    assert report.steps[2].passed
+    assert repr(right) in report.steps[2].says
+    assert repr(last) in report.steps[2].says or not last
+
+
+def test_screen_and_file_agree_after_any_answers(fresh, own, rng):
+    state = done(fresh, OpenLesson("t"))
+    words = ["2", "3", "11", "x", "", "2,0", "1e400", "3/1"]
+    for _ in range(200):
+        command = GoToStep(int(rng.integers(3))) if rng.random() < 0.4 else Answer(words[rng.integers(len(words))])
+        try:
+            state = done(state, command)
+        except InputError:  # there is no question in the first step
+            continue
+        part, report = state[LessonPart], judge(hand_in(state))
+        screen = {i for i in part.progress.passed(part.lesson) if report.steps[i].counts}
+        assert screen == {i for i, step in enumerate(report.steps) if step.counts and step.passed}
+
+
+def test_a_right_answer_that_the_file_only_claims_is_judged_again(solved):
+    data = json.loads(hand_in(solved))
+    data["progress"]["right"]["Double"] = ["1", 3.0]
+    assert not judge(json.dumps(data)).steps[2].passed
+
+
+def test_what_cannot_be_read_is_no_prediction(solved):
+    data = json.loads(hand_in(solved))
+    data["progress"]["answers"]["Predict"] = "?!"
+    assert not judge(json.dumps(data)).steps[1].passed
+
+
 def test_a_player_of_the_solutions_passes_everything(own):
     player = Player(lesson("v", 12))
     for i, step in enumerate(player.lesson.steps):

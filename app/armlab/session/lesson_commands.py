@@ -13,7 +13,7 @@ from armlab.content.lessons import lessons
 from armlab.errors import InputError
 from armlab.kin.ik.target import feasible
 from armlab.session.bench import with_example
-from armlab.session.lesson_progress import MOST_TYPED, Progress, step_names
+from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
@@ -208,11 +208,13 @@ class Answer(Command):
         if step.question.hide and verdict.name == "unreadable":
             raise InputError("This cannot be read as an answer; your prediction is still open.")
         answers = {other: text for other, text in progress.answers.items() if other != name}
-        right = progress.right
+        right = dict(progress.right)
         if typed:
             answers[name] = typed
-            right = right | {name} if verdict.right else right
-        return state.replace(part.with_progress(replace(progress, right=right, answers=MappingProxyType(answers))))
+            if verdict.right:
+                right.setdefault(name, RightAnswer(typed, progress.seconds(state.at)))
+        kept = replace(progress, right=MappingProxyType(right), answers=MappingProxyType(answers))
+        return state.replace(part.with_progress(kept))
 
 
 def _lesson(state: State) -> Lesson:

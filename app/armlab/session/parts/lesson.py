@@ -243,7 +243,7 @@ def observed(state: State) -> Observation:
         q=joints.q,
         tool_pose=np.asarray(joints.tool_pose, dtype=np.float64),
         target=target,
-        seconds=0.0 if progress.since is None else max(0.0, state.at - progress.since),
+        seconds=progress.seconds(state.at),
         switches=frozenset(name for name, on in state[Display].switches.items() if on),
         panel=state[LessonPart].panel,
         films=progress.films,

@@ -136,11 +136,23 @@ def _grid(form: Grid, draft: Draft, settled: bool, channel: str, check: str) -> 
     return f'<div class="entries">{"".join(rows)}</div><div class="answer">{unit}{check}</div>'
 
 
-def said(verdict: Verdict | None, settled: bool = False) -> str:
-    """Return the verdict on the last answer, which may be ``settled``; nothing before one is given."""
+def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> str:
+    """Return the verdict on the last answer; nothing before one is given.
+
+    Parameters
+    ----------
+    verdict : Verdict or None
+    settled : bool
+        Whether the answer counts and cannot be changed.
+    stays : str
+        An earlier answer that was right: with it the step stays done.
+    """
     if verdict is None:
         return ""
     if verdict.right:
         return f'<div class="verdict ok" role="status"><b>✓ {verdict.says}</b></div>'
-    head = "Not as predicted" if settled else "Not yet"
-    return f'<div class="verdict no" role="status"><b>✕ {head}</b>{verdict.says}</div>'
+    head = "Not as predicted" if settled else "Not right" if stays else "Not yet"
+    kept = (
+        f'<p class="dim">Your answer {escaped(stays)} was right and counts: the step stays done.</p>' if stays else ""
+    )
+    return f'<div class="verdict no" role="status"><b>✕ {head}</b>{verdict.says}{kept}</div>'

@@ -91,7 +91,8 @@ class LessonPage:
         if self._draft is None or self._draft[0] != key:
             self._draft = key, Draft(question.form, typed)
         form = asked(question, typed, self._draft[1], settled, self._question.channel_id)
-        self._question.show(form + said(part.verdict, settled))
+        right = part.progress.right.get(part.name)
+        self._question.show(form + said(part.verdict, settled, right.typed if right else ""))
 
     def _answered(self, cell: str, text: str) -> None:
         if self._state is None or self._draft is None:
