@@ -220,7 +220,7 @@ def test_options_and_a_grid_are_answered_by_clicking_and_typing(visit):
     lab.page.keyboard.type("1/2", delay=60)
     slow_click(lab, "lesson-check")
     lab.until(lambda: shown(lab, "✓ Right."))
-    assert [lab.page.locator(cell).input_value() for cell in cells] == ["0.5", "0", "0", "1/2"]
+    assert [lab.page.locator(cell).input_value() for cell in cells] == ["0,5", "0", "0", "1/2"]
 
 
 def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):

@@ -14,6 +14,9 @@ UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "
 ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-", "lesson-entry-"
 
 
+MISSING = "?"
+"""What stands in a whole answer for an entry that is empty."""
+
 _NEEDLESS = re.compile(r"\s+(?![\w.])|(?<![\w.)])\s+")
 """Spaces that stand between no two words."""
 
@@ -33,22 +36,33 @@ class Draft:
     form : Field, Choices or Grid
     typed : str
         The answer that was given last; empty for none.
+
+    Attributes
+    ----------
+    entries : dict
+        By row and column, from 0: what stands in the fields of a grid, as it was typed.
+    whole : str
+        The whole answer, as it was handed in last.
     """
 
     def __init__(self, form: Form, typed: str) -> None:
         self._form = form
+        self.whole = typed
         self.chosen = {int(word) for word in typed.replace(",", " ").split() if word.isdecimal()}
         rows = [row.split() for row in typed.split(";")]
         self.entries: dict[tuple[int, int], str] = {}
         if isinstance(form, Grid) and [len(row) for row in rows] == [form.columns] * form.rows:
-            self.entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
+            entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
+            self.entries = {place: entry for place, entry in entries.items() if entry != MISSING}
 
     def take(self, cell: str, text: str) -> str | None:
         """Take what a person did; return the whole answer when it is handed in, else None."""
         if cell == ANSWER:
             return text
         if cell == CHECK:
-            return self._whole()
+            whole = self._whole()
+            self.whole = self.whole if whole is None else whole
+            return whole
         if cell.startswith(CHOICE) and isinstance(self._form, Choices):
             option = int(cell.removeprefix(CHOICE))
             if not self._form.several:
@@ -56,7 +70,7 @@ class Draft:
             self.chosen ^= {option}
         elif cell.startswith(ENTRY) and isinstance(self._form, Grid):
             i, j = (int(part) for part in cell.removeprefix(ENTRY).split("-"))
-            self.entries[i, j] = _entry(text)
+            self.entries[i, j] = text
         return None
 
     def _whole(self) -> str | None:
@@ -64,7 +78,7 @@ class Draft:
             return ",".join(map(str, sorted(self.chosen)))
         if isinstance(self._form, Grid):
             rows, columns = range(self._form.rows), range(self._form.columns)
-            return "; ".join(" ".join(self.entries.get((i, j), "") or "?" for j in columns) for i in rows)
+            return "; ".join(" ".join(_entry(self.entries.get((i, j), "")) or MISSING for j in columns) for i in rows)
         return None  # the field beside it has told already
 
 
