@@ -27,7 +27,9 @@ def drawn():
     """Return entries as they are typed: numbers with signs, fractions, units."""
     rng = random.Random(7)
     count = ROWS * COLUMNS
-    return [[KINDS[rng.randrange(len(KINDS))].format(rng.uniform(-1, 1)) for _ in range(count)] for _ in range(MATRICES)]
+    return [
+        [KINDS[rng.randrange(len(KINDS))].format(rng.uniform(-1, 1)) for _ in range(count)] for _ in range(MATRICES)
+    ]
 
 
 def meant(text):
@@ -38,7 +40,7 @@ def meant(text):
 def question(k, entries):
     rows = [[meant(text) for text in entries[i * COLUMNS : (i + 1) * COLUMNS]] for i in range(ROWS)]
     return (
-        f"\n## Matrix {k}\n\nJoint 1 is at {{{{q1}}}}.\n\n```question\nkind = \"matrix\"\ntext = \"Copy it.\"\n"
+        f'\n## Matrix {k}\n\nJoint 1 is at {{{{q1}}}}.\n\n```question\nkind = "matrix"\ntext = "Copy it."\n'
         f'answer = {rows}\nunit = "m"\ntolerance = 0.0001\n```\n'
     )
 
@@ -93,7 +95,8 @@ def test_an_entry_with_a_blank_does_not_make_the_page_anew_without_end(visit):
         """async () => {
           let count = 0;
           const seen = new MutationObserver(() => count++);
-          seen.observe(document.querySelector('.entries').closest('.al').parentElement, { childList: true, subtree: true });
+          const whole = document.querySelector('.entries').closest('.al').parentElement;
+          seen.observe(whole, { childList: true, subtree: true });
           await new Promise(done => setTimeout(done, 1500));
           return count;
         }"""

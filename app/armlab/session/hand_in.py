@@ -1,6 +1,8 @@
 """The work of a student as a file, and the verdicts on such a file: the same as on screen, without a browser.
 
-Nothing in the file is believed: answers are judged again, and every check looks again at what it saw when it was met.
+Answers are judged again, and every check looks again at what it saw when it was met: at the arm of the lesson with its
+own limits, at the joint values of the file, at a motion that is planned again from its waypoints. What no file proves,
+such as the time, is noted and called so.
 """
 
 from __future__ import annotations
@@ -14,11 +16,13 @@ from types import MappingProxyType
 
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
-from armlab.content.observation import Observation
+from armlab.content.observation import same_table
 from armlab.content.typed_formula import typed_formula
 from armlab.errors import ArmlabError, InputError
+from armlab.session.hand_in_prints import prints_of
 from armlab.session.lesson_progress import Progress, RightAnswer, read, step_names, written
-from armlab.session.parts.lesson import LessonPart, same_table, signed
+from armlab.session.parts.lesson import LessonPart, signed
+from armlab.session.seen_again import seen_again
 from armlab.session.state import Json, State
 from armlab.version import VERSION
 
@@ -81,6 +85,8 @@ class StepReport:
         Whether its question is answered rightly; None where there is none.
     passed : bool
         Whether everything is done, as on screen: what was done once stays done, and of a prediction any answer counts.
+    noted : bool
+        Whether it rests on what no file proves, such as the time or that a film was played: that is noted, not judged.
     says : str
         What there is to say, as plain text.
     hints : int
@@ -91,6 +97,7 @@ class StepReport:
     met: bool | None
     right: bool | None
     passed: bool
+    noted: bool
     says: str
     hints: int
 
@@ -114,6 +121,8 @@ class Report:
         Whether the lesson's file has changed since.
     steps : tuple of StepReport
         All steps, also those with nothing to do.
+    prints : frozenset of str
+        What it has in common with another only when one is made of the other; see `prints_of`.
 
     Notes
     -----
@@ -126,6 +135,7 @@ class Report:
     variant: int
     changed: bool
     steps: tuple[StepReport, ...]
+    prints: frozenset[str] = frozenset()
 
     @property
     def passed(self) -> int:
@@ -164,7 +174,8 @@ def judge(text: str, key: str | None = None) -> Report:
         raise InputError("the progress in this file is damaged") from None
     _, steps = judged_anew(found, progress)
     student = printable(signed(data["student"]))
-    return Report(student, found.key, found.title, found.variant, data["digest"] != found.digest, steps)
+    changed, prints = data["digest"] != found.digest, prints_of(data["progress"], data.get("parts"))
+    return Report(student, found.key, found.title, found.variant, changed, steps, prints)
 
 
 def _loaded(text: str) -> dict[str, Json]:
@@ -186,10 +197,11 @@ def _loaded(text: str) -> dict[str, Json]:
 def judged_anew(found: Lesson, progress: Progress) -> tuple[Progress, tuple[StepReport, ...]]:
     """Return a progress that anyone may have changed with only what holds in it, and the verdicts on its steps."""
     names = step_names(found)
-    checks, questions = [], []
+    checks, questions, noted = [], [], []
     answers, met, right = dict(progress.answers), set(), {}
     for name, step in zip(names, found.steps, strict=True):
         checks.append(_check_again(found, step, progress.evidence.get(name)))
+        noted.append(step.check is not None and bool(step.check.noted))
         if checks[-1][0] is not False:
             met.add(name)
         verdict, says, holds = _answer_again(step, answers.get(name), progress.right.get(name))
@@ -212,6 +224,7 @@ def judged_anew(found: Lesson, progress: Progress) -> tuple[Progress, tuple[Step
             met=checks[i][0],
             right=questions[i][0],
             passed=i in passed,
+            noted=noted[i],
             says=printable(" ".join(filter(None, (checks[i][1], questions[i][1])))),
             hints=max(0, progress.hints.get(name, 0)),
         )
@@ -227,13 +240,16 @@ def _check_again(found: Lesson, step: Step, evidence: Json) -> tuple[bool | None
     if evidence is None:
         return False, "Not done."
     try:
-        seen = Observation.from_json(evidence, found.robot_used)
+        seen = seen_again(evidence, found.robot_used)
     except ArmlabError as error:
         return False, f"The evidence is not usable: {error}"
     if not step.check.of_table and not same_table(seen.arm, found.robot_used.arm):
         return False, "This was done with another arm."
     met, says = step.check.judge(seen)
-    return met, "" if met else plain(says)
+    if not met:
+        return False, plain(says)
+    noted = " and ".join(step.check.noted)
+    return True, f"Noted only, not judged: {noted}." if noted else ""
 
 
 def _answer_again(

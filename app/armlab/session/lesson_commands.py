@@ -212,7 +212,7 @@ class Answer(Command):
         if typed:
             answers[name] = typed
             if verdict.right:
-                right.setdefault(name, RightAnswer(typed, progress.seconds(state.at)))
+                right.setdefault(name, RightAnswer(typed))
         kept = replace(progress, right=MappingProxyType(right), answers=MappingProxyType(answers))
         return state.replace(part.with_progress(kept))
 
