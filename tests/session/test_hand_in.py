@@ -11,12 +11,12 @@ import pytest
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, ContentError, InputError, UnknownName
-from armlab.session.edits import SetCell, SetLimits
+from armlab.session.edits import SetCell
 from armlab.session.hand_in import FORMAT, MOST, hand_in, hand_in_name, judge, plain, printable
 from armlab.session.hand_in_reports import COLUMNS, Judged, gradescope, rows, table
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs, UnlockHint
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.lesson import LessonPart, at_place, has_its_arm
+from armlab.session.parts.lesson import LessonPart, at_place
 from armlab.session.play import Player
 from armlab.session.state import State, apply
 from support.small_lessons import TWO_STEPS, VARIED, library_fixture
@@ -216,24 +216,6 @@ def test_limits_are_those_of_the_arm_and_not_of_the_file(solved):
     report = judge(json.dumps(data))
     assert not report.steps[0].passed
     assert "joint 2 is at 2865°, outside its limits of -180° to 180°" in report.steps[0].says
-
-
-def test_wider_limits_make_another_arm_on_screen_too(fresh, own):
-    state = done(fresh, OpenLesson("v", variant=3))
-    assert has_its_arm(state)
-    assert not has_its_arm(done(state, SetLimits(1, -10.0, 10.0)))
-
-
-def test_what_no_file_proves_is_called_noted(fresh, own):
-    own(
-        t=TWO_STEPS.replace(
-            'kind = "joint_at"\njoint = 1\nvalue_deg = 90\ntolerance_deg = 1', 'kind = "looked_at"\nswitch = "frames"'
-        )
-    )
-    state = done(fresh, OpenLesson("t"), GoToStep(1), Answer("2"))
-    one = Judged("a", judge(hand_in(state)))
-    assert one.report.steps[1].says == "Noted only, not judged: that a switch was on. '2': Right."
-    assert table([one]).splitlines()[1].split() == ["a", "0", "-", "noted", "no", "1", "of", "2"]
 
 
 def test_a_prediction_without_an_answer_is_not_passed(solved):
