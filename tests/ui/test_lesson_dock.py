@@ -44,7 +44,8 @@ def test_a_link_opens_the_lesson_with_text_formulas_and_what_is_missing(url):
         assert "<h2><small>1 of 3</small> Stretch the arm along x</h2>" in text
         assert "<math" in text
         assert "<summary>About this lesson</summary>" in text
-        assert "◐ Not there yet" in browser.html()
+        assert "◐ To do" in browser.html()
+        assert "Not there yet" not in browser.html()
         assert "away from (2000.0, 0.0, 0.0) mm" in browser.html()
         assert notes(browser)["path"] == "/lesson/first_arm"
         assert "Lesson" in docks(browser)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -57,6 +57,8 @@ class Progress:
         When the step was first shown, in seconds of the session's clock; not saved.
     films : frozenset of str
         Clips that were played to their end since then; not saved.
+    tried : bool
+        Whether anything of what the check looks at has been changed since then; not saved.
     """
 
     step: str = ""
@@ -67,6 +69,11 @@ class Progress:
     evidence: Mapping[str, Json] = field(default_factory=_empty)
     since: float | None = None
     films: frozenset[str] = frozenset()
+    tried: bool = False
+
+    def anew(self) -> Progress:
+        """Return it as it is when the step is shown anew: nothing has been done yet, and no time has passed."""
+        return replace(self, since=None, films=frozenset(), tried=False)
 
     def shown(self, lesson: Lesson) -> int:
         """Return the number of the step that is shown, from 0."""

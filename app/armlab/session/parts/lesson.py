@@ -149,6 +149,7 @@ class LessonPart(Part):
             progress,
             since=now.at if progress.since is None else progress.since,
             films=_still_played(progress.films, before, now) | _played(before, now),
+            tried=progress.tried or self._tried(before, now),
         )
         name = self.name
         if name in watched.right and name not in before[LessonPart].progress.right:
@@ -157,6 +158,14 @@ class LessonPart(Part):
         if name not in watched.met and (step.check is None or has_its_arm(now)):
             watched = _judged(watched, name, step, now.replace(self.with_progress(watched)))
         return self if watched == progress else self.with_progress(watched)
+
+    def _tried(self, before: State, now: State) -> bool:
+        """Return whether a person has changed what a check may look at, with this step shown all the time."""
+        was = before[LessonPart]
+        if (was.open, was.set_up, was.progress.step) != (self.open, self.set_up, self.progress.step):
+            return False
+        changed = any(now[kind] is not before[kind] for kind in (Joints, Target, RobotPart, Display, Timeline))
+        return changed or plan_changed(before, now)
 
     def with_progress(self, progress: Progress) -> Self:
         """Return the part with another progress in the open lesson."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from armlab.content.question import Choices, Field, Form, Grid, Question, Verdict
 from armlab.ui.format import escaped
@@ -97,7 +98,7 @@ def _entry(text: str) -> str:
     return text
 
 
-def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: str) -> str:
+def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: str, order: Sequence[int] = ()) -> str:
     """Return the question with what it is answered with.
 
     Parameters
@@ -109,15 +110,17 @@ def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: 
     settled : bool
         Whether the answer counts and cannot be changed.
     channel : str
+    order : sequence of int, optional
+        In which options are shown, from 1.
     """
     note = ""
     if question.hide:
         said = "Your prediction is noted." if settled else "Predict: your first answer counts."
         note = f'<p class="dim">{said}</p>'
-    return f'<div class="ask">{question.html}{note}{_form(question.form, typed, draft, settled, channel)}</div>'
+    return f'<div class="ask">{question.html}{note}{_form(question.form, typed, draft, settled, channel, order)}</div>'
 
 
-def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str) -> str:
+def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str, order: Sequence[int]) -> str:
     check = "" if settled else button(channel, CHECK, "Check", "chip")
     if isinstance(form, Field):
         unit = escaped(UNIT_SIGNS.get(form.unit, form.unit))
@@ -125,14 +128,14 @@ def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str) -> 
         line = field(channel, ANSWER, typed, label, settled, spellcheck="false", placeholder="your answer")
         return f'<div class="answer">{line}<i>{unit}</i>{check}</div>'
     if isinstance(form, Choices):
-        return _choices(form, draft, settled, channel, check if form.several else "")
+        return _choices(form, draft, settled, channel, check if form.several else "", order)
     return _grid(form, draft, settled, channel, check)
 
 
-def _choices(form: Choices, draft: Draft, settled: bool, channel: str, check: str) -> str:
+def _choices(form: Choices, draft: Draft, settled: bool, channel: str, check: str, order: Sequence[int]) -> str:
     offered = "".join(
-        button(channel, f"{CHOICE}{k}", option, "choice", pressed=k in draft.chosen, off=settled)
-        for k, option in enumerate(form.options, start=1)
+        button(channel, f"{CHOICE}{k}", form.options[k - 1], "choice", pressed=k in draft.chosen, off=settled)
+        for k in order or range(1, len(form.options) + 1)
     )
     hint = '<p class="dim">Choose all that hold.</p>' if form.several else ""
     return f'{hint}<div class="choices">{offered}</div>{check}'

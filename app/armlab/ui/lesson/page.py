@@ -7,7 +7,7 @@ import re
 from itertools import groupby
 
 from armlab.content.lessons import Lesson, lessons
-from armlab.content.question import Form
+from armlab.content.question import Choices, Form
 from armlab.session.hand_in import hand_in, hand_in_name
 from armlab.session.lesson_commands import (
     Answer,
@@ -92,7 +92,9 @@ class LessonPage:
             self._draft = key, self._draft[1]  # its own answer has come back: the fields stay as they were typed
         if self._draft is None or self._draft[0] != key:
             self._draft = key, Draft(question.form, typed)
-        form = asked(question, typed, self._draft[1], settled, self._question.channel_id)
+        choices = question.form if isinstance(question.form, Choices) else None
+        order = choices.order(lesson.variant, part.name) if choices else ()
+        form = asked(question, typed, self._draft[1], settled, self._question.channel_id, order)
         right = part.progress.right.get(part.name)
         self._question.show(form + said(part.verdict, settled, right.typed if right else ""))
 
@@ -200,6 +202,8 @@ def _task(state: State, lesson: Lesson, channel: str) -> str:
     met, says = check_line(state, words_of(state))
     if met:
         return '<div class="verdict ok" role="status"><b>✓ Done</b></div>'
+    if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
+        return '<div class="verdict todo"><b>◐ To do</b></div>'
     return f'<div class="verdict todo"><b>◐ Not there yet</b>{says}</div>'
 
 
