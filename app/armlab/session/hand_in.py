@@ -164,6 +164,21 @@ def judge(text: str, key: str | None = None) -> Report:
     UnknownName, ContentError
         Its lesson is not there or cannot be used.
     """
+    data, found, progress = opened(text, key)
+    _, steps = judged_anew(found, progress)
+    student = printable(signed(data["student"]))
+    changed, prints = data["digest"] != found.digest, prints_of(data["progress"], data.get("parts"))
+    return Report(student, found.key, found.title, found.variant, changed, steps, prints)
+
+
+def opened(text: str, key: str | None = None) -> tuple[dict[str, Json], Lesson, Progress]:
+    """Return what is in the text of a hand-in: its data, the lesson in its variant, and the progress it claims.
+
+    Raises
+    ------
+    InputError, UnknownName, ContentError
+        As of `judge`.
+    """
     data = _loaded(text)
     if key is not None and data["lesson"] != key:
         raise InputError(f"this is work on the lesson {data['lesson'][:LONGEST_KEY]!r}, not {key!r}")
@@ -172,10 +187,7 @@ def judge(text: str, key: str | None = None) -> Report:
         progress = read(found, data["progress"])
     except (TypeError, KeyError, AttributeError, ValueError, OverflowError):
         raise InputError("the progress in this file is damaged") from None
-    _, steps = judged_anew(found, progress)
-    student = printable(signed(data["student"]))
-    changed, prints = data["digest"] != found.digest, prints_of(data["progress"], data.get("parts"))
-    return Report(student, found.key, found.title, found.variant, changed, steps, prints)
+    return data, found, progress
 
 
 def _loaded(text: str) -> dict[str, Json]:
@@ -194,13 +206,21 @@ def _loaded(text: str) -> dict[str, Json]:
     return data
 
 
-def judged_anew(found: Lesson, progress: Progress) -> tuple[Progress, tuple[StepReport, ...]]:
-    """Return a progress that anyone may have changed with only what holds in it, and the verdicts on its steps."""
+def judged_anew(found: Lesson, progress: Progress, plans: bool = True) -> tuple[Progress, tuple[StepReport, ...]]:
+    """Return a progress that anyone may have changed with only what holds in it, and the verdicts on its steps.
+
+    Parameters
+    ----------
+    found : Lesson
+    progress : Progress
+    plans : bool
+        Whether motions are planned again, which may take seconds.
+    """
     names = step_names(found)
     checks, questions, noted = [], [], []
     answers, met, right = dict(progress.answers), set(), {}
     for name, step in zip(names, found.steps, strict=True):
-        checks.append(_check_again(found, step, progress.evidence.get(name)))
+        checks.append(_check_again(found, step, progress.evidence.get(name), plans))
         noted.append(step.check is not None and bool(step.check.noted))
         if checks[-1][0] is not False:
             met.add(name)
@@ -233,14 +253,14 @@ def judged_anew(found: Lesson, progress: Progress) -> tuple[Progress, tuple[Step
     return kept, steps
 
 
-def _check_again(found: Lesson, step: Step, evidence: Json) -> tuple[bool | None, str]:
+def _check_again(found: Lesson, step: Step, evidence: Json, plans: bool) -> tuple[bool | None, str]:
     """Return whether the check is met by what is said to have been seen, and what there is to say."""
     if step.check is None:
         return None, ""
     if evidence is None:
         return False, "Not done."
     try:
-        seen = seen_again(evidence, found.robot_used)
+        seen = seen_again(evidence, found.robot_used, plans)
     except ArmlabError as error:
         return False, f"The evidence is not usable: {error}"
     if not step.check.of_table and not same_table(seen.arm, found.robot_used.arm):

@@ -19,7 +19,7 @@ MOST_POSES = 30_000
 """Poses for which the inverse kinematics of one plan is solved again; more than any lesson asks for."""
 
 
-def seen_again(data: Json, robot: Robot) -> Observation:
+def seen_again(data: Json, robot: Robot, plans: bool = True) -> Observation:
     """Return what a check saw.
 
     Parameters
@@ -28,6 +28,8 @@ def seen_again(data: Json, robot: Robot) -> Observation:
         What `Observation.to_json` wrote, and under `PLAN` what the motion was planned of.
     robot : Robot
         Of the lesson.
+    plans : bool
+        Whether a motion is planned again, which may take seconds; what is told of it is taken down otherwise.
 
     Raises
     ------
@@ -37,7 +39,7 @@ def seen_again(data: Json, robot: Robot) -> Observation:
     plan = data.get(PLAN) if isinstance(data, dict) else None
     kept = {key: value for key, value in data.items() if key != PLAN} if isinstance(data, dict) else data
     seen = Observation.from_json(kept, robot)
-    return seen if seen.motion is None else replace(seen, motion=_motion(plan, seen.motion, robot))
+    return seen if seen.motion is None or not plans else replace(seen, motion=_motion(plan, seen.motion, robot))
 
 
 def _motion(data: Json, told: SeenMotion, robot: Robot) -> SeenMotion:

@@ -9,6 +9,7 @@ from itertools import groupby
 from armlab.content.lessons import Lesson, lessons
 from armlab.content.question import Choices, Form
 from armlab.session.hand_in import hand_in, hand_in_name
+from armlab.session.hand_in_open import OpenWork
 from armlab.session.lesson_commands import (
     Answer,
     CloseLesson,
@@ -24,6 +25,7 @@ from armlab.session.session import Refuse
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped
 from armlab.ui.lesson.asking import Draft, asked, said
+from armlab.ui.lesson.load import load_work
 from armlab.ui.lesson.text import step_text, words_of
 from armlab.ui.markup import button, chip, field, options, select
 from armlab.ui.plugin import Post
@@ -151,6 +153,7 @@ def _command(part: LessonPart, cell: str, text: str) -> Command | None:
         "lesson-hint": UnlockHint(),
         "lesson-name": SignAs(text),
         "lesson-sandbox": ToSandbox(),
+        "lesson-load": OpenWork(text),
     }
     return commands.get(cell)
 
@@ -243,7 +246,8 @@ def _more(lesson: Lesson, part: LessonPart, channel: str) -> str:
     return (
         f'<details class="lesson-more"><summary>Sandbox, save my work</summary>{variant}'
         f'<div class="row"><span>Name</span><div class="answer">{name}</div></div>'
-        f'<div class="chips">{chip(channel, "lesson-save", "Save my work", "A file to hand in or to keep")}'
+        f'<div class="chips">{chip(channel, "lesson-save", "Save my work", "A file to hand in or to go on with")}'
+        f"{load_work(channel, 'lesson-load')}"
         f"{chip(channel, 'lesson-setup', 'Set up again', 'Arm and example as this step finds them; your answers stay')}"
         f"{chip(channel, 'lesson-sandbox', 'My sandbox', 'An arm of your own; the lesson waits')}</div></details>"
     )
