@@ -41,13 +41,12 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             show(shown)
 
     field = gui.fields(asked)
+    saved = gui.fields(loaded)
     entries = gui.fields(asked)
 
     hint = "Find: 3.66, section 4.1, quaternion …"
     line = markup.field(field.channel_id, "query", "", "Find", data_live="1", type="search", placeholder=hint)
     field.show(f'<div class="find">{line}</div>')
-
-    saved = gui.fields(loaded)
     saved.show(f'<div class="chips">{load_work(saved.channel_id, "lesson-load")}</div>')
 
     def show(state: State) -> None:
