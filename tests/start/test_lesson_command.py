@@ -92,8 +92,10 @@ def test_a_file_or_a_folder_is_a_lesson(typed, place, typed_as):
 
 
 def test_a_folder_of_lessons_is_all_of_them(typed, place):
-    text = TWO_STEPS.replace("tolerance_deg = 1\n```", "tolerance_deg = 1\n```\n```solution\nq_deg = [90, 20]\n```")
-    (place / "mine" / "t.md").write_text(text, encoding="utf-8")
+    path = place / "mine" / "t.md"
+    text = path.read_text(encoding="utf-8")
+    solved = text.replace("tolerance_deg = 1\n```", "tolerance_deg = 1\n```\n```solution\nq_deg = [90, 20]\n```")
+    path.write_text(solved, encoding="utf-8")
     assert typed("lesson", "check", "mine") == (0, "t: 3 steps, no problems\nv: 3 steps, no problems\n", "")
 
 
@@ -300,7 +302,8 @@ def test_the_number_of_variants_is_bounded(typed, count):
     assert one_line(err)
 
 
-def test_two_steps_of_one_title_are_told(typed):
+def test_two_steps_of_one_title_are_told(typed, place):
+    (place / "mine" / "t.md").write_text(TWO_STEPS, encoding="utf-8")
     out = typed("lesson", "check", "mine/t.md")[1]
     assert "step 3: its title is that of step 2; progress is kept under titles" in out
 
