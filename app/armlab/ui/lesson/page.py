@@ -90,7 +90,8 @@ class LessonPage:
             return
         typed, settled = part.progress.answers.get(part.name, ""), part.progress.committed(lesson, part.index)
         key = (part.open, part.name, typed, question.form)
-        if self._draft is not None and self._draft[1].whole == typed and self._draft[0][:2] == key[:2]:
+        place, name, _, form = self._draft[0] if self._draft is not None else ("", "", "", None)
+        if self._draft is not None and self._draft[1].whole == typed and (place, name, form) == (*key[:2], key[3]):
             self._draft = key, self._draft[1]  # its own answer has come back: the fields stay as they were typed
         if self._draft is None or self._draft[0] != key:
             self._draft = key, Draft(question.form, typed)
