@@ -38,7 +38,8 @@ def place(tmp_path, monkeypatch):
     mine = tmp_path / "mine"
     mine.mkdir()
     (mine / "v.md").write_text(VARIED, encoding="utf-8")
-    (mine / "t.md").write_text(TWO_STEPS, encoding="utf-8")
+    before, _, after = TWO_STEPS.rpartition("## Same")
+    (mine / "t.md").write_text(f"{before}## Sum{after}", encoding="utf-8")
     return tmp_path
 
 

@@ -121,16 +121,16 @@ def test_a_grid_is_filled_while_the_arm_moves_and_handed_in(url):
         await to_step(browser, 3)
         assert entries(browser) == ["", "", "", ""]
         await browser.press(f"{ENTRY}0-0", " 1 / 2 ")
-        await browser.until(lambda: entries(browser)[0] == "1/2")
+        await browser.until(lambda: entries(browser)[0] == " 1 / 2 ")
         await browser.press(f"{ENTRY}1-1", "0,5")
         for value in (10.0, 20.0, -10.0):
             await browser.set_value(browser.slider(1), value)
             await asyncio.sleep(0.15)
-        await browser.until(lambda: entries(browser) == ["1/2", "", "", "0.5"])
+        await browser.until(lambda: entries(browser) == [" 1 / 2 ", "", "", "0,5"])
         await browser.press(CHECK)
         await browser.until(lambda: "✕ Not yet" in browser.html())
         assert "row 1, column 2" in piece(browser, "✕ Not yet").lower()
-        assert entries(browser) == ["1/2", "?", "?", "0.5"]
+        assert entries(browser) == [" 1 / 2 ", "", "", "0,5"]
         await browser.press(f"{ENTRY}0-1", "0")
         await browser.press(f"{ENTRY}1-0", "0")
         await browser.press(CHECK)
@@ -176,6 +176,10 @@ def test_a_draft_gives_the_whole_answer_as_one_text():
 )
 def test_decimal_commas_in_a_grid_are_decimal_points(rows):
     assert "," not in filled(*rows)
+
+
+def test_an_answer_that_comes_back_has_nothing_in_its_empty_entries():
+    assert Draft(Grid(2, 2), "1 0; ? sqrt(2)/2").entries == {(0, 0): "1", (0, 1): "0", (1, 1): "sqrt(2)/2"}
 
 
 def test_the_entries_of_a_grid_stay_apart():

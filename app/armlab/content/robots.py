@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from armlab import resources
 from armlab.content.folder import Folder
+from armlab.content.joint_limits import outside
 from armlab.content.reader import Table, joint_values
 from armlab.errors import ContentError, InputError
 from armlab.kin.arm import MAX_JOINTS, Arm
@@ -234,7 +235,7 @@ def _named_poses(top: Table, arm: Arm, kinds: str, *, required: bool) -> Iterabl
             raise table.fail("name", f"{name!r} is taken; choose a name that is not {', '.join(sorted(names))}")
         names.add(name)
         if not arm.within_limits(q):
-            raise table.fail("q", f"the pose {name!r} is outside the joint limits")
+            raise table.fail("q", f"the pose {name!r} is outside the joint limits: {outside(arm, q)}")
         q.setflags(write=False)
         table.done()
         yield name, q
