@@ -1,10 +1,17 @@
 """The same arm in other libraries, and written the naive way. What is not installed is left out."""
 
+import importlib.util
+
 import numpy as np
 
 from armlab import Arm
 from armlab.kin.dh import link_transform
 from armlab.kin.rotations import euler_zyx
+
+
+def is_installed(module: str) -> bool:
+    """Return whether a library of others is there to be compared with."""
+    return importlib.util.find_spec(module) is not None
 
 
 def fixed_part(arm: Arm, i: int) -> np.ndarray:
