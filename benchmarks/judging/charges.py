@@ -132,17 +132,16 @@ class _Trial:
         if not self.exact or self._lists(self.case.q):
             return against
         error = error_along(self.probe, self.case.q, self.G)
-        lost = int((self.probe.singular(self.case.q)[0] < ROUNDING).sum())
         if error > REACHED:
             against.append(self._without_q("q missing", " and on no family"))
-        elif (
-            error <= NEARLY
-            and lost == 1
-            and self.found.families
-            and not is_on(self.probe, self.found.families, self.case.q)
-        ):
+        elif error <= CURVE and self._is_one_curve() and not is_on(self.probe, self.found.families, self.case.q):
             against.append(self._without_q("q missing", " and its family not traced"))
         return against
+
+    def _is_one_curve(self) -> bool:
+        """Return whether families were traced and q is on one of a single dimension."""
+        lost = int((self.probe.singular(self.case.q)[0] < ROUNDING).sum())
+        return len(self.found.families) > 0 and lost == 1
 
     def _best_curve(self) -> float:
         """Return the least scaled error along a traced curve, or along one through a solution."""

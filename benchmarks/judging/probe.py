@@ -93,7 +93,7 @@ class Probe:
         return np.einsum("imk,mk->ik", J, _cholesky_solved(_gram(J), e, damping))
 
     def singular(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the n singular values, those beyond the task's rows 0, and right vectors (n, n) of the Jacobian at q."""
+        """Return n singular values, 0 beyond the task's rows, and right vectors (n, n) of the Jacobian at q (n,)."""
         J, _ = self.linearised(q[:, None], np.eye(4))
         _, s, V = np.linalg.svd(J[:, :, 0].T)
         return np.concatenate([s, np.zeros(self.n - len(s))]), V

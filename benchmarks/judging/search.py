@@ -11,7 +11,7 @@ LONGEST = 1.5
 """Largest change of a joint in a step of a descent, radians or length scales."""
 
 STEPS, ARRIVED, NEAR = 40, 1e-9, 1e-4
-"""Steps of a descent; the scaled error at which it is polished; and at its last step, for nearly singular arms creep."""
+"""Steps of a descent; the scaled error at which it ends; and at which what still creeps then is polished, too."""
 
 POLISHES, PATIENCE = 30, 4
 """Full Newton steps at most, and how many in turn may fail to halve the error."""
@@ -87,7 +87,7 @@ def polished(probe: Probe, q: np.ndarray, G: np.ndarray, cutoff: float = 1e-13, 
 
 
 def spread_out(probe: Probe, q: np.ndarray) -> np.ndarray:
-    """Return few of many configurations: of each group within `SPREAD` three far apart, which may be of several roots."""
+    """Return few of many configurations: of each group within `SPREAD` three far apart, maybe of several roots."""
     kept: list[np.ndarray] = []
     while len(q) and len(kept) < 3 * MOST:
         gaps = np.abs(probe.apart(q, q[0])).max(axis=1)
