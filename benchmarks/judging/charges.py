@@ -9,7 +9,7 @@ import numpy as np
 
 from armlab.kin.ik.solutions import IkSolutions
 from judging.cases import Case
-from judging.curves import error_along, is_on
+from judging.curves import CURVE, error_along, is_family, is_on
 from judging.probe import Probe
 from judging.search import ROUNDING, distances, distinct, is_same, path_error, polished, searched
 
@@ -22,8 +22,8 @@ OF_REACH = 1e-5
 SURELY = 0.5
 """Part of what counts as reached within which a pose is reachable beyond doubt."""
 
-CURVE, NEARLY = 4e-15, 1e-11
-"""Scaled error along a curve of solutions: below the first it is one beyond doubt, above the second only nearly."""
+NEARLY = 1e-11
+"""Scaled error along a curve of solutions that is looked for no further."""
 
 CLOSE = 1e-2
 """Radians or length scales: a missing solution nearer than this to a listed one is counted as close to it."""
@@ -103,7 +103,7 @@ class _Trial:
         """Return what such a list does not have: a family, the joint values the pose was made from, other solutions."""
         known = [self.case.q, *self.rows] if self.exact else list(self.rows)
         for row in known:
-            if error_along(self.probe, row, self.G) <= CURVE:
+            if is_family(self.probe, row, self.G):
                 return [Charge("family missed", f"through {row.tolist()}")]
         against = []
         if (self.exact and not self._lists(self.case.q)) or (not self.exact and self.reachable and not self._covers()):
@@ -113,7 +113,7 @@ class _Trial:
             guesses.append(self.case.beside)
         truth = searched(self.probe, self.G, starts, rng, np.array(guesses))
         for k in self._unlisted(truth):
-            if error_along(self.probe, truth[k], self.G) <= CURVE:
+            if is_family(self.probe, truth[k], self.G):
                 return [Charge("family missed", f"through {truth[k].tolist()}")]
             far = float(distances(self.probe, self.rows, truth[k]).min())
             kind = "close one missing" if far <= CLOSE else "missing"
@@ -172,7 +172,7 @@ class _Trial:
             for j in np.flatnonzero(gaps < (1e-7 if self.said == "infinite" else CLOSE)):
                 pair = polished(self.probe, np.stack([row, self.rows[k + 1 + j]]), self.G)
                 own = float(self.probe.size(pair, self.G).max())
-                if path_error(self.probe, *pair, self.G) <= 3.0 * own + CURVE:
+                if path_error(self.probe, *pair, self.G, 3.0 * own + CURVE) <= 3.0 * own + CURVE:
                     yield Charge("twice", f"{gaps[j]:.0e} apart: {row.tolist()}")
 
     def _limits(self) -> Iterator[Charge]:
@@ -219,7 +219,7 @@ class _Trial:
     def _covers(self) -> bool:
         """Return whether q, which reaches the pose nearly, is joined to a listed row by others that do."""
         most = 2.0 * REACHED * max(1.0, 1.0 / self.probe.length)
-        return any(path_error(self.probe, row, self.case.q, self.G) <= most for row in self.rows)
+        return any(path_error(self.probe, row, self.case.q, self.G, most) <= most for row in self.rows)
 
     def _unlisted(self, truth: np.ndarray) -> list[int]:
         """Return which true solutions are not listed: each listed one can stand for one of those told apart."""

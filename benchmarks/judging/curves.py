@@ -9,8 +9,11 @@ import numpy as np
 from judging.probe import Probe
 from judging.search import distances, polished
 
-SLACK = 1e-4
-"""Singular value, relative to the largest, of a direction that is tried."""
+SLACK, EXACT_SLACK = 1e-4, 1e-6
+"""Singular value, relative to the largest, of a direction that is tried; and where the curve has to be exact."""
+
+CURVE = 4e-15
+"""Scaled error along a curve of solutions that has none."""
 
 SIZES = np.array([1.0, 0.55, 0.3])
 """Steps that are tried along a direction, times the largest."""
@@ -18,11 +21,11 @@ SIZES = np.array([1.0, 0.55, 0.3])
 FAR = (0.06, 0.015)
 """Largest steps in radians: families may be small."""
 
-MIXED = 10
+MIXED = 6
 """Random directions where several are slack, of which one may be the curve's."""
 
 
-def error_along(probe: Probe, q: np.ndarray, G: np.ndarray) -> float:
+def error_along(probe: Probe, q: np.ndarray, G: np.ndarray, slack_below: float = SLACK) -> float:
     """Return the scaled error on the curve of solutions through a solution (n,): infinite where there is none.
 
     Steps of three sizes along a direction in which the tool does not move are brought back by the stiff directions
@@ -30,14 +33,23 @@ def error_along(probe: Probe, q: np.ndarray, G: np.ndarray) -> float:
     they return or keep an error.
     """
     s, V = probe.singular(q)
-    slack = V[s <= SLACK * max(s[0], 1e-300)]
+    slack = V[s <= slack_below * max(s[0], 1e-300)]
     if not len(slack):
         return np.inf
     ways = slack
     if len(slack) > 1:
         mixed = np.random.default_rng(0).normal(size=(MIXED, len(slack))) @ slack
         ways = np.concatenate([slack, mixed / np.linalg.norm(mixed, axis=1)[:, None]])
-    return min(_tried(probe, q, G, np.concatenate([ways, -ways]), far) for far in FAR)
+    ways = np.concatenate([ways, -ways])
+    error = np.inf
+    for far in FAR:
+        error = error if np.isfinite(error) else _tried(probe, q, G, ways, far)
+    return error
+
+
+def is_family(probe: Probe, q: np.ndarray, G: np.ndarray) -> bool:
+    """Return whether a solution is on a curve of others beyond doubt: to the last roundings."""
+    return error_along(probe, q, G, EXACT_SLACK) <= CURVE
 
 
 def _tried(probe: Probe, q: np.ndarray, G: np.ndarray, ways: np.ndarray, far: float) -> float:

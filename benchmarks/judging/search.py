@@ -22,6 +22,13 @@ ROUNDING = 1e-13
 SPREAD, MOST = 1e-5, 48
 """Ends of descents nearer than this are looked at together; so many groups at most, for a family has one a start."""
 
+VALLEY, BEND, STIFF = 0.1, 3.0, 1e-3
+"""Radians or length scales: the longest way along a valley; what a bend makes of its square is the error of a straight
+one; and the singular values, relative to the largest, of the directions across it."""
+
+IDENTICAL = 1e-10
+"""Radians or length scales: nothing is looked at between configurations as near as this."""
+
 POINTS = np.linspace(0.0, 1.0, 11)[1:-1, None]
 """Where the way from one configuration to another is looked at."""
 
@@ -100,16 +107,31 @@ def spread_out(probe: Probe, q: np.ndarray) -> np.ndarray:
     return np.array(kept).reshape(-1, probe.n)
 
 
-def path_error(probe: Probe, q: np.ndarray, other: np.ndarray, G: np.ndarray) -> float:
-    """Return the largest scaled error between two configurations, on the straight way without whole turns."""
-    gap = probe.apart(other, q) * probe.scales
-    return float(probe.size(q + POINTS * gap, G).max())
+def path_error(probe: Probe, q: np.ndarray, other: np.ndarray, G: np.ndarray, enough: float) -> float:
+    """Return the largest scaled error between two configurations, on a way without whole turns.
+
+    That is the straight way, or where its error is more than ``enough`` and the two are near to one another, along the
+    bottom of the valley: roots of high multiplicity are long, flat and bent.
+    """
+    apart = probe.apart(other, q)
+    gap, far = apart * probe.scales, float(np.abs(apart).max())
+    way = q + POINTS * gap
+    error = float(probe.size(way, G).max())
+    if error <= enough or far > VALLEY or error > BEND * far**2:
+        return error
+    bottom = polished(probe, way, G, cutoff=STIFF, longest=far)
+    steps = np.diff(np.vstack([q, bottom, q + gap]), axis=0) / probe.scales
+    # What slid into one of the two ends says nothing of the way between them.
+    joined = np.abs(steps).max() <= 2.5 * far / (len(POINTS) + 1)
+    return min(error, float(probe.size(bottom, G).max())) if joined else error
 
 
 def is_same(probe: Probe, q: np.ndarray, other: np.ndarray, G: np.ndarray) -> bool:
     """Return whether no error between two configurations exceeds what their own errors or rounding explain."""
-    own = float(probe.size(np.stack([q, other]), G).max())
-    return path_error(probe, q, other, G) <= max(ROUNDING, 3.0 * own)
+    if np.abs(probe.apart(q, other)).max() <= IDENTICAL:
+        return True
+    enough = max(ROUNDING, 3.0 * float(probe.size(np.stack([q, other]), G).max()))
+    return path_error(probe, q, other, G, enough) <= enough
 
 
 def distinct(probe: Probe, q: np.ndarray, G: np.ndarray) -> np.ndarray:

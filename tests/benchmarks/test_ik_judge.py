@@ -1,4 +1,4 @@
-"""The judge of inverse kinematics is judged: it agrees with the arm, accepts what is right, and refutes planted errors."""
+"""The judge of inverse kinematics is judged: it accepts what is right, and refutes errors that are planted."""
 
 from __future__ import annotations
 
