@@ -11,7 +11,7 @@ from itertools import islice
 import numpy as np
 
 from armlab.kin import ik
-from judging.arms import inside, robots
+from judging.arms import at_limits, inside, robots
 from judging.cases import CLASSES, Case, limited_arm
 from judging.charges import KINDS, Charge, charges
 from judging.one import STARTS, by_least_squares, judged
@@ -23,8 +23,9 @@ FEW, MANY, EVERY = 256, 2000, 10
 """Random starts of the judge's search for what a list does not have, and of every tenth case."""
 
 SAID = ("complete", "none", "at least", "infinite")
-POSES, LIMITED = 2500, 800
-"""For single solutions: poses of each robot, and random arms of seven to twelve joints with limits."""
+POSES, SPECIAL, LIMITED = 2500, 250, 800
+"""For single solutions: poses of each robot anywhere inside the limits, those with joints at a limit or at zero, and
+random arms of seven to twelve joints with limits."""
 
 SHOWN = 3
 """Refuted claims that are shown of each class."""
@@ -73,7 +74,7 @@ def judged_class(title: str, share: float, seed: int) -> Score:
     number = list(CLASSES).index(title)
     rng, search = np.random.default_rng([seed, number, 0]), np.random.default_rng([seed, number, 1])
     score = Score()
-    for k, case in enumerate(islice(make(rng), max(1, round(share * count)))):
+    for k, case in enumerate(islice(make(rng), part_of(count, share))):
         start = time.process_time()
         found = ik.solve_all(case.arm, case.T)
         score.seconds.append(time.process_time() - start)
@@ -106,10 +107,17 @@ def single_solutions(share: float, seed: int) -> Iterator[str]:
     yield "| --- | --- | --- | --- | --- | --- |"
     for key, arm in robots().items():
         rng = np.random.default_rng([seed, 0])
-        yield single(key, ((arm, inside(arm, rng)) for _ in range(max(1, round(share * POSES)))), seed)
+        yield single(key, ((arm, inside(arm, rng)) for _ in range(part_of(POSES, share))), seed)
     rng = np.random.default_rng([seed, 1])
-    arms = (limited_arm(rng) for _ in range(max(1, round(share * LIMITED))))
+    special = ((arm, at_limits(arm, rng)) for arm in robots().values() for _ in range(part_of(SPECIAL, share)))
+    yield single("all of them, some joints at a limit or zero", special, seed)
+    arms = (limited_arm(rng) for _ in range(part_of(LIMITED, share)))
     yield single("7 to 12 joints with limits", ((arm, inside(arm, rng)) for arm in arms), seed)
+
+
+def part_of(count: int, share: float) -> int:
+    """Return a share of a number, at least one."""
+    return max(1, round(share * count))
 
 
 def single(title: str, poses: Iterator[tuple], seed: int) -> str:

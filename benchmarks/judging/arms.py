@@ -87,6 +87,13 @@ def inside(arm: Arm, rng: np.random.Generator) -> np.ndarray:
     return rng.uniform(low, np.maximum(low, high))
 
 
+def at_limits(arm: Arm, rng: np.random.Generator) -> np.ndarray:
+    """Return joint values inside the limits, about a third of them at one and a tenth as near to zero as can be."""
+    q, draw = inside(arm, rng), rng.random(arm.n)
+    end = arm.limits[np.arange(arm.n), rng.integers(0, 2, arm.n)]
+    return np.asarray(np.where(draw < 0.35, end, np.where(draw < 0.45, arm.clip(np.zeros(arm.n)), q)))
+
+
 def on_lattice(arm: Arm, step: int, rng: np.random.Generator) -> np.ndarray:
     """Return angles that are multiples of some degrees; slides anywhere inside their limits."""
     angles = np.radians(step * rng.integers(-180 // step + 1, 180 // step + 1, arm.n))

@@ -244,4 +244,4 @@ def test_the_cases_of_a_class_are_the_same_at_every_call(title):
 def test_a_smallest_run_fills_both_tables():
     lines = list(ik_judge.measure(share=0.0))
     rows = [line for line in lines if line.startswith("| ")]
-    assert len(rows) == 2 + len(CLASSES) + 1 + 2 + len(catalogue().robots) + 1
+    assert len(rows) == 2 + len(CLASSES) + 1 + 2 + len(catalogue().robots) + 2
