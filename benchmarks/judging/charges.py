@@ -214,7 +214,7 @@ class _Trial:
 
     def _is(self, row: np.ndarray, q: np.ndarray) -> bool:
         far = float(np.abs(self.probe.apart(row, q)).max())
-        return far <= 1e-7 or (far < 0.5 and is_same(self.probe, row, q, self.G))
+        return far < 0.5 and is_same(self.probe, row, q, self.G)
 
     def _covers(self) -> bool:
         """Return whether q, which reaches the pose nearly, is joined to a listed row by others that do."""

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from judging.probe import Probe
-from judging.search import distances, polished
+from judging.search import FEW, distances, polished
 
-SLACK, EXACT_SLACK = 1e-4, 1e-6
+SLACK, EXACT_SLACK = 1e-4, 1e-8
 """Singular value, relative to the largest, of a direction that is tried; and where the curve has to be exact."""
 
 CURVE = 4e-15
@@ -56,7 +56,7 @@ def _tried(probe: Probe, q: np.ndarray, G: np.ndarray, ways: np.ndarray, far: fl
     # The second round sets out where the first one led: curves are tangent to one of many slack directions.
     for _ in range(2):
         out = q + (far * SIZES[:, None] * ways[:, None, :] * probe.scales).reshape(-1, probe.n)
-        back = polished(probe, out, G, cutoff=1e-3 * far, longest=0.5 * far)
+        back = polished(probe, out, G, cutoff=1e-3 * far, longest=0.5 * far, steps=FEW)
         gone = probe.apart(back, q).reshape(len(ways), len(SIZES), probe.n)
         lengths = np.linalg.norm(gone, axis=2)
         good = ((lengths > 0.7 * far * SIZES) & (lengths < 1.5 * far * SIZES)).all(axis=1)

@@ -13,8 +13,8 @@ LONGEST = 1.5
 STEPS, ARRIVED, NEAR = 40, 1e-9, 1e-4
 """Steps of a descent; the scaled error at which it ends; and at which what still creeps then is polished, too."""
 
-POLISHES, PATIENCE = 30, 4
-"""Full Newton steps at most, and how many in turn may fail to halve the error."""
+POLISHES, FEW, PATIENCE = 30, 8, 4
+"""Full Newton steps at most, and along stiff directions alone; and how many in turn may fail to halve the error."""
 
 ROUNDING = 1e-13
 """Scaled error that counts as none: some hundred roundings of the forward kinematics."""
@@ -26,8 +26,8 @@ VALLEY, BEND, STIFF = 0.1, 3.0, 1e-3
 """Radians or length scales: the longest way along a valley; what a bend makes of its square is the error of a straight
 one; and the singular values, relative to the largest, of the directions across it."""
 
-IDENTICAL = 1e-10
-"""Radians or length scales: nothing is looked at between configurations as near as this."""
+IDENTICAL = 2e-7
+"""Radians or length scales: between solutions as near as this errors are too small to be told from rounding."""
 
 POINTS = np.linspace(0.0, 1.0, 11)[1:-1, None]
 """Where the way from one configuration to another is looked at."""
@@ -68,7 +68,9 @@ def descended(probe: Probe, G: np.ndarray, starts: int, rng: np.random.Generator
     return np.concatenate(done, axis=1).T
 
 
-def polished(probe: Probe, q: np.ndarray, G: np.ndarray, cutoff: float = 1e-13, longest: float = 0.3) -> np.ndarray:
+def polished(
+    probe: Probe, q: np.ndarray, G: np.ndarray, cutoff: float = 1e-13, longest: float = 0.3, steps: int = POLISHES
+) -> np.ndarray:
     """Return configurations (k, n) after full Newton steps, each where its error was least.
 
     Steps go along singular vectors whose singular values are above ``cutoff`` times the largest, and are shortened so
@@ -77,7 +79,7 @@ def polished(probe: Probe, q: np.ndarray, G: np.ndarray, cutoff: float = 1e-13, 
     best, q = q.copy(), q.copy()
     least, waiting = np.full(len(q), np.inf), np.zeros(len(q), dtype=int)
     active = np.arange(len(q))
-    for _ in range(POLISHES):
+    for _ in range(steps):
         J, e = probe.linearised(np.ascontiguousarray(q[active].T), G)
         size = np.sqrt((e * e).sum(axis=0))
         better = size < least[active]
@@ -119,7 +121,7 @@ def path_error(probe: Probe, q: np.ndarray, other: np.ndarray, G: np.ndarray, en
     error = float(probe.size(way, G).max())
     if error <= enough or far > VALLEY or error > BEND * far**2:
         return error
-    bottom = polished(probe, way, G, cutoff=STIFF, longest=far)
+    bottom = polished(probe, way, G, cutoff=STIFF, longest=far, steps=FEW)
     steps = np.diff(np.vstack([q, bottom, q + gap]), axis=0) / probe.scales
     # What slid into one of the two ends says nothing of the way between them.
     joined = np.abs(steps).max() <= 2.5 * far / (len(POINTS) + 1)
