@@ -128,7 +128,8 @@ class _Trial:
         against = []
         error = self._best_curve()
         if error > REACHED:
-            against.append(Charge("false infinite", f"least scaled error along any curve {error:.0e}"))
+            how = f"the least scaled error along one is {error:.0e}" if np.isfinite(error) else "there is no curve"
+            against.append(Charge("false infinite", how))
         if not self.exact or self._lists(self.case.q):
             return against
         error = error_along(self.probe, self.case.q, self.G)
@@ -239,6 +240,6 @@ class _Trial:
         return [i for i in range(len(truth)) if not settle(i, set())]
 
     def _without_q(self, kind: str, more: str = "") -> Charge:
-        far = float(distances(self.probe, self.rows, self.case.q).min(initial=np.inf))
-        least = self.probe.least(self.case.q)
-        return Charge(kind, f"q is {far:.0e} from the nearest listed one{more}; singular value there {least:.0e}")
+        far = distances(self.probe, self.rows, self.case.q)
+        where = f"{far.min():.0e} from the nearest listed one" if len(far) else "not listed"
+        return Charge(kind, f"q is {where}{more}; singular value there {self.probe.least(self.case.q):.0e}")

@@ -243,5 +243,9 @@ def test_the_cases_of_a_class_are_the_same_at_every_call(title):
 
 def test_a_smallest_run_fills_both_tables():
     lines = list(ik_judge.measure(share=0.0))
-    rows = [line for line in lines if line.startswith("| ")]
-    assert len(rows) == 2 + len(CLASSES) + 1 + 2 + len(catalogue().robots) + 2
+    _, every, refuted, single = "\n".join(lines).split("\n\n")
+    assert len(every.splitlines()) == 2 + len(CLASSES) + 1
+    assert len(refuted.splitlines()) > 2
+    assert len(single.splitlines()) == 2 + len(catalogue().robots) + 2
+    for table in (every, refuted, single):
+        assert len({line.count("|") for line in table.splitlines()}) == 1
