@@ -27,9 +27,10 @@ POSES, SPECIAL, LIMITED = 2500, 250, 800
 """For single solutions: poses of each robot anywhere inside the limits, those with joints at a limit or at zero, and
 random arms of seven to twelve joints with limits."""
 
-LEGEND = """Columns from "false none" on count the answers that were refuted so, all but one: "q not found" are lists that say
-"at least" and do not have the joint values the pose was made from. Missing are solutions the judge found and verified to
-rounding, close ones within 0.01 rad of a listed one."""
+LEGEND = """\
+From "false none" on, the columns count answers that were refuted so; all but "q not found",
+which are lists that say "at least" and lack the joint values the pose was made from. What is missing was found by the judge and verified to
+rounding; a close one is within 0.01 rad of a listed one."""
 
 SHOWN = 3
 """Refuted claims that are shown of each class."""
