@@ -28,9 +28,9 @@ POSES, SPECIAL, LIMITED = 2500, 250, 800
 random arms of seven to twelve joints with limits."""
 
 LEGEND = """\
-From "false none" on, the columns count answers that were refuted so; all but "q not found", which are lists that say "at
-least" and lack the joint values the pose was made from. What is missing was found by the judge and verified to rounding;
-a close one is within 0.01 rad of a listed one."""
+From "false none" on, the columns count answers that were refuted so. Only "q not found" is no refutation: a list
+that says "at least" and lacks the joint values the pose was made from. What is missing was found by the judge and
+verified to rounding; a close one is within 0.01 rad of a listed one."""
 
 SHOWN = 3
 """Refuted claims that are shown of each class."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
+from armlab.kin.rotations import rotation_from_quaternion
 from judging.probe import Probe
 
 QUARTERS = (0.0, np.pi / 2, -np.pi / 2)
@@ -74,6 +75,14 @@ def grown(arm: Arm, size: float) -> Arm:
     tool[:3, 3] *= size
     rows = [["R", size * row.a, row.alpha, size * row.d, row.theta] for row in arm.rows]
     return arm_of(rows, convention=arm.convention, tool=tool, task=arm.task)
+
+
+def some_pose(rng: np.random.Generator) -> np.ndarray:
+    """Return any rotation, and a place up to half a metre away in each direction."""
+    T = np.eye(4)
+    T[:3, :3] = rotation_from_quaternion(rng.normal(size=4))
+    T[:3, 3] = rng.uniform(-0.5, 0.5, 3)
+    return T
 
 
 def turns(rng: np.random.Generator, n: int = 6) -> np.ndarray:

@@ -22,6 +22,7 @@ from judging.arms import (
     robots,
     sixes,
     some_fold,
+    some_pose,
     stretched,
     structured_rows,
     turns,
@@ -66,8 +67,11 @@ def made(arm: Arm, q: np.ndarray, label: str, beside: np.ndarray | None = None) 
 
 
 def general(rng: np.random.Generator) -> Iterator[Case]:
+    """Both conventions, on a base and with a tool anywhere."""
     while True:
-        arm = arm_of(general_rows(rng), task="pose")
+        convention = ("standard", "modified")[rng.integers(2)]
+        base, tool = some_pose(rng), some_pose(rng)
+        arm = arm_of(general_rows(rng), convention=convention, base=base, tool=tool, task="pose")
         for _ in range(3):
             yield made(arm, turns(rng), "general")
 
