@@ -123,17 +123,16 @@ class _Trial:
 
     def _infinite(self) -> list[Charge]:
         """Return whether there is no family, nearly none either, or q is neither on one nor listed."""
-        if self.probe.n > self.probe.m:
-            return []
         against = []
-        error = self._best_curve()
-        if error > REACHED:
+        error, most = self._best_curve(), REACHED / max(1.0, self.probe.length)
+        if error > most:
             how = f"the least scaled error along one is {error:.0e}" if np.isfinite(error) else "there is no curve"
             against.append(Charge("false infinite", how))
-        if not self.exact or self._lists(self.case.q):
+        # Of an arm with joints to spare nobody lists all families.
+        if not self.exact or self.probe.n > self.probe.m or self._lists(self.case.q):
             return against
         error = error_along(self.probe, self.case.q, self.G)
-        if error > REACHED:
+        if error > most:
             against.append(self._without_q("q missing", " and on no family"))
         elif error <= CURVE and self._is_one_curve() and not is_on(self.probe, self.found.families, self.case.q):
             against.append(self._without_q("q missing", " and its family not traced"))

@@ -26,13 +26,10 @@ class One(NamedTuple):
         A solution inside the limits, confirmed by the judge's own forward kinematics.
     wrong : str
         What is wrong with what was said, empty where nothing is: a pose that is reached is not, or the other way round.
-    q : ndarray, shape (n,)
-        The joint values the pose was made from.
     """
 
     solved: bool
     wrong: str
-    q: np.ndarray
 
 
 def judged(arm: Arm, q: np.ndarray, found: ik.IkResult) -> One:
@@ -47,7 +44,7 @@ def judged(arm: Arm, q: np.ndarray, found: ik.IkResult) -> One:
         wrong = f"said to be reached, but {place:.1e} m, {turn:.1e} rad off or outside the limits"
     elif found.proven:
         wrong = f"said to be proven not to be: {found.reason}"
-    return One(reached and found.success, wrong, q)
+    return One(reached and found.success, wrong)
 
 
 def by_least_squares(arm: Arm, T: np.ndarray, rng: np.random.Generator) -> int | None:

@@ -144,6 +144,13 @@ def test_infinite_is_refuted_at_a_regular_pose(eight):
     assert kinds(case, answer(case.arm, eight.q, "infinite")) == {"false infinite"}
 
 
+def test_infinite_is_refuted_where_an_arm_with_joints_to_spare_is_stretched():
+    arm = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0)] * 3, task="xy")
+    bent, stretched = np.array([0.3, 0.5, -0.4]), np.array([0.3, 0.0, 0.0])
+    assert kinds(made(arm, bent, "bent"), answer(arm, bent, "infinite")) == set()
+    assert kinds(made(arm, stretched, "stretched"), answer(arm, stretched, "infinite")) == {"false infinite"}
+
+
 def straight_wrist() -> Case:
     """Return a pose of the PUMA with a straight wrist, where only q4 + q6 counts."""
     return made(puma(), np.array([0.4, 0.9, -0.6, 0.5, 0.0, -1.1]), "straight wrist")
