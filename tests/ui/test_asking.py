@@ -2,6 +2,7 @@
 
 import asyncio
 
+import numpy as np
 import pytest
 
 from armlab.content.question import Choices, Field, Grid
@@ -11,7 +12,7 @@ from armlab.ui.tab import COVERED
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from support.own_lessons import ARM, QUESTIONS, in_lesson, lesson, load, piece, to_step, write
-from support.student import run
+from support.student import arm_nodes, run, settled
 
 VALUES = """
 ## Guess
@@ -210,13 +211,15 @@ def test_a_moving_arm_does_not_touch_the_field_of_an_answer(url):
     async def main():
         browser = await in_lesson(url, "questions")
         await to_step(browser, 4)
-        await asyncio.sleep(0.3)
+        await settled(browser)
         field = next(key for key, c in browser.controls.items() if "lesson-answer" in c["props"].get("content", ""))
         written = []
         browser.on_message = lambda message, _at: written.append(message["uuid"]) if "uuid" in message else None
         for value in (10.0, 20.0, 30.5):
             await browser.set_value(browser.slider(1), value)
-            await asyncio.sleep(0.15)
+            z = np.sin(np.radians(value) / 2)
+            await browser.until(lambda z=z: np.isclose(browser.nodes[arm_nodes(browser)[0]]["wxyz"][3], z))
+        await settled(browser)
         assert written
         assert field not in written
         await browser.close()

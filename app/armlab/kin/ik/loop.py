@@ -21,6 +21,9 @@ TOLERANCE = 1e-8
 """Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. Asking for less inside the
 loop costs solutions near singularities, where the last digits converge slowly."""
 
+CLOSE = 1e-8
+"""Squared scaled error from which one step of a method that converges quadratically arrives."""
+
 STILL = 1e-9
 """Gain, relative to the squared error, below which a step is not worth taking: the arm then rests exactly where it is,
 however often the same target comes again."""
@@ -73,20 +76,27 @@ def descend(
     The plain method: each step is taken as it comes, only clipped to `MAX_STEP`. All iterates after ``q0`` are added to
     ``path`` where there is one.
     """
-    q, gain = list(q0), problem.gain
-    largest = _largest_steps(problem)
-    at = problem.linearise(q, target, gain, free)
+    # Behind every solution and every restart: numbers as they come, without an object for each step.
+    q, n, per_square = list(q0), problem.arm.n, problem.per_square
+    largest, step_at, squares = _largest_steps(problem), problem.numbers(target, problem.gain, free), 2 * n + 1
     for iteration in range(limit):
-        if arrived(at.errors):
-            return Descent(q, at.errors, iteration)
-        q = [
-            value + (dq if -most < dq < most else _clip(dq, most))
-            for value, dq, most in zip(q, at.step, largest, strict=True)
-        ]
+        numbers = step_at(q)
+        square = numbers[squares] * per_square + numbers[squares + 1]
+        if square <= TOLERANCE**2:
+            errors = problem.errors(numbers[squares:])
+            if arrived(errors):
+                return Descent(q, errors, iteration)
+        if numbers[2 * n] < MAX_STEP**2:
+            q = list(numbers[:n])
+        else:
+            q = [value + _clip(dq, most) for value, dq, most in zip(q, numbers[n:], largest, strict=False)]
         if path is not None:
             path.append(q)
-        at = problem.linearise(q, target, gain, free)
-    return Descent(q, at.errors, limit)
+        if square < CLOSE:
+            errors = problem.errors_at(q, target)
+            if arrived(errors):
+                return Descent(q, errors, iteration + 1)
+    return Descent(q, problem.errors_at(q, target), limit)
 
 
 def descend_inside(
@@ -213,8 +223,24 @@ def wrapped(
     revolute, limits : ndarray, shapes (n,) and (n, 2)
         Of the arm. An angle that is outside its limits at every turn stays outside.
     """
-    values, turn = np.array(q, dtype=float), 2.0 * math.pi
-    turns = np.floor((near - values) / turn + 0.5)
+    return np.array(
+        [
+            value + turns_inside(value, goal, low, high) if turns else value
+            for value, goal, turns, (low, high) in zip(
+                q, near.tolist(), revolute.tolist(), limits.tolist(), strict=True
+            )
+        ]
+    )
+
+
+def turns_inside(value: float, near: float, low: float, high: float) -> float:
+    """Return the whole turns, in radians, that bring an angle inside its limits and as near to another as can be.
+
+    Where no turn leads inside it is brought below the upper limit.
+    """
+    if low <= value <= high and abs(near - value) < math.pi:
+        return 0.0
+    turns = math.floor((near - value) / math.tau + 0.5)
     # The slack of `Arm.within_limits`: rounding at a limit must not cost a turn.
-    least, most = np.ceil((limits[:, 0] - AT - values) / turn), np.floor((limits[:, 1] + AT - values) / turn)
-    return np.asarray(np.where(revolute, values + turn * np.clip(turns, least, most), values))
+    least, most = math.ceil((low - AT - value) / math.tau), math.floor((high + AT - value) / math.tau)
+    return math.tau * min(max(turns, least), most)

@@ -19,7 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.checks import whole_number
+from armlab.kin.ik.method import methods
 from armlab.kin.ik.rest import AT
+from armlab.kin.ik.search import problem_of
 from armlab.kin.ik.verdict import joint_values, task_error_of
 
 Vector = NDArray[np.float64]
@@ -32,6 +34,9 @@ LEAST_STEP = 1e-3
 
 MOST_STEPS = 2000
 """In each direction: about 300 rad of travel."""
+
+MOST_ON_SURFACE = 200
+"""The same where there is more than one direction to go: such a line need never close."""
 
 EXACT = 1e-12
 """Scaled error of a point on the curve; Newton steps leave a much smaller one."""
@@ -62,7 +67,8 @@ class SelfMotion:
         Dimension of the null space at the start: 1 for a curve, more for a surface of which this is one curve, 0 for
         an isolated solution.
     stops : tuple of int
-        0-based joints whose limits stop it at its first and last point; -1 where it ends for another reason.
+        Places in q, from 0, of the joints whose limits stop it at its first and last point; -1 where it ends for
+        another reason.
     bounds : ndarray, shape (2, n)
         Least and greatest joint values it was followed to.
     """
@@ -139,6 +145,8 @@ def trace_self_motion(arm: Arm, q: Vector, T: Vector, *, limits: bool = True, st
     bounds = np.array([tracer.low, tracer.high])
     if freedom == 0:
         return SelfMotion(q[None], T, False, 0, (-1, -1), bounds)
+    if freedom > 1:
+        steps = min(steps, MOST_ON_SURFACE)
     direction = _canonical(start)
     ahead, closed, last = tracer.follow(q, direction, steps)
     if closed:
@@ -155,6 +163,8 @@ class _Tracer:
         self.scales = np.where(arm.revolute, 1.0, arm.length_scale)
         self.task = task_error_of(arm)
         self.target = self.task.target(T)
+        # Without damping but for the floor: the shortest step back, at a singular place nearly so.
+        self.step = problem_of(arm, methods()["dls"]).numbers(self.target, 0.0, None)
         self.floor = FLOOR * np.eye(arm.task.m)
         self.low, self.high = np.minimum(arm.limits[:, 0], start), np.maximum(arm.limits[:, 1], start)
         if not limits:
@@ -177,15 +187,16 @@ class _Tracer:
 
     def _corrected(self, q: Vector) -> tuple[Vector, Vector] | None:
         """Return the same, and the scaled task Jacobian there."""
+        n, values = self.arm.n, q.tolist()
         for _ in range(8):
-            J, e, _ = self.task.at(q.tolist(), self.target)
-            if float(e @ e) <= EXACT**2:
-                return q, J
-            q = q + J.T @ self._solved(J, e) * self.scales
+            numbers = self.step(values)
+            if numbers[2 * n + 1] * self.task.per_square + numbers[2 * n + 2] <= EXACT**2:
+                return np.array(values), self.task.at(values, self.target)[0]
+            values = numbers[:n]
         return None
 
     def _solved(self, J: Vector, e: Vector) -> Vector:
-        """Return (J J^T + floor)^-1 e: with J^T before it the shortest step, at a singular place nearly so."""
+        """Return (J J^T + floor)^-1 e."""
         return np.asarray(np.linalg.solve(J @ J.T + self.floor, e))
 
     def follow(self, q: Vector, direction: Vector, steps: int) -> tuple[list[Vector], bool, int]:
