@@ -1,0 +1,22 @@
+"""A page whose lab has gone says so, and stops saying so when it is back."""
+
+import pytest
+
+from support.lab import open_lab
+from support.page import COARSE, SMALL, LabPage
+
+pytestmark = pytest.mark.browser
+
+
+def test_a_lost_connection_is_said_until_it_is_back(browser, tmp_path):
+    lab = open_lab(tmp_path)
+    context = browser.new_context()
+    page = LabPage(context, f"http://127.0.0.1:{lab.port}/?{COARSE}", SMALL, False)
+    said = page.page.get_by_role("alert").filter(has_text="connection to the lab is lost")
+    assert said.count() == 0
+    lab.stop()
+    page.until(lambda: said.count() == 1)
+    again = open_lab(tmp_path, port=lab.port)
+    page.until(lambda: said.count() == 0)
+    context.close()
+    again.stop()
