@@ -1,0 +1,64 @@
+"""Solutions from many ways of looking, each once.
+
+Newton's method leaves simple solutions exact and scatters where k of them merge: an error e of the pose is one of
+e^(1/k) of the angles, 1e-8 to 1e-3 rad. So no distance in angles tells two solutions from one. The pose does: between
+two solutions the arm has to leave the target, and how far, half-way, is what can be told from rounding or not.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.kin.ik.general_loop import Floats
+from armlab.kin.ik.general_polish import errors_and_columns, polish
+
+ROUNDING = 4e-15
+"""Error of the pose, in radians and units of length, that some ten products of matrices may make."""
+
+REFINED = 1e-15
+STEPS, PATIENCE = 40, 8
+"""Of the last polishing: at a double root every step halves the distance, from 1e-4 to 1e-8 in some fifteen."""
+
+EXACT = 1e-12
+"""Error of a solution; what stays above it only comes near the pose."""
+
+IDENTICAL = 1e-9
+"""Radians: what is closer is one without asking the pose."""
+
+CLOSE = 0.3
+"""Radians in all joints together: farther apart two candidates are not one."""
+
+
+def merged(links: Floats, q: Floats, hand: Floats) -> Floats:
+    """Return exact solutions (k, 6) from candidates (m, 6) near them, each once, the most exact of each."""
+    if not len(q):
+        return np.empty((0, 6))
+    q, sizes = polish(links, q, np.broadcast_to(hand, (len(q), 4, 4)), STEPS, PATIENCE, REFINED)
+    order = np.argsort(sizes, kind="stable")
+    order = order[sizes[order] < EXACT]
+    q, sizes = q[order], sizes[order]
+    apart = np.linalg.norm(wrapped(q[:, None] - q), axis=2)
+    first = ~np.tril(apart < IDENTICAL, -1).any(axis=1)
+    q, sizes, apart = q[first], sizes[first], apart[np.ix_(first, first)]
+    same = _same(links, q, sizes, apart, hand)
+    kept: list[int] = []
+    for k in range(len(q)):
+        if not same[k, kept].any():
+            kept.append(k)
+    return q[kept]
+
+
+def _same(links: Floats, q: Floats, sizes: Floats, apart: Floats, hand: Floats) -> np.ndarray:
+    """Return which pairs are one: half-way between them the error is no larger than theirs, or rounding."""
+    one, other = np.nonzero(np.tril(apart < CLOSE, -1))
+    half_way = q[one] + 0.5 * wrapped(q[other] - q[one])
+    between = errors_and_columns(links, half_way, np.broadcast_to(hand, (len(one), 4, 4)))[2]
+    found = between <= np.maximum(4.0 * np.maximum(sizes[one], sizes[other]), ROUNDING)
+    same = np.zeros((len(q), len(q)), dtype=bool)
+    same[one[found], other[found]] = same[other[found], one[found]] = True
+    return same
+
+
+def wrapped(angles: Floats) -> Floats:
+    """Return angles without their whole turns, between half a turn back and half a turn ahead."""
+    return np.asarray(angles - 2.0 * np.pi * np.round(angles / (2.0 * np.pi)))
