@@ -102,7 +102,10 @@ def newton(links: Floats, q: Complex, hands: Numbers, steps: int = STEPS) -> tup
             inverses = inverted(columns)
             step = (errors[:, None] @ inverses)[:, 0]
             lengths = np.abs(step).max(axis=1)
-            sizes[rows], norms[rows] = found, np.sqrt((np.abs(inverses) ** 2).sum(axis=(1, 2)))
+            sizes[rows] = found
+            # Only where the steps have ended: beside a multiple root they go on and on, each half of the last.
+            size = np.sqrt((np.abs(inverses) ** 2).sum(axis=(1, 2)))
+            norms[rows] = np.where(lengths <= STILL, size, np.inf)
             q[rows] += step * np.minimum(1.0, LONGEST / np.maximum(lengths, 1e-300))[:, None]
             going = (lengths > STILL) & (np.abs(q[rows].imag).max(axis=1) < OUTERMOST)
             if k >= PATIENCE:

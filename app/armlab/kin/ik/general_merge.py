@@ -16,8 +16,14 @@ ROUNDING = 4e-15
 """Error of the pose, in radians and units of length, that some ten products of matrices may make."""
 
 REFINED = 1e-15
-STEPS, PATIENCE = 40, 8
+STEPS = 40
 """Of the last polishing: at a double root every step halves the distance, from 1e-4 to 1e-8 in some fifteen."""
+
+CUTOFF = 1e-11
+"""Relative singular values below it are those of a family, along which nothing is to be polished."""
+
+WORTH = 1e-6
+"""Error of a candidate that is worth it."""
 
 EXACT = 1e-12
 """Error of a solution; what stays above it only comes near the pose."""
@@ -33,7 +39,7 @@ def merged(links: Floats, q: Floats, hand: Floats) -> Floats:
     """Return exact solutions (k, 6) from candidates (m, 6) near them, each once, the most exact of each."""
     if not len(q):
         return np.empty((0, 6))
-    q, sizes = polish(links, q, np.broadcast_to(hand, (len(q), 4, 4)), STEPS, PATIENCE, REFINED)
+    q, sizes = _refined(links, *polish(links, q, np.broadcast_to(hand, (len(q), 4, 4))), hand)
     order = np.argsort(sizes, kind="stable")
     order = order[sizes[order] < EXACT]
     q, sizes = q[order], sizes[order]
@@ -46,6 +52,22 @@ def merged(links: Floats, q: Floats, hand: Floats) -> Floats:
         if not same[k, kept].any():
             kept.append(k)
     return q[kept]
+
+
+def _refined(links: Floats, q: Floats, sizes: Floats, hand: Floats) -> tuple[Floats, Floats]:
+    """Return candidates after Newton steps without damping, which at multiple roots would end them early."""
+    rows = np.flatnonzero((sizes > REFINED) & (sizes < WORTH))
+    q, sizes, going = q.copy(), sizes.copy(), q[rows]
+    for _ in range(STEPS):
+        if not len(rows):
+            break
+        errors, columns, now = errors_and_columns(links, going, np.broadcast_to(hand, (len(rows), 4, 4)))
+        better = now < sizes[rows]
+        q[rows[better]], sizes[rows[better]] = going[better], now[better]
+        on = (now > REFINED) & (now <= 2.0 * sizes[rows])
+        rows, going = rows[on], going[on]
+        going = going + (errors[on, None] @ np.linalg.pinv(columns[on], rcond=CUTOFF))[:, 0]
+    return q, sizes
 
 
 def _same(links: Floats, q: Floats, sizes: Floats, apart: Floats, hand: Floats) -> np.ndarray:

@@ -135,10 +135,11 @@ def follow(links: Floats, way: Way, q: Complex) -> Ends:
         steps[done[easy]] = np.minimum(2.0 * steps[done[easy]], LONGEST)
         factors[done[easy]] = np.maximum(factors[done[easy]] ** 2, FACTOR)
         bad = rows[~good]
-        steps[bad], factors[bad] = 0.5 * np.minimum(steps[bad], u[bad]), np.sqrt(factors[bad])
+        steps[bad] = 0.5 * np.minimum(steps[bad], u[bad])
+        factors[bad] = np.where(late[bad], np.sqrt(factors[bad]), FACTOR)
         late[bad[u[bad] <= ENDGAME]] = True
         going[rows] = (u[rows] > SMALLEST) & (np.abs(q[rows].imag).max(axis=1) < OUTERMOST)
-        going[bad] &= np.where(late[bad], factors[bad] < 0.9, steps[bad] > 1e-5)
+        going[bad] &= np.where(late[bad], factors[bad] < 0.97, steps[bad] > 1e-5)
     return Ends(q, u, speed)
 
 
