@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
 from armlab.kin.ik.general_complex import NO_ROOTS, Roots, joined
-from armlab.kin.ik.general_family import Split, rank_losses, split
+from armlab.kin.ik.general_family import Split, split
 from armlab.kin.ik.general_loop import Floats, Loop, orthonormal, principal
 from armlab.kin.ik.general_near import nearly
 from armlab.kin.ik.general_search import PASSES, STARTS, Search
@@ -171,8 +171,7 @@ def _solve(
         found, complete = roots.q[roots.real].real, True
         parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp))
     else:
-        found, roots, complete = resolve(search, hand, roots)
-        parts = split(links, found, hand, rank_losses(links, found, hand))
+        found, parts, roots, complete = resolve(search, hand, roots)
     beside = nearly(links, roots, found, hand)
     q = np.concatenate([found[parts.isolated], parts.members, beside])
     singular = np.ones(len(q), dtype=bool)

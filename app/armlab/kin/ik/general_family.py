@@ -143,10 +143,15 @@ def _walk(links: Floats, start: Floats, hand: Floats, along: Floats) -> tuple[Fl
 
 
 def _next(links: Floats, q: Floats, hand: Floats, along: Floats) -> Floats | None:
-    """Return the solution a step ahead; None where there is none."""
-    found, sizes = newton.polish(links, (q + STEP * along)[None], hand[None], newton.PATIENCE + 4)
-    moved = float(np.linalg.norm(found[0] - q))
-    return found[0] if sizes[0] < 10.0 * newton.EXACT and STEP / 2.0 < moved < 2.0 * STEP else None
+    """Return the solution a step ahead; None where there is none.
+
+    Half a step ahead there has to be one as well, and each near where it is looked for: beside a curve of solutions,
+    not another isolated one.
+    """
+    ahead = q + STEP * np.array([1.0, 0.5])[:, None] * along
+    found, sizes = newton.polish(links, ahead, np.broadcast_to(hand, (2, 4, 4)), newton.PATIENCE + 4)
+    aside = np.linalg.norm(found - ahead, axis=1)
+    return found[0] if sizes.max() < 10.0 * newton.EXACT and aside[0] < STEP / 2.0 and aside[1] < STEP / 4.0 else None
 
 
 def _null_vector(links: Floats, q: Floats, hand: Floats) -> Floats:

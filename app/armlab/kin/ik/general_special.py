@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from armlab.kin.ik.general_complex import OUTERMOST, REAL, Roots, joined, near, newton
-from armlab.kin.ik.general_complex import REGULAR, SAME
+from armlab.kin.ik.general_complex import OUTERMOST, REGULAR, SAME, Roots, joined, near, newton
+from armlab.kin.ik.general_family import Split, rank_losses, split
 from armlab.kin.ik.general_loop import Complex, Floats
 from armlab.kin.ik.general_merge import merged, wrapped
 from armlab.kin.ik.general_search import PASSES, SEED, Search
@@ -41,6 +41,8 @@ class Resolved(NamedTuple):
     ----------
     q : ndarray, shape (k, 6)
         Exact, each once; of families some members.
+    parts : Split
+        Their kinds.
     roots : Roots
         Regular ones, complex ones included.
     complete : bool
@@ -48,6 +50,7 @@ class Resolved(NamedTuple):
     """
 
     q: Floats
+    parts: Split
     roots: Roots
     complete: bool
 
@@ -63,23 +66,27 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
         What elimination found at the pose itself.
     """
     links, rng = search.loop.links, np.random.default_rng(SEED)
-    starts = [search.descents(hand), _starts(roots.q)]
-    complete, known = False, roots
+    q = merged(links, np.concatenate([search.descents(hand), _starts(roots.q)]), hand)
+    parts = _parted(links, q, hand)
     for size in SIZES if search.formulations else ():
+        if parts.freedom:
+            break
         way = Way.beside(hand, rng, size)
         beside, whole = _all_roots(search, way.start)
         ends = follow(links, way, beside)
         regular, rest = _reached(search, ends, hand)
-        known = joined(known, regular)
-        starts.append(_starts(ends.q))
+        roots = joined(roots, regular)
+        q = merged(links, np.concatenate([q, _starts(roots.q), _starts(ends.q)]), hand)
+        parts = _parted(links, q, hand)
         # Of roots that two ways lead to, one has lost its own.
-        lost = len(beside) - len(rest.q) - int(regular.regular.sum())
-        if whole and lost <= 0:
-            q = merged(links, np.concatenate([known.q[known.real].real, *starts]), hand)
-            complete = all(_is_known(q, end, speed) for end, speed in zip(rest.q, rest.speed, strict=True))
-            if complete:
-                return Resolved(q, known, True)
-    return Resolved(merged(links, np.concatenate([known.q[known.real].real, *starts]), hand), known, False)
+        lost = len(beside) - len(rest.q) - len(regular.q)
+        if whole and lost <= 0 and all(_is_known(q, *end) for end in zip(rest.q, rest.speed, strict=True)):
+            return Resolved(q, parts, roots, True)
+    return Resolved(q, parts, roots, False)
+
+
+def _parted(links: Floats, q: Floats, hand: Floats) -> Split:
+    return split(links, q, hand, rank_losses(links, q, hand))
 
 
 def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:
