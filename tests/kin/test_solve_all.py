@@ -8,8 +8,10 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.ik.answer import SURFACE
 from armlab.kin.ik.solutions import MOST_EQUIVALENTS, wrapped_rows
-from armlab.kin.ik.solve_all import FAMILIES, REPRESENTATIVES, SURFACE, solve_all
+from armlab.kin.ik.solve_all import solve_all
+from armlab.kin.ik.spare_joints import FAMILIES, REPRESENTATIVES
 from armlab.kin.task import Task
 from support.arms import QUARTERS, random_pose, random_q
 from support.solutions import apart, contains, no_duplicates, worst_error

@@ -44,7 +44,7 @@ class Closest(TaskError):
     ) -> Linearised:
         """Return one step at ``q`` and the errors there."""
         numbers = self._compiled(*q, *target, *([1.0] * self.arm.n if free is None else free), gain)
-        return Linearised(numbers[: self._n], self._errors(numbers[self._n :]))
+        return Linearised(numbers[: self._n], self.errors(numbers[self._n :]))
 
     def curve(
         self, q: Sequence[float], target: Sequence[float], free: Sequence[float]
@@ -55,7 +55,7 @@ class Closest(TaskError):
         """
         n = self.arm.n
         numbers, end = self._curved(*q, *target, *free), n + n * n
-        return np.array(numbers[:n]), np.array(numbers[n:end]).reshape(n, n), self._errors(numbers[end:])
+        return np.array(numbers[:n]), np.array(numbers[n:end]).reshape(n, n), self.errors(numbers[end:])
 
     @cached_property
     def _curved(self) -> Callable[..., tuple[float, ...]]:

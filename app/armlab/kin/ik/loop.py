@@ -73,20 +73,23 @@ def descend(
     The plain method: each step is taken as it comes, only clipped to `MAX_STEP`. All iterates after ``q0`` are added to
     ``path`` where there is one.
     """
-    q, gain = list(q0), problem.gain
-    largest = _largest_steps(problem)
-    at = problem.linearise(q, target, gain, free)
+    # Behind every solution and every restart: numbers as they come, without an object for each step.
+    q, n, largest = list(q0), problem.arm.n, _largest_steps(problem)
+    step_at, per_square = problem.numbers(target, problem.gain, free), problem.per_square
+    numbers = step_at(q)
     for iteration in range(limit):
-        if arrived(at.errors):
-            return Descent(q, at.errors, iteration)
+        if numbers[n] * per_square + numbers[n + 1] <= TOLERANCE**2:
+            errors = problem.errors(numbers[n:])
+            if arrived(errors):
+                return Descent(q, errors, iteration)
         q = [
             value + (dq if -most < dq < most else _clip(dq, most))
-            for value, dq, most in zip(q, at.step, largest, strict=True)
+            for value, dq, most in zip(q, numbers, largest, strict=False)
         ]
         if path is not None:
             path.append(q)
-        at = problem.linearise(q, target, gain, free)
-    return Descent(q, at.errors, limit)
+        numbers = step_at(q)
+    return Descent(q, problem.errors(numbers[n:]), limit)
 
 
 def descend_inside(
@@ -213,8 +216,22 @@ def wrapped(
     revolute, limits : ndarray, shapes (n,) and (n, 2)
         Of the arm. An angle that is outside its limits at every turn stays outside.
     """
-    values, turn = np.array(q, dtype=float), 2.0 * math.pi
-    turns = np.floor((near - values) / turn + 0.5)
+    return np.array(
+        [
+            value + turns_inside(value, goal, low, high) if turns else value
+            for value, goal, turns, (low, high) in zip(
+                q, near.tolist(), revolute.tolist(), limits.tolist(), strict=True
+            )
+        ]
+    )
+
+
+def turns_inside(value: float, near: float, low: float, high: float) -> float:
+    """Return the whole turns, in radians, that bring an angle inside its limits and as near to another as can be.
+
+    Where no turn leads inside it is brought below the upper limit.
+    """
+    turns = math.floor((near - value) / math.tau + 0.5)
     # The slack of `Arm.within_limits`: rounding at a limit must not cost a turn.
-    least, most = np.ceil((limits[:, 0] - AT - values) / turn), np.floor((limits[:, 1] + AT - values) / turn)
-    return np.asarray(np.where(revolute, values + turn * np.clip(turns, least, most), values))
+    least, most = math.ceil((low - AT - value) / math.tau), math.floor((high + AT - value) / math.tau)
+    return math.tau * min(max(turns, least), most)

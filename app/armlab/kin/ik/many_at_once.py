@@ -74,6 +74,10 @@ class ManyAtOnce:
         J = np.concatenate(rows, axis=2) * scales[:, None]
         return np.swapaxes(J, 1, 2), np.concatenate(errors, axis=1)
 
+    def tools(self, q: Vector) -> Vector:
+        """Return the poses of the tool in frame 0, (k, 4, 4), at q (k, n)."""
+        return self._axes(q)[2]
+
     def _axes(self, q: Vector) -> tuple[Vector, Vector, Vector]:
         """Return directions and points of the joint axes, (k, n, 3) each, and the tool (k, 4, 4), in frame 0."""
         k, n = q.shape

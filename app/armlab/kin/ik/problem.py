@@ -216,6 +216,13 @@ class TaskError:
         width = np.where(self.arm.revolute, np.minimum(high - low, 2.0 * math.pi), high - low)
         return np.where(self.arm.revolute, np.clip(-math.pi, low, high - width), low), width
 
+    @cached_property
+    def ranges(self) -> list[tuple[float, float, bool]]:
+        """Limits of each joint, and whether it turns."""
+        return [
+            (low, high, row.revolute) for (low, high), row in zip(self.arm.limits.tolist(), self.arm.rows, strict=True)
+        ]
+
     def target(self, T: NDArray[np.floating]) -> list[float]:
         """Return the 12 numbers of a target pose (4, 4) in the world, as the formulas want them."""
         found: list[float] = (self._to_frame_0 @ T).ravel().tolist()
@@ -229,17 +236,22 @@ class TaskError:
         self, q: Sequence[float], target: Sequence[float], free: Sequence[float] | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], Errors]:
         """Return J (m, n) and e (m), both scaled, and the errors; columns of joints that are not free are zero."""
+        J, e, squares = self._parts(q, target, free)
+        return J, e, self.errors(squares)
+
+    def _parts(
+        self, q: Sequence[float], target: Sequence[float], free: Sequence[float] | None
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], Sequence[float]]:
         m, n = self.arm.task.m, self.arm.n
         numbers = self._scalar(*q, *target, *([1.0] * n if free is None else free))
-        J, e = np.array(numbers[: m * n]).reshape(m, n), np.array(numbers[m * n : m * n + m])
-        return J, e, self._errors(numbers[m * n + m :])
+        return np.array(numbers[: m * n]).reshape(m, n), np.array(numbers[m * n : m * n + m]), numbers[m * n + m :]
 
     def slope(
         self, q: Sequence[float], target: Sequence[float], free: Sequence[float]
     ) -> tuple[NDArray[np.float64], Errors]:
         """Return the exact downhill slope of half the squared scaled distance, (n), and the errors."""
         numbers, n = self._slope(*q, *target, *free), self.arm.n
-        return np.array(numbers[:n]), self._errors(numbers[n:])
+        return np.array(numbers[:n]), self.errors(numbers[n:])
 
     @cached_property
     def _slope(self) -> Callable[..., tuple[float, ...]]:
@@ -255,17 +267,19 @@ class TaskError:
         """Inputs are q (n), the target (12), and with ``holds`` for each joint 1 when it is free and 0 when not."""
         return self.arm.n + 12 + (self.arm.n if holds else 0)
 
-    def _errors(self, squares: Sequence[float]) -> Errors:
+    def errors(self, squares: Sequence[float]) -> Errors:
+        """Return the errors from the squares the formulas end with."""
         # Near 180 degrees the components of the turn vanish, near 0 the cosine loses digits: each where it is good.
         if self.weights is None:
             position2, rotation2, coarse2 = squares
-            return Errors(position2, coarse2 if coarse2 > 1.0 else rotation2, self._per_square)
+            return Errors(position2, coarse2 if coarse2 > 1.0 else rotation2, self.per_square)
         position2, rotation2, coarse2, weighted = squares
         rotation2 = coarse2 if coarse2 > 1.0 else rotation2
-        return Errors(position2, rotation2, self._per_square, weighted + self._turn2 * rotation2)
+        return Errors(position2, rotation2, self.per_square, weighted + self._turn2 * rotation2)
 
     @cached_property
-    def _per_square(self) -> float:
+    def per_square(self) -> float:
+        """One over the square of the arm's length scale."""
         return self.arm.length_scale**-2
 
     def _expressions(self, holds: bool = True) -> tuple[Graph, list[list[Number]], list[Number], list[Number]]:
@@ -294,15 +308,25 @@ class Problem(TaskError):
 
         ``free`` has 1 for joints that may move and 0 for others; None, the usual case, is compiled without it.
         """
+        numbers = self.numbers(target, gain, free)(q)
+        return Linearised(numbers[: self._n], self.errors(numbers[self._n :]))
+
+    def numbers(
+        self, target: Sequence[float], gain: float, free: Sequence[float] | None
+    ) -> Callable[[Sequence[float]], Sequence[float]]:
+        """Return the function from q to the same as plain numbers: the step (n), and the squares for `errors`."""
         if not self.method.closed:
-            J, e, errors = self.at(q, target, free)
-            step = self._unscaled(self.method.step(J.tolist(), e.tolist(), gain))
-            # A column of zeros may come back with rounding in it: a held joint is to keep its last digit.
-            return Linearised(
-                [dq if may else 0.0 for dq, may in zip(step, free or [1.0] * self._n, strict=True)], errors
-            )
-        numbers = self._all_free(*q, *target, gain) if free is None else self._some_held(*q, *target, *free, gain)
-        return Linearised(numbers[: self._n], self._errors(numbers[self._n :]))
+            return lambda q: self._stepped(q, target, gain, free)
+        formulas, rest = (self._all_free, target) if free is None else (self._some_held, [*target, *free])
+        return lambda q: formulas(*q, *rest, gain)
+
+    def _stepped(
+        self, q: Sequence[float], target: Sequence[float], gain: float, free: Sequence[float] | None
+    ) -> Sequence[float]:
+        J, e, squares = self._parts(q, target, free)
+        step = self._unscaled(self.method.step(J.tolist(), e.tolist(), gain))
+        # A column of zeros may come back with rounding in it: a held joint is to keep its last digit.
+        return [*(dq if may else 0.0 for dq, may in zip(step, free or [1.0] * self._n, strict=True)), *squares]
 
     @cached_property
     def _all_free(self) -> Callable[..., tuple[float, ...]]:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import islice
 from typing import NamedTuple
 
@@ -18,9 +17,11 @@ from armlab.kin.ik.iterate.problem import Problem as Iterated
 from armlab.kin.ik.iterate.record import filmed, replayed, unfit
 from armlab.kin.ik.iterate.task_vector import task_vector
 from armlab.kin.ik.iterate.trace import Trace
-from armlab.kin.ik.loop import descend, wrapped
+from armlab.kin.ik.loop import Descent, descend, descend_inside, turns_inside
 from armlab.kin.ik.method import Method
 from armlab.kin.ik.problem import REACHED_M, REACHED_RAD, Problem
+from armlab.kin.ik.rest import AT
+from armlab.kin.ik.samples import samples_of
 from armlab.kin.ik.verdict import Verdict, free_joints, judge, task_error_of
 from armlab.kin.ik.weights import Weights
 
@@ -32,6 +33,16 @@ ITERATIONS = 22
 MOST = 200
 """Steps of one descent of an iterative method; those of first order need a hundred."""
 
+NEAR = 8
+"""Starts that are taken from samples near the target; more of them would lead to the same solutions."""
+
+FREELY = 2
+"""Samples from which an arm with joints to spare descends without limits only, which is quick; then inside them, too,
+which is slower and leads to a solution where few are inside."""
+
+STEPS_INSIDE = 30
+"""Steps of a descent inside the limits."""
+
 AT_ONCE = 25
 """Starts of an iterative method at most that go together after the first: they share the work of each call."""
 
@@ -39,7 +50,6 @@ TOLERANCE = (0.5 * REACHED_M, 0.5 * REACHED_RAD)
 """Metres and radians at which an iterative method ends: safely within what counts as reached."""
 
 
-@dataclass(frozen=True, eq=False)
 class Begin:
     """Where a search begins, and what holds for all of it.
 
@@ -47,43 +57,59 @@ class Begin:
     ----------
     arm : Arm
     start : ndarray, shape (n,), or None
-        First start; random when None.
-    locked : list of bool, or None
-        Joints that keep their value in ``start``.
+        First start; a sample near the target when None.
     seed, count : int
         Of the starts.
+    near : ndarray, shape (n,)
+        Values that angles stay near to, whole turns apart.
+    free : list of float, or None
+        1 for joints that may move and 0 for those that keep their value in ``start``; None when all may.
+    has_spare_joints : bool
+        Whether more joints may move than the task has components: an arm at its limits can then still go on.
     """
 
-    arm: Arm
-    start: Floats | None
-    locked: Sequence[bool] | None
-    seed: int
-    count: int
+    def __init__(self, arm: Arm, start: Floats | None, locked: Sequence[bool] | None, seed: int, count: int) -> None:
+        self.arm, self.start, self.seed, self.count = arm, start, seed, count
+        self.near = np.zeros(arm.n) if start is None else start
+        self.free = free_joints(locked)
+        self.has_spare_joints = (arm.n if self.free is None else sum(self.free)) > arm.task.m
 
-    @cached_property
-    def near(self) -> Floats:
-        """Values (n,) that angles stay near to, whole turns apart."""
-        return np.zeros(self.arm.n) if self.start is None else self.start
-
-    @cached_property
-    def free(self) -> list[float] | None:
-        """1 for joints that may move and 0 for others; None when all may."""
-        return free_joints(self.locked)
-
-    def starts(self) -> Iterator[Floats]:
-        """Yield the starts (n,): the given one, then random ones inside the limits."""
+    def starts(self, target: Sequence[float]) -> Iterator[list[float]]:
+        """Yield the starts: the given one, then samples whose tool is near the target, then random ones."""
         count = self.count
         if self.start is not None:
-            yield self.start
+            yield self.start.tolist()
             count -= 1
+        # With joints held the tools of the samples are elsewhere.
+        if count > 0 and self.free is None:
+            samples = samples_of(self.arm, self.seed)
+            yield samples.nearest(target).tolist()
+            near = samples.near(target, min(count, NEAR))[1:]
+            yield from near.tolist()
+            count -= 1 + len(near)
         rng, (low, width) = np.random.default_rng(self.seed), task_error_of(self.arm).starts
         for _ in range(count):
-            yield self._kept(low + width * rng.random(self.arm.n))
+            yield self._kept(low + width * rng.random(self.arm.n)).tolist()
 
     def placed(self, q: Sequence[float]) -> Floats | None:
         """Return the same configuration by whole turns inside the limits; None where there is none."""
-        inside = self._kept(wrapped(q, self.near, self.arm.revolute, self.arm.limits))
-        return inside if self.arm.within_limits(inside) else None
+        near, free, inside = self.near.tolist(), self.free, list(q)
+        for i, (low, high, turns) in enumerate(task_error_of(self.arm).ranges):
+            if free is not None and not free[i]:
+                inside[i] = near[i]
+            elif turns:
+                inside[i] += turns_inside(inside[i], near[i], low, high)
+            if not low - AT <= inside[i] <= high + AT:
+                return None
+        return np.array(inside)
+
+    def limits(self, q: Sequence[float]) -> tuple[list[float], list[float]]:
+        """Return the least and greatest values of a descent inside the limits; held joints stay, also outside."""
+        low, high, _ = map(list, zip(*task_error_of(self.arm).ranges, strict=True))
+        for i, may in enumerate(self.free or ()):
+            if not may:
+                low[i] = high[i] = q[i]
+        return low, high
 
     def _kept(self, q: Floats) -> Floats:
         return q if self.free is None else np.where(np.array(self.free) == 0.0, self.near, q)
@@ -134,18 +160,42 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
         The same as the formulas want it, see `TaskError.target`.
     """
     problem, free, iterations = problem_of(begin.arm, method), begin.free, 0
-    q, verdict, path, converged = None, None, None, False
-    for start in begin.starts():
-        first = start.tolist()
+    found, path, converged = None, None, False
+    for number, first in enumerate(begin.starts(target)):
         path = [first] if keep else None
         descent = descend(problem, target, first, free, ITERATIONS, path)
         iterations, converged = iterations + descent.iterations, descent.converged
-        q = begin.placed(descent.q) if converged else None
-        if q is not None:
-            verdict = Verdict("reached", descent.errors.position, descent.errors.rotation, ())
+        found = _reached(begin, descent)
+        if found is None and begin.has_spare_joints and (number >= FREELY or begin.start is not None):
+            descent = descend_inside(problem, target, first, free, *begin.limits(first), STEPS_INSIDE)
+            iterations += descent.iterations
+            found = _reached(begin, descent)
+        if found is not None:
             break
     trace = None if path is None else _replayed(begin, T, method, np.array(path), converged)
+    q, verdict = (None, None) if found is None else found
     return Searched(q, verdict, iterations, trace)
+
+
+def inside_solutions(begin: Begin, target: Sequence[float], method: Method, wanted: int) -> list[Floats]:
+    """Return solutions (n,) that descents inside the limits lead to: so many, or as many as the starts give."""
+    problem, found = problem_of(begin.arm, method), []
+    for first in begin.starts(target):
+        descent = descend_inside(problem, target, first, begin.free, *begin.limits(first), STEPS_INSIDE)
+        reached = _reached(begin, descent)
+        if reached is not None:
+            found.append(reached[0])
+            if len(found) == wanted:
+                break
+    return found
+
+
+def _reached(begin: Begin, descent: Descent) -> tuple[Floats, Verdict] | None:
+    """Return the solution a descent ended at, and what it is worth; None where it has none inside the limits."""
+    q = begin.placed(descent.q) if descent.converged else None
+    if q is None:
+        return None
+    return q, Verdict("reached", descent.errors.position, descent.errors.rotation, ())
 
 
 def _replayed(begin: Begin, T: Floats, method: Method, path: Floats, converged: bool) -> Trace:
@@ -168,7 +218,7 @@ def iterated_search(begin: Begin, T: Floats, method: IterationMethod, keep: bool
     """Search by an iterative method: the given start first, then many at once until the first of them arrives."""
     problem, values = _iterated(begin, T, method.chord, scaled=False), method.values()
     why_not, iterations, trace = unfit(method, problem.vector, len(problem.free)), 0, None
-    starts, count = begin.starts(), 1
+    starts, count = begin.starts(task_error_of(begin.arm).target(T)), 1
     while batch := list(islice(starts, count)):
         stages: list[Stage] = []
         for stage in march(problem, method, values, np.array(batch), 0 if why_not else MOST, TOLERANCE):

@@ -19,7 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.checks import whole_number
+from armlab.kin.ik.method import methods
 from armlab.kin.ik.rest import AT
+from armlab.kin.ik.search import problem_of
 from armlab.kin.ik.verdict import joint_values, task_error_of
 
 Vector = NDArray[np.float64]
@@ -155,6 +157,8 @@ class _Tracer:
         self.scales = np.where(arm.revolute, 1.0, arm.length_scale)
         self.task = task_error_of(arm)
         self.target = self.task.target(T)
+        # Without damping but for the floor: the shortest step back, at a singular place nearly so.
+        self.step = problem_of(arm, methods()["dls"]).numbers(self.target, 0.0, None)
         self.floor = FLOOR * np.eye(arm.task.m)
         self.low, self.high = np.minimum(arm.limits[:, 0], start), np.maximum(arm.limits[:, 1], start)
         if not limits:
@@ -177,15 +181,16 @@ class _Tracer:
 
     def _corrected(self, q: Vector) -> tuple[Vector, Vector] | None:
         """Return the same, and the scaled task Jacobian there."""
+        n, values = self.arm.n, q.tolist()
         for _ in range(8):
-            J, e, _ = self.task.at(q.tolist(), self.target)
-            if float(e @ e) <= EXACT**2:
-                return q, J
-            q = q + J.T @ self._solved(J, e) * self.scales
+            numbers = self.step(values)
+            if numbers[n] * self.task.per_square + numbers[n + 1] <= EXACT**2:
+                return np.array(values), self.task.at(values, self.target)[0]
+            values = [value + dq for value, dq in zip(values, numbers, strict=False)]
         return None
 
     def _solved(self, J: Vector, e: Vector) -> Vector:
-        """Return (J J^T + floor)^-1 e: with J^T before it the shortest step, at a singular place nearly so."""
+        """Return (J J^T + floor)^-1 e."""
         return np.asarray(np.linalg.solve(J @ J.T + self.floor, e))
 
     def follow(self, q: Vector, direction: Vector, steps: int) -> tuple[list[Vector], bool, int]:

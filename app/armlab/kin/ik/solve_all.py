@@ -2,51 +2,28 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.checks import whole_number
+from armlab.kin.ik.answer import BEYOND, SURFACE, Answer, held_mask, in_order, is_beyond, verified_rows
 from armlab.kin.ik.branches import branch_names
 from armlab.kin.ik.closed_form import closed_form_of, known_structure
 from armlab.kin.ik.general_6r import solve_general
 from armlab.kin.ik.held import checked_held, with_held
 from armlab.kin.ik.many_starts import STARTS, many_starts
-from armlab.kin.ik.self_motion import STEP, SelfMotion, distance_to, evenly, trace_self_motion
-from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits, sorted_rows, wrapped_rows
+from armlab.kin.ik.self_motion import trace_self_motion
+from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits
+from armlab.kin.ik.spare_joints import with_spare_joints
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import EXACT, distinct, polished, reaches
+from armlab.kin.ik.verified import polished, reaches
 from armlab.kin.transforms import as_pose, inverse
 
 Vector = NDArray[np.float64]
-
-FAMILY_STARTS = 48
-"""Starts of the search for the self-motions of a redundant arm; each one is a piece of a family."""
-
-FAMILIES = 4
-"""Curves that are traced."""
-
-REPRESENTATIVES = 8
-"""Configurations that stand for each of them."""
-
-SURFACE = 16
-"""Configurations that stand for a family of more than one dimension."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Answer:
-    """Verified configurations of an arm and what is known about them, before names and limits."""
-
-    q: list[Vector]
-    completeness: Completeness
-    reason: str
-    method: str
-    why: str
-    families: tuple[Vector, ...] = ()
 
 
 def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float] | None = None) -> IkSolutions:
@@ -93,58 +70,58 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
     return _finished(arm, answer)
 
 
-def _solve(arm: Arm, T: Vector, seed: int) -> _Answer:
+def _solve(arm: Arm, T: Vector, seed: int) -> Answer:
     if closed_form_of(arm) is not None:
         answer = _by_closed_form(arm, T)
         if answer is not None:
             return answer
     if known_structure(arm).free:
-        return _with_spare_joints(arm, T, seed)
+        return with_spare_joints(arm, T, seed)
     if bool(arm.revolute.all()) and arm.n == 6 and arm.task.key == "pose":
         return _by_elimination(arm, T)
     return _by_search(arm, T, seed)
 
 
-def _by_closed_form(arm: Arm, T: Vector) -> _Answer | None:
+def _by_closed_form(arm: Arm, T: Vector) -> Answer | None:
     """Return what the closed form gives; None where it only sampled a family and no sample was a solution."""
     known = closed_form_of(arm)
     assert known is not None
     form, why = known
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
     found = form.solve(arm, G)
-    q = _verified(arm, T, found.q)
+    q = verified_rows(arm, T, found.q)
     why = f"{form.title}: {why}"
     if q and found.families:
-        return _Answer(q, "infinite", " ".join(found.families), form.key, why)
+        return Answer(q, "infinite", " ".join(found.families), form.key, why)
     if q:
-        return _Answer(q, "complete", "", form.key, why)
+        return Answer(q, "complete", "", form.key, why)
     if found.sampled or (found.q and arm.n == 6):
         return None
     reason = found.none or "The target is off what the joints of this arm can do."
-    return _Answer([], "none", reason, form.key, why)
+    return Answer([], "none", reason, form.key, why)
 
 
-def _by_elimination(arm: Arm, T: Vector) -> _Answer:
+def _by_elimination(arm: Arm, T: Vector) -> Answer:
     found = solve_general(arm, T)
     why = f"General 6R: {known_structure(arm).why}"
-    q = _in_order(arm, found.q)
+    q = in_order(arm, found.q)
     completeness: Completeness = found.completeness
     if completeness == "complete" and not q:
         completeness = "none"
-    return _Answer(q, completeness, f"{found.reason[:1].upper()}{found.reason[1:]}.", "general_6r", why, found.families)
+    return Answer(q, completeness, f"{found.reason[:1].upper()}{found.reason[1:]}.", "general_6r", why, found.families)
 
 
-def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = None) -> _Answer:
+def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = None) -> Answer:
     why = "No closed form is known here for this arm and task: a search from random starts."
-    if _is_beyond(arm, T):
-        return _Answer([], "none", _BEYOND, "many_starts", why)
+    if is_beyond(arm, T):
+        return Answer([], "none", BEYOND, "many_starts", why)
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
-    q = _verified(arm, T, list(many_starts(arm, G, seed=seed, held=held)), held)
+    q = verified_rows(arm, T, list(many_starts(arm, G, seed=seed, held=held)), held)
     if any(_moves(arm, row, T, held) for row in q):
         reason = "Some of them move while the tool stands still."
-        return _Answer(q[:SURFACE], "infinite", reason, "many_starts", why)
+        return Answer(q[:SURFACE], "infinite", reason, "many_starts", why)
     reason = f"{'Found from' if q else 'Looked for from'} {STARTS} random starts; a search proves nothing."
-    return _Answer(q, "at least", reason, "many_starts", why)
+    return Answer(q, "at least", reason, "many_starts", why)
 
 
 def _moves(arm: Arm, q: Vector, T: Vector, held: dict[int, float] | None) -> bool:
@@ -152,61 +129,7 @@ def _moves(arm: Arm, q: Vector, T: Vector, held: dict[int, float] | None) -> boo
     return not held and len(trace_self_motion(arm, q, T, limits=False, steps=4).q) > 3
 
 
-def _with_spare_joints(arm: Arm, T: Vector, seed: int) -> _Answer:
-    why = known_structure(arm).why
-    if _is_beyond(arm, T):
-        return _Answer([], "none", _BEYOND, "self_motion", why)
-    G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
-    starts = list(many_starts(arm, G, seed=seed, starts=FAMILY_STARTS, inside=True))
-    found = _verified(arm, T, starts)
-    if not found:
-        more = list(many_starts(arm, G, seed=seed + 1))
-        found = _verified(arm, T, more)
-    if not found:
-        return _Answer([], "at least", _SEARCHED, "self_motion", why)
-    inside = [q for q in found if arm.within_limits(q)]
-    found = inside or found
-    if known_structure(arm).free > 1:
-        reason = f"These {min(SURFACE, len(found))} stand for them."
-        return _Answer(found[:SURFACE], "infinite", reason, "self_motion", why)
-    return _of_curves(arm, T, found, why)
-
-
-def _of_curves(arm: Arm, T: Vector, found: list[Vector], why: str) -> _Answer:
-    """Trace the self-motions through solutions and let points evenly along them stand for all."""
-    motions: list[SelfMotion] = []
-    for q in found:
-        if len(motions) == FAMILIES:
-            break
-        if distance_to(arm, q, [motion.q for motion in motions]) > 2.0 * STEP:
-            motions.append(_motion(arm, T, q))
-    inside = [motion for motion in motions if arm.within_limits(motion.q[0])]
-    motions = inside or motions
-    curves = [motion for motion in motions if len(motion.q) > 1]
-    target = task_error_of(arm).target(T)
-    along = [row for motion in motions for row in evenly(arm, motion, REPRESENTATIVES)]
-    points = _in_order(arm, distinct(arm, [row for row in along if reaches(arm, row, target)]))
-    completeness: Completeness = "infinite" if curves else "at least"
-    count = len(curves)
-    reason = (
-        f"{count} {'family was' if count == 1 else 'families were'} found, each by up to {REPRESENTATIVES} of them."
-        if curves
-        else "No step along a self-motion led on from them."
-    )
-    return _Answer(points, completeness, reason, "self_motion", why, tuple(motion.q for motion in curves))
-
-
-def _motion(arm: Arm, T: Vector, q: Vector) -> SelfMotion:
-    """Return the self-motion through a solution: inside the limits, or all of it where no traced point is inside."""
-    if arm.within_limits(q):
-        return trace_self_motion(arm, q, T)
-    motion = trace_self_motion(arm, q, T, limits=False)
-    rows = wrapped_rows(arm, motion.q)
-    inside = rows[~np.any(beyond_limits(arm, rows), axis=1)]
-    return trace_self_motion(arm, inside[len(inside) // 2], T) if len(inside) else motion
-
-
-def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> _Answer:
+def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> Answer:
     """Solve for the joints that are not held."""
     values = np.array([held.get(i, 0.0) for i in range(arm.n)])
     listed = " and ".join(f"q{i + 1}" for i in sorted(held))
@@ -214,7 +137,7 @@ def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> _Answe
         reached = reaches(arm, values, task_error_of(arm).target(T))
         why = "All joints are held."
         reason = "" if reached else "All joints are held, and the tool is elsewhere."
-        return _Answer([values] if reached else [], "complete" if reached else "none", reason, "held", why)
+        return Answer([values] if reached else [], "complete" if reached else "none", reason, "held", why)
     rest = with_held(arm, held)
     if rest is None:
         return _by_search(arm, T, seed, held)
@@ -232,45 +155,11 @@ def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> _Answe
     families = tuple(np.array(whole(curve)) for curve in answer.families)
     why = f"With {listed} held, {answer.why[:1].lower()}{answer.why[1:]}"
     target = task_error_of(arm).target(T)
-    q = [row for row in whole(answer.q) if polished(arm, row, target, _mask(arm, held)) is not None]
+    q = [row for row in whole(answer.q) if polished(arm, row, target, held_mask(arm, held)) is not None]
     return replace(answer, q=q, why=why, families=families)
 
 
-def _mask(arm: Arm, held: Mapping[int, float]) -> NDArray[np.bool_]:
-    return np.array([i in held for i in range(arm.n)])
-
-
-def _verified(
-    arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None
-) -> list[Vector]:
-    """Return polished candidates that forward kinematics confirms, wrapped, without repetition, in canonical order."""
-    target = task_error_of(arm).target(T)
-    mask = _mask(arm, held) if held else None
-    good = [q for one in candidates if (q := polished(arm, one, target, mask)) is not None]
-    return _in_order(arm, distinct(arm, good), mask)
-
-
-def _in_order(arm: Arm, solutions: Sequence[Vector] | Vector, held: NDArray[np.bool_] | None = None) -> list[Vector]:
-    """Return solutions inside the limits by whole turns, where that can be, in canonical order; held joints as are."""
-    q = np.array(solutions).reshape(-1, arm.n)
-    rows = wrapped_rows(arm, q) if held is None else np.where(held, q, wrapped_rows(arm, q))
-    return list(rows[sorted_rows(rows)])
-
-
-_SEARCHED = f"Looked for from {FAMILY_STARTS + STARTS} random starts; a search proves nothing."
-
-_BEYOND = "The target is farther away than all links in a line."
-
-
-def _is_beyond(arm: Arm, T: Vector) -> bool:
-    """Return whether the controlled coordinates alone are out of reach; slides are not held to their limits."""
-    if not bool(arm.revolute.all()) or not arm.task.position:
-        return False
-    G = inverse(arm.base) @ T
-    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + EXACT) + EXACT
-
-
-def _finished(arm: Arm, answer: _Answer) -> IkSolutions:
+def _finished(arm: Arm, answer: Answer) -> IkSolutions:
     q = np.array(answer.q).reshape(-1, arm.n)
     beyond = beyond_limits(arm, q)
     within = ~np.any(beyond, axis=1)
@@ -288,7 +177,7 @@ def _finished(arm: Arm, answer: _Answer) -> IkSolutions:
     )
 
 
-def _sentence(answer: _Answer, inside: int) -> str:
+def _sentence(answer: Answer, inside: int) -> str:
     k = len(answer.q)
     if answer.completeness == "none":
         head = "No solution."
@@ -298,7 +187,11 @@ def _sentence(answer: _Answer, inside: int) -> str:
         head = f"At least {k} solution{'' if k == 1 else 's'}." if k else "None found."
     else:
         head = f"{k} solution{'' if k == 1 else 's'}, and no others."
-    limits = f" {'None' if inside == 0 else inside} of them within the joint limits." if 0 < k != inside else ""
+    limits = f" {inside} of them within the joint limits." if 0 < inside < k else ""
+    if k and not inside:
+        # Of some solutions nothing follows for the others.
+        every = answer.completeness == "complete"
+        limits = " None of them within the joint limits." if every else " None was found within the joint limits."
     return f"{head} {answer.reason}".strip() + limits
 
 

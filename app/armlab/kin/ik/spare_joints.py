@@ -1,0 +1,143 @@
+"""All solutions of arms with joints to spare: curves of them, which are traced, or families of more dimensions."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.ik.answer import BEYOND, SURFACE, Answer, in_order, is_beyond, verified_rows
+from armlab.kin.ik.closed_form import known_structure
+from armlab.kin.ik.dimension import local_dimension, null_dimension
+from armlab.kin.ik.many_starts import STARTS, many_starts
+from armlab.kin.ik.method import methods
+from armlab.kin.ik.search import Begin, inside_solutions
+from armlab.kin.ik.self_motion import STEP, SelfMotion, distance_to, evenly, trace_self_motion
+from armlab.kin.ik.solutions import Completeness, beyond_limits, wrapped_rows
+from armlab.kin.ik.verdict import task_error_of
+from armlab.kin.ik.verified import distinct, reaches
+from armlab.kin.transforms import inverse
+
+Vector = NDArray[np.float64]
+
+FAMILY_STARTS = 48
+"""Starts of the search for the self-motions of a redundant arm; each one is a piece of a family."""
+
+INSIDE_STARTS = 12
+"""Starts at least of the search inside the limits, where the other one, which knows none, found too few there."""
+
+FAMILIES = 4
+"""Curves that are traced."""
+
+POINTS = 400
+"""Traced points at most, of all curves: some 60 rad of travel, and the time of all else taken together."""
+
+PROBED = 3
+"""Singular solutions whose dimension is looked for, where they belong to families of more than one."""
+
+REPRESENTATIVES = 8
+"""Configurations that stand for each of them."""
+
+_SEARCHED = f"Looked for from {FAMILY_STARTS + STARTS} random starts; a search proves nothing."
+
+
+def with_spare_joints(arm: Arm, T: Vector, seed: int) -> Answer:
+    """Return what is found for an arm that has more joints than its task needs; T (4, 4) in the world."""
+    why = known_structure(arm).why
+    if is_beyond(arm, T):
+        return Answer([], "none", BEYOND, "self_motion", why)
+    spare = known_structure(arm).free
+    found = _found(arm, T, seed, 1 if spare == 1 else SURFACE)
+    if not found:
+        return Answer([], "at least", _SEARCHED, "self_motion", why)
+    if spare == 1:
+        return _of_curves(arm, T, found, why)
+    return Answer(found[:SURFACE], *_of_surfaces(arm, T, found[:SURFACE]), "self_motion", why)
+
+
+def _found(arm: Arm, T: Vector, seed: int, wanted: int) -> list[Vector]:
+    """Return solutions, those inside the limits alone where there are any; of these at least so many are looked for."""
+    G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
+    found = verified_rows(arm, T, list(many_starts(arm, G, seed=seed, starts=FAMILY_STARTS, inside=True)))
+    inside = [q for q in found if arm.within_limits(q)]
+    if len(inside) < wanted:
+        begin = Begin(arm, None, None, seed, max(INSIDE_STARTS, 2 * wanted))
+        more = inside_solutions(begin, task_error_of(arm).target(T), methods()["dls"], wanted - len(inside))
+        inside = verified_rows(arm, T, [*inside, *more])
+        inside = [q for q in inside if arm.within_limits(q)]
+    return inside or found or verified_rows(arm, T, list(many_starts(arm, G, seed=seed + 1)))
+
+
+def _of_surfaces(arm: Arm, T: Vector, found: list[Vector]) -> tuple[Completeness, str]:
+    """Return how many solutions there are around some, and in words of how many dimensions they are."""
+    dimension = max(local_dimension(arm, q, T) for q in found[:FAMILIES])
+    if dimension == 0:
+        return "at least", "No small step leads on from them."
+    return "infinite", f"{_stand(len(found))} for {_family(dimension)}."
+
+
+def _stand(count: int) -> str:
+    return "This one stands" if count == 1 else f"These {count} stand"
+
+
+def _family(dimension: int) -> str:
+    return "a curve of them" if dimension == 1 else f"a family of {dimension} dimensions"
+
+
+def _of_curves(arm: Arm, T: Vector, found: list[Vector], why: str) -> Answer:
+    """Trace the self-motions through solutions and let points evenly along them stand for all."""
+    motions, surface, dimension = _motions(arm, T, found)
+    if any(arm.within_limits(q) for q in [*surface, *(motion.q[0] for motion in motions)]):
+        motions = [motion for motion in motions if arm.within_limits(motion.q[0])]
+        surface = [q for q in surface if arm.within_limits(q)]
+    curves = [motion for motion in motions if len(motion.q) > 1]
+    target = task_error_of(arm).target(T)
+    along = [row for motion in motions for row in evenly(arm, motion, REPRESENTATIVES)]
+    points = distinct(arm, [*(row for row in along if reaches(arm, row, target)), *surface[:SURFACE]])
+    completeness: Completeness = "infinite" if curves or surface else "at least"
+    reasons = []
+    if surface:
+        reasons.append(f"{_stand(min(SURFACE, len(surface)))} for {_family(dimension)}.")
+    if curves:
+        count = len(curves)
+        several = f"{count} {'family was' if count == 1 else 'families were'} found"
+        reasons.append(f"{several}, each by up to {REPRESENTATIVES} of them.")
+    reason = " ".join(reasons) or "No step along a self-motion led on from them."
+    families = tuple(motion.q for motion in curves)
+    return Answer(in_order(arm, points), completeness, reason, "self_motion", why, families)
+
+
+def _motions(arm: Arm, T: Vector, found: list[Vector]) -> tuple[list[SelfMotion], list[Vector], int]:
+    """Return self-motions through solutions, those of families of more dimensions, and how many these have.
+
+    A line in a family of more dimensions says little about it and may go on for ever: it is not traced.
+    """
+    motions: list[SelfMotion] = []
+    surface: list[Vector] = []
+    most, left = 1, POINTS
+    for q in found:
+        if len(motions) == FAMILIES or left < POINTS // 10:
+            break
+        if distance_to(arm, q, [motion.q for motion in motions]) <= 2.0 * STEP:
+            continue
+        if null_dimension(arm, q, T) > 1:
+            # Of the many singular solutions of one pose the first tell what the others are.
+            dimension = local_dimension(arm, q, T) if len(surface) < PROBED else most
+            if dimension > 1:
+                surface.append(q)
+                most = max(most, dimension)
+                continue
+        motion = _motion(arm, T, q, left)
+        motions.append(motion)
+        left -= len(motion.q)
+    return motions, surface, most
+
+
+def _motion(arm: Arm, T: Vector, q: Vector, steps: int) -> SelfMotion:
+    """Return the self-motion through a solution: inside the limits, or all of it where no traced point is inside."""
+    if arm.within_limits(q):
+        return trace_self_motion(arm, q, T, steps=steps)
+    motion = trace_self_motion(arm, q, T, limits=False, steps=steps)
+    rows = wrapped_rows(arm, motion.q)
+    inside = rows[~np.any(beyond_limits(arm, rows), axis=1)]
+    return trace_self_motion(arm, inside[len(inside) // 2], T, steps=steps) if len(inside) else motion
