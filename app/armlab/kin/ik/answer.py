@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ik.problem import REACHED_M, Errors
 from armlab.kin.ik.solutions import Completeness, sorted_rows, wrapped_rows
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import EXACT, distinct, polished
+from armlab.kin.ik.verified import EXACT, ROUNDING, each_once, is_reached, polished
 from armlab.kin.transforms import inverse
 
 Vector = NDArray[np.float64]
@@ -20,12 +22,18 @@ Vector = NDArray[np.float64]
 SURFACE = 16
 """Configurations that stand for a family of more than one dimension."""
 
+NEAR = 1e-2
+"""Scaled error below which a candidate that is no solution casts doubt on the others."""
+
 BEYOND = "The target is farther away than all links in a line."
 
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """Verified configurations of an arm and what is known about them, before names and limits."""
+    """Verified configurations of an arm and what is known about them, before names and limits.
+
+    ``loose`` and ``missed`` are those of `Verified`.
+    """
 
     q: list[Vector]
     completeness: Completeness
@@ -33,16 +41,56 @@ class Answer:
     method: str
     why: str
     families: tuple[Vector, ...] = ()
+    loose: int = 0
+    missed: tuple[float, float] | None = None
+
+
+class Verified(NamedTuple):
+    """What became of candidates.
+
+    Attributes
+    ----------
+    rows : list of ndarray, shape (n,)
+        Solutions, wrapped, each once, in canonical order.
+    loose : int
+        How many of them are not exact, but as near as can be and within what counts as reached.
+    missed : tuple of float, or None
+        Errors in m and rad of the worst of those; without solutions, of the nearest candidate.
+    dropped : bool
+        Whether a candidate near the target was none.
+    """
+
+    rows: list[Vector]
+    loose: int
+    missed: tuple[float, float] | None
+    dropped: bool
+
+
+def verified(
+    arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None
+) -> Verified:
+    """Return polished candidates that forward kinematics confirms."""
+    target = task_error_of(arm).target(T)
+    mask = held_mask(arm, held) if held else None
+    every = [polished(arm, one, target, mask) for one in candidates]
+    good = each_once(arm, [one for one in every if is_reached(arm, one[1], target)], target)
+    loose = [errors for _, errors in good if math.sqrt(errors.scaled2) > EXACT]
+    # Told are the worst of what is let through, or the best of what is not.
+    told = max(loose, key=_size) if loose else None if good else min((e for _, e in every), key=_size, default=None)
+    missed = None if told is None else (told.position, told.rotation)
+    dropped = any(_size(errors) < NEAR and not is_reached(arm, errors, target) for _, errors in every)
+    return Verified(in_order(arm, [q for q, _ in good], mask), len(loose), missed, dropped)
 
 
 def verified_rows(
     arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None
 ) -> list[Vector]:
-    """Return polished candidates that forward kinematics confirms, wrapped, without repetition, in canonical order."""
-    target = task_error_of(arm).target(T)
-    mask = held_mask(arm, held) if held else None
-    good = [q for one in candidates if (q := polished(arm, one, target, mask)) is not None]
-    return in_order(arm, distinct(arm, good), mask)
+    """Return only the solutions of `verified`."""
+    return verified(arm, T, candidates, held).rows
+
+
+def _size(errors: Errors) -> float:
+    return math.sqrt(errors.scaled2)
 
 
 def in_order(arm: Arm, solutions: Sequence[Vector] | Vector, held: NDArray[np.bool_] | None = None) -> list[Vector]:
@@ -62,4 +110,4 @@ def is_beyond(arm: Arm, T: Vector) -> bool:
     if not bool(arm.revolute.all()) or not arm.task.position:
         return False
     G = inverse(arm.base) @ T
-    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + EXACT) + EXACT
+    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + ROUNDING) + REACHED_M
