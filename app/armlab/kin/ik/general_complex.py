@@ -35,6 +35,9 @@ ACCURATE = 1e-8
 OUTERMOST = 12.0
 """Largest imaginary part of an angle: beyond, sines are larger than 1e5 and their products cancel to nothing."""
 
+MOST_BLURRED = 11.0
+"""The logarithm of what rounding is taken to grow by at most."""
+
 LONGEST = 0.7
 """Radians an angle moves in a step at most."""
 
@@ -102,15 +105,17 @@ def newton(links: Floats, q: Complex, hands: Numbers, steps: int = STEPS) -> tup
             inverses = inverted(columns)
             step = (errors[:, None] @ inverses)[:, 0]
             lengths = np.abs(step).max(axis=1)
+            q[rows] += step * np.minimum(1.0, LONGEST / np.maximum(lengths, 1e-300))[:, None]
+            still = lengths <= STILL * blurred(q[rows])
             sizes[rows] = found
             # Only where the steps have ended: beside a multiple root they go on and on, each half of the last.
             size = np.sqrt((np.abs(inverses) ** 2).sum(axis=(1, 2)))
-            norms[rows] = np.where(lengths <= STILL, size, np.inf)
-            q[rows] += step * np.minimum(1.0, LONGEST / np.maximum(lengths, 1e-300))[:, None]
-            going = (lengths > STILL) & (np.abs(q[rows].imag).max(axis=1) < OUTERMOST)
+            norms[rows] = np.where(still, size, np.inf)
+            ended = lengths <= STILL
+            going = ~ended & (np.abs(q[rows].imag).max(axis=1) < OUTERMOST)
             if k >= PATIENCE:
                 going &= found < FAR
-            gone = ~going & ~(lengths <= STILL)
+            gone = ~going & ~ended
             sizes[rows[gone]] = np.inf
             rows = rows[going]
     return q, sizes, norms
@@ -124,7 +129,7 @@ def roots_of(links: Floats, q: Complex, hand: Floats) -> Roots:
 
 def distinct(q: Complex, sizes: Floats, norms: Floats) -> Roots:
     """Return polished candidates without repetition, of each the most regular, and their conjugates."""
-    good = np.flatnonzero(sizes < ACCURATE)
+    good = np.flatnonzero(sizes < ACCURATE * blurred(q))
     good = good[np.argsort(norms[good], kind="stable")]
     both = np.repeat(q[good], 2, axis=0)
     both[1::2] = both[1::2].conj()
@@ -144,7 +149,12 @@ def near(q: Complex, tolerance: float) -> NDArray[np.bool_]:
     """Return which rows (m, 6) are the same up to whole turns and a tolerance in radians, shape (m, m)."""
     apart = q[:, None] - q
     turned = apart.real - 2.0 * np.pi * np.round(apart.real / (2.0 * np.pi))
-    return np.asarray(np.maximum(np.abs(turned), np.abs(apart.imag)).max(axis=2, initial=0.0) < tolerance)
+    return np.asarray(np.maximum(np.abs(turned), np.abs(apart.imag)).max(axis=2, initial=0.0) < tolerance * blurred(q))
+
+
+def blurred(q: Complex) -> Floats:
+    """Return by how much rounding is larger at complex angles (m, 6) than at real ones: sines grow with exp |Im|."""
+    return np.asarray(np.exp(np.minimum(2.0 * np.abs(q.imag).max(axis=1, initial=0.0), MOST_BLURRED)))
 
 
 def inverted(columns: Complex) -> Complex:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.ik.general_complex import OUTERMOST, inverted
+from armlab.kin.ik.general_complex import OUTERMOST, blurred, inverted
 from armlab.kin.ik.general_loop import Complex, Floats, Numbers
 from armlab.kin.ik.general_polish import errors_and_columns
 
@@ -30,6 +30,9 @@ ENDGAME = 0.02
 
 SMALLEST = 1e-9
 """Of u. Where two roots merge they are then some 1e-5 rad apart; closer, rounding hides them."""
+
+ROUNDING = 1e-12
+"""Of u."""
 
 FACTOR = 0.2
 """Of u in a step of the endgame."""
@@ -125,10 +128,11 @@ def follow(links: Floats, way: Way, q: Complex) -> Ends:
         if not len(rows):
             break
         log, before = late[rows], u[rows]
-        after = np.where(log, before * factors[rows], np.maximum(before - steps[rows], 0.0))
+        after = np.where(log, before * factors[rows], before - steps[rows])
+        after[after < ROUNDING] = 0.0
         there, first, last, k = _step(links, way, q[rows], before, after, log)
         speed[rows[log]] = k[log]
-        good = (first < NEAR) & (last < CONVERGED)
+        good = (first < NEAR) & (last < CONVERGED * blurred(there))
         done = rows[good]
         q[done], u[done] = there[good], after[good]
         easy = first[good] < EASY
