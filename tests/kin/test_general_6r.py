@@ -9,7 +9,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.ik.general_6r import solve_general, solve_general_batch
-from armlab.kin.ik.general_search import SAME_SINGULAR, Found, Search
+from armlab.kin.ik.general_search import Search
 from support.arms import random_pose, tool_by_products
 from support.solutions import by_many_starts, contains, no_duplicates, same_set, worst_error
 
@@ -99,7 +99,7 @@ def test_errors_are_those_of_the_forward_kinematics(rng):
 
 
 @pytest.mark.parametrize("key", ["puma560", "ur5e", "irb140"])
-@pytest.mark.parametrize(("gap", "tolerance"), [(1e-3, 1e-5), (1e-5, SAME_SINGULAR)])
+@pytest.mark.parametrize(("gap", "tolerance"), [(1e-3, 1e-5), (1e-5, 1e-6)])
 def test_just_beside_a_singular_pose_nothing_is_lost(key, gap, tolerance, rng):
     """A nearly straight elbow: two branches about twice the gap apart, which may count as one where it is tiny."""
     arm = catalogue()[key].arm

@@ -25,6 +25,9 @@ SURFACE = 16
 NEAR = 1e-2
 """Scaled error below which a candidate that is no solution casts doubt on the others."""
 
+SINGULAR = 1e-4
+"""Of the largest singular value of a Jacobian: below, a closed form is not believed without a second look."""
+
 BEYOND = "The target is farther away than all links in a line."
 
 
@@ -56,14 +59,15 @@ class Verified(NamedTuple):
         How many of them are not exact, but as near as can be and within what counts as reached.
     missed : tuple of float, or None
         Errors in m and rad of the worst of those; without solutions, of the nearest candidate.
-    dropped : bool
-        Whether a candidate near the target was none.
+    doubtful : bool
+        Whether a candidate near the target was none, or a solution is so near a singularity that another, or a family,
+        may hide behind it.
     """
 
     rows: list[Vector]
     loose: int
     missed: tuple[float, float] | None
-    dropped: bool
+    doubtful: bool
 
 
 def verified(
@@ -73,13 +77,16 @@ def verified(
     target = task_error_of(arm).target(T)
     mask = held_mask(arm, held) if held else None
     every = [polished(arm, one, target, mask) for one in candidates]
-    good = each_once(arm, [one for one in every if is_reached(arm, one[1], target)], target)
-    loose = [errors for _, errors in good if math.sqrt(errors.scaled2) > EXACT]
+    reached = [is_reached(arm, one.errors, target) for one in every]
+    good = each_once(arm, [one for one, there in zip(every, reached, strict=True) if there], target)
+    loose = [one.errors for one in good if _size(one.errors) > EXACT]
     # Told are the worst of what is let through, or the best of what is not.
-    told = max(loose, key=_size) if loose else None if good else min((e for _, e in every), key=_size, default=None)
+    best = [one.errors for one in every] if not good else []
+    told = max(loose, key=_size) if loose else min(best, key=_size, default=None)
     missed = None if told is None else (told.position, told.rotation)
-    dropped = any(_size(errors) < NEAR and not is_reached(arm, errors, target) for _, errors in every)
-    return Verified(in_order(arm, [q for q, _ in good], mask), len(loose), missed, dropped)
+    dropped = any(_size(one.errors) < NEAR and not there for one, there in zip(every, reached, strict=True))
+    singular = any(_is_nearly_singular(one.J) for one in good)
+    return Verified(in_order(arm, [one.q for one in good], mask), len(loose), missed, dropped or singular)
 
 
 def verified_rows(
@@ -87,6 +94,17 @@ def verified_rows(
 ) -> list[Vector]:
     """Return only the solutions of `verified`."""
     return verified(arm, T, candidates, held).rows
+
+
+def _is_nearly_singular(J: Vector) -> bool:
+    """Return whether a Jacobian (m, n) is within `SINGULAR` of losing rank."""
+    if len(J) == 6 == J.shape[1]:
+        # The other five singular values multiply to no more than (sum of squares / 5)^(5/2); this costs a tenth.
+        most = float((J * J).sum() / 5.0) ** 2.5
+        if abs(float(np.linalg.det(J))) > SINGULAR * most * math.sqrt(float((J * J).sum())):
+            return False
+    values = np.linalg.svd(J, compute_uv=False)
+    return bool(values[-1] < SINGULAR * values[0])
 
 
 def _size(errors: Errors) -> float:

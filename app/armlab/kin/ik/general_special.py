@@ -68,7 +68,7 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
     links, rng = search.loop.links, np.random.default_rng(SEED)
     q = merged(links, np.concatenate([search.descents(hand), _starts(roots.q)]), hand)
     parts = _parted(links, q, hand)
-    for size in SIZES if search.formulations else ():
+    for size in SIZES if search.certain else SIZES[:1] if search.formulations else ():
         if parts.freedom:
             break
         way = Way.beside(hand, rng, size)

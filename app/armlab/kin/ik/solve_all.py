@@ -26,9 +26,6 @@ from armlab.kin.transforms import as_pose, inverse
 
 Vector = NDArray[np.float64]
 
-NEARLY = 1e-4
-"""Of the largest singular value of the Jacobian: below, a closed form is not believed without a second look."""
-
 DESCENTS = 64
 """Of that look, for arms that elimination is not for."""
 
@@ -116,7 +113,7 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     why = f"{form.title}: {why}"
     if some.rows and found.families:
         return Answer(some.rows, "infinite", " ".join(found.families), form.key, why)
-    if some.dropped or _is_nearly_singular(arm, T, some.rows):
+    if some.doubtful:
         if _is_general(arm):
             return _by_elimination(arm, T, f"{why} Branches merge at this pose or nearly: solved as a general 6R.")
         if some.rows:
@@ -127,16 +124,6 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
         return None
     reason = found.none or "The target is off what the joints of this arm can do."
     return Answer([], "none", reason, form.key, why, missed=some.missed)
-
-
-def _is_nearly_singular(arm: Arm, T: Vector, rows: Sequence[Vector]) -> bool:
-    """Return whether a solution is so near a singularity that another, or a family, may hide behind it."""
-    if not rows:
-        return False
-    task, target = task_error_of(arm), task_error_of(arm).target(T)
-    J = np.array([task.at(q.tolist(), target)[0] for q in rows])
-    values = np.linalg.svd(J, compute_uv=False)
-    return bool((values[:, -1] < NEARLY * values[:, 0]).any())
 
 
 def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why: str) -> Answer:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,7 @@ Vector = NDArray[np.float64]
 ROUNDING = 1e-14
 """Of the distance of a target, in metres: no forward kinematics is better."""
 
-GOOD = 1e-14
+GOOD = 1e-13
 """Scaled error at which polishing ends."""
 
 EXACT = 1e-9
@@ -50,34 +51,48 @@ BETWEEN = 1e-14
 """Scaled error half-way between two candidates, up to which they are one: rounding."""
 
 
-def polished(
-    arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None
-) -> tuple[Vector, Errors]:
-    """Return the nearest configuration (n,) to a target from a candidate on, and its errors."""
-    task = task_error_of(arm)
+class Polished(NamedTuple):
+    """The nearest configuration to a target from a candidate on.
+
+    Attributes
+    ----------
+    q : ndarray, shape (n,)
+    errors : Errors
+    J : ndarray, shape (m, n)
+        The scaled Jacobian there.
+    """
+
+    q: Vector
+    errors: Errors
+    J: Vector
+
+
+def polished(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None) -> Polished:
+    """Return the nearest configuration to a target from a candidate (n,) on; held joints stay."""
+    best = _descended(arm, q, target, held, CUTOFF, FAR)
+    if EXACT**2 < best.errors.scaled2 <= FAR**2:
+        nearer = _descended(arm, best.q, target, held, WEAK, math.inf)
+        best = min(best, nearer, key=lambda one: one.errors.scaled2)
+    return best
+
+
+def _descended(
+    arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None, cutoff: float, limit: float
+) -> Polished:
+    """Go by Newton steps as long as they lead nearer; at once back from errors above a limit."""
+    task, least, best = task_error_of(arm), math.inf, None
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
-
-    def descended(q: Vector, cutoff: float, limit: float) -> tuple[Vector, Errors, float]:
-        best, least, errors = q, math.inf, task.at(q.tolist(), target)[2]
-        for k in range(MORE_STEPS):
-            J, e, there = task.at(q.tolist(), target)
-            size = math.sqrt(there.scaled2)
-            if not size < least or (k >= STEPS and size > 0.5 * least):
-                break
-            best, least, errors = q, size, there
-            if size <= GOOD or size > limit:
-                break
-            if held is not None:
-                J = np.where(held, 0.0, J)
-            q = q + np.linalg.lstsq(J, e, rcond=cutoff)[0] * scales
-        return best, errors, least
-
-    best, errors, least = descended(q, CUTOFF, FAR)
-    if EXACT < least <= FAR:
-        nearer, others, less = descended(best, WEAK, math.inf)
-        if less < least:
-            best, errors = nearer, others
-    return best, errors
+    for k in range(MORE_STEPS):
+        J, e, errors = task.at(q.tolist(), target)
+        size = math.sqrt(errors.scaled2)
+        if best is not None and (not size < least or (k >= STEPS and size > 0.5 * least)):
+            break
+        best, least = Polished(q, errors, J), size
+        if size <= GOOD or not size <= limit:
+            break
+        q = q + np.linalg.lstsq(J if held is None else np.where(held, 0.0, J), e, rcond=cutoff)[0] * scales
+    assert best is not None
+    return best
 
 
 def is_reached(arm: Arm, errors: Errors, target: list[float]) -> bool:
@@ -93,27 +108,24 @@ def reaches(arm: Arm, q: Vector, target: list[float]) -> bool:
     return is_reached(arm, task_error_of(arm).at(q.tolist(), target)[2], target)
 
 
-def each_once(arm: Arm, candidates: Sequence[tuple[Vector, Errors]], target: list[float]) -> list[tuple[Vector, Errors]]:
+def each_once(arm: Arm, candidates: Sequence[Polished], target: list[float]) -> list[Polished]:
     """Return polished candidates without those that are one with a better one.
 
     Two are one when half-way between them the error is no larger than theirs, or rounding: where k solutions merge an
     error e of the pose is one of e^(1/k) of the joints, and no distance of the joints tells.
     """
-    task = task_error_of(arm)
-    ranked = sorted(candidates, key=lambda one: one[1].scaled2)
-    kept: list[tuple[Vector, Errors]] = []
-    for q, errors in ranked:
-        for other, _ in kept:
-            apart = _apart(arm, other, q)
-            if np.abs(apart).max() > CLOSE:
-                continue
-            half_way = q + 0.5 * apart * np.where(arm.revolute, 1.0, arm.length_scale)
-            between = math.sqrt(task.at(half_way.tolist(), target)[2].scaled2)
-            if between <= max(4.0 * math.sqrt(errors.scaled2), BETWEEN):
-                break
-        else:
-            kept.append((q, errors))
-    return kept
+    ranked = sorted(candidates, key=lambda one: one.errors.scaled2)
+    rows = np.array([one.q for one in ranked]).reshape(-1, arm.n)
+    ways = _apart(arm, rows[:, None], rows)
+    close = np.abs(ways).max(axis=2, initial=0.0) <= CLOSE
+    task, scales = task_error_of(arm), np.where(arm.revolute, 1.0, arm.length_scale)
+    kept: list[int] = []
+    for k, one in enumerate(ranked):
+        rounding = max(16.0 * one.errors.scaled2, BETWEEN**2)
+        middles = (one.q - 0.5 * ways[k, j] * scales for j in kept if close[k, j])
+        if all(task.at(q.tolist(), target)[2].scaled2 > rounding for q in middles):
+            kept.append(k)
+    return [ranked[k] for k in kept]
 
 
 def distinct(arm: Arm, candidates: Sequence[Vector], tolerance: float = SAME) -> list[Vector]:
