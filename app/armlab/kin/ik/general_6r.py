@@ -169,7 +169,7 @@ def _solve(
     whole = search.certain and search.is_whole(roots)
     if whole:
         found, complete = roots.q[roots.real].real, True
-        parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp))
+        parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp), 0.0)
     else:
         found, parts, roots, complete = resolve(search, hand, roots)
     beside = nearly(links, roots, found, hand)

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.dh import common_normals, link_transform
+from armlab.kin.ik.problem import REACHED_M, REACHED_RAD
 from armlab.kin.transforms import inverse, transform
 
 Floats = NDArray[np.float64]
@@ -77,6 +78,11 @@ class Loop:
             _before=np.array(inverse(arm.base @ first), dtype=np.float64),
             _after=np.array(inverse(E[5] @ arm.tool), dtype=np.float64),
         )
+
+    @property
+    def reached(self) -> float:
+        """Error in radians and units of length below which a pose counts as reached."""
+        return min(REACHED_RAD, REACHED_M / self.scale)
 
     def hands(self, poses: Floats) -> Floats:
         """Return H for tool poses in the world, both of shape (..., 4, 4), H with scaled lengths."""

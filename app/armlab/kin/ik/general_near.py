@@ -11,15 +11,13 @@ import numpy as np
 from armlab.kin.ik.general_complex import REAL, Roots
 from armlab.kin.ik.general_loop import Floats
 from armlab.kin.ik.general_merge import wrapped
-from armlab.kin.ik.general_polish import errors_and_columns
+from armlab.kin.ik.general_polish import nearest
 
 BESIDE = 0.03
 """Imaginary part, radians, of roots that are looked at: they miss the pose by up to about a thousandth."""
 
 WEAK = 0.03
 """Of the largest singular value: along weaker ones the arm can hardly move its tool, and need not."""
-
-STEPS = 4
 
 APART = 1e-2
 """Radians: what is closer to a solution is not listed beside it."""
@@ -30,19 +28,8 @@ def nearly(links: Floats, roots: Roots, solutions: Floats, hand: Floats) -> Floa
     outside = np.abs(roots.q.imag).max(axis=1, initial=0.0)
     rows = (outside < BESIDE) & (outside >= REAL) & (roots.q.imag.sum(axis=1) >= 0.0)
     kept = list(solutions)
-    for q in roots.q[rows].real:
-        best = _closest(links, q, hand)
+    starts = roots.q[rows].real
+    for best in nearest(links, starts, np.broadcast_to(hand, (len(starts), 4, 4)), WEAK)[0]:
         if not kept or np.abs(wrapped(best - np.array(kept))).max(axis=1).min() > APART:
             kept.append(best)
     return np.array(kept[len(solutions) :]).reshape(-1, 6)
-
-
-def _closest(links: Floats, q: Floats, hand: Floats) -> Floats:
-    best, least = q, np.inf
-    for _ in range(STEPS):
-        errors, columns, sizes = errors_and_columns(links, q[None], hand[None])
-        if not sizes[0] < least:
-            break
-        best, least = q, float(sizes[0])
-        q = q + errors[0] @ np.linalg.pinv(columns[0], rcond=WEAK)
-    return best

@@ -17,6 +17,9 @@ FAR = 0.3
 
 PATIENCE = 4
 
+NEAREST = 4
+"""Steps to the nearest configuration: what is near is there after two."""
+
 FLOOR = 1e-13
 """Damping that is always there: some hundred roundings of J J^T, so that it can be solved with at singular poses."""
 
@@ -114,6 +117,27 @@ def polish(
             rows, q, hands = rows[going], q[going], hands[going]
             errors, columns = errors[going], columns[going]
         q = q + np.clip(damped_steps(errors, columns), -LARGEST_STEP, LARGEST_STEP)
+    return found, best
+
+
+def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = NEAREST) -> tuple[Floats, Floats]:
+    """Return the nearest configurations to hands, and their errors, without moving along weak directions.
+
+    Parameters
+    ----------
+    links : ndarray, shape (5, 4, 4)
+    q : ndarray, shape (m, 6)
+    hands : ndarray, shape (m, 4, 4)
+    weak : float
+        Of the largest singular value: along directions with smaller ones the arm can hardly move its tool.
+    steps : int
+    """
+    found, best = q.copy(), np.full(len(q), np.inf)
+    for _ in range(steps):
+        errors, columns, sizes = errors_and_columns(links, q, hands)
+        better = sizes < best
+        found[better], best[better] = q[better], sizes[better]
+        q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
     return found, best
 
 

@@ -38,9 +38,8 @@ RANKED_ON = 6
 STARTS, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT = 96, 40, 15
 """Of the search by descents, for arms and poses that are singular."""
 
-ACCEPTED = 1e-9
-"""Error of a descent that arrived, in radians and units of length."""
-
+NOTHING, NEARLY_NOTHING = 1e-12, 2e-2
+"""Radians and units of length: below the first is rounding, below the second nearly special."""
 
 class Pass(NamedTuple):
     """One elimination: how large the moves are, and the formulation by its rank."""
@@ -82,6 +81,9 @@ class Search:
         Largest imaginary part of those that were counted.
     certain : bool
         Whether most random poses had as many.
+    nearly_special : bool
+        Whether a length or an angle of the arm nearly vanishes while it has fewer than sixteen roots: the others are
+        nearly at infinity, and at special poses they come back.
     """
 
     loop: Loop
@@ -92,6 +94,7 @@ class Search:
     number: int = 0
     border: float = OUTERMOST
     certain: bool = False
+    nearly_special: bool = False
 
     @classmethod
     def of(cls, arm: Arm) -> Search:
@@ -104,7 +107,8 @@ class Search:
             return cls(loop, (), moves, starts, True)
         hands = forward(loop, some)
         search = cls(loop, _ranking(loop, hands, moves[0]), moves, starts, False)
-        return replace(search, **_counted(search, hands))
+        search = replace(search, **_counted(search, hands))
+        return replace(search, nearly_special=search.number < MOST and _has_nearly_zero(loop.links))
 
     def candidates(self, hands: Floats, number: int) -> tuple[NDArray[np.intp], Complex]:
         """Return what one pass leads to for N targets (N, 4, 4): which target (m,), and angles (m, 6)."""
@@ -119,14 +123,14 @@ class Search:
         return [distinct(q[k], sizes[k], norms[k]) for k in rows]
 
     def is_whole(self, roots: Roots) -> bool:
-        """Return whether these are as many regular roots as the arm has."""
-        return self.number > 0 and roots.counted(self.border) >= self.number
+        """Return whether these are as many regular roots as the arm has; more would say that it was counted wrong."""
+        return self.number > 0 and roots.counted(self.border) == self.number
 
     def descents(self, hand: Floats) -> Floats:
         """Return what Newton's method finds from random starts, shape (m, 6)."""
         hands = np.broadcast_to(hand, (STARTS, 4, 4))
         q, sizes = polish(self.loop.links, self.starts, hands, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT)
-        return q[sizes < ACCEPTED]
+        return q[sizes < self.loop.reached]
 
 
 def forward(loop: Loop, q: Floats) -> Floats:
@@ -179,6 +183,12 @@ def _ranking(loop: Loop, hands: Floats, moves: Floats) -> tuple[tuple[int, int],
             regularity = leading(matrices(found.middle, hidden))[2]
             scores[shift, hidden] = float(np.median(np.log(regularity + 1e-300) + blocks))
     return tuple(sorted(scores, key=lambda formulation: -scores[formulation]))
+
+
+def _has_nearly_zero(links: Floats) -> bool:
+    """Return whether an entry of the constant motions is nearly 0 but not quite: lengths, sines and cosines."""
+    sizes = np.abs(links[:, :3])
+    return bool(((sizes > NOTHING) & (sizes < NEARLY_NOTHING)).any())
 
 
 def _counted(search: Search, hands: Floats) -> dict[str, Any]:

@@ -34,6 +34,11 @@ STRAY = 1e-6
 """Radians an end is from a real solution at most, beside that."""
 
 
+MOST_LOOSE = 8
+"""Where an arm has only nearly fewer than six freedoms, the pose is reached along families, but exactly nowhere that
+descents would find: so many of what they do find stand for them."""
+
+
 class Resolved(NamedTuple):
     """Real solutions at a special pose.
 
@@ -66,8 +71,11 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
         What elimination found at the pose itself.
     """
     links, rng = search.loop.links, np.random.default_rng(SEED)
-    q = merged(links, np.concatenate([search.descents(hand), _starts(roots.q)]), hand)
-    parts = _parted(links, q, hand)
+    found = search.descents(hand)
+    q = merged(links, np.concatenate([found, _starts(roots.q)]), hand)
+    if search.deficient and not len(q):
+        q = found[:MOST_LOOSE]
+    parts = _parted(search, q, hand)
     for size in SIZES if search.certain else SIZES[:1] if search.formulations else ():
         if parts.freedom:
             break
@@ -77,7 +85,7 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
         regular, rest = _reached(search, ends, hand)
         roots = joined(roots, regular)
         q = merged(links, np.concatenate([q, _starts(roots.q), _starts(ends.q)]), hand)
-        parts = _parted(links, q, hand)
+        parts = _parted(search, q, hand)
         # Of roots that two ways lead to, one has lost its own.
         lost = len(beside) - len(rest.q) - len(regular.q)
         if whole and lost <= 0 and all(_is_known(q, *end) for end in zip(rest.q, rest.speed, strict=True)):
@@ -85,8 +93,9 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
     return Resolved(q, parts, roots, False)
 
 
-def _parted(links: Floats, q: Floats, hand: Floats) -> Split:
-    return split(links, q, hand, rank_losses(links, q, hand))
+def _parted(search: Search, q: Floats, hand: Floats) -> Split:
+    loop = search.loop
+    return split(loop.links, q, hand, rank_losses(loop.links, q, hand), loop.reached)
 
 
 def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:
@@ -96,7 +105,7 @@ def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:
         if search.is_whole(found):
             break
         found = joined(found, search.roots(hand[None], number)[0])
-    return found.q[found.regular], search.certain and search.is_whole(found)
+    return found.q[found.regular], search.certain and not search.nearly_special and search.is_whole(found)
 
 
 def _reached(search: Search, ends: Ends, hand: Floats) -> tuple[Roots, Ends]:

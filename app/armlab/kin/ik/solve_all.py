@@ -145,7 +145,8 @@ def _by_elimination(arm: Arm, T: Vector, why: str) -> Answer:
     completeness: Completeness = found.completeness
     if completeness == "complete" and not q:
         completeness = "none"
-    loose = int((found.position_error + found.rotation_error > LOOSE).sum())
+    rounding = LOOSE * max(1.0, arm.length_scale)
+    loose = int(((found.position_error > rounding) | (found.rotation_error > LOOSE)).sum())
     reason = f"{found.reason[:1].upper()}{found.reason[1:]}."
     return Answer(q, completeness, reason, "general_6r", why, found.families, loose, found.missed)
 

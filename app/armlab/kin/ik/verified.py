@@ -32,7 +32,7 @@ EXACT = 1e-9
 FAR = 1e-2
 """Scaled error of a candidate that comes from no solution."""
 
-STEPS, MORE_STEPS = 8, 30
+STEPS, MORE_STEPS = 8, 60
 """Of Newton's method; more where the error falls, but only as at a multiple root."""
 
 CUTOFF = 1e-9
@@ -85,7 +85,7 @@ def _descended(
     for k in range(MORE_STEPS):
         J, e, errors = task.at(q.tolist(), target)
         size = math.sqrt(errors.scaled2)
-        if best is not None and (not size < least or (k >= STEPS and size > 0.5 * least)):
+        if best is not None and (not size < least or (k >= STEPS and size > 0.8 * least)):
             break
         best, least = Polished(q, errors, J), size
         if size <= GOOD or not size <= limit:
