@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from armlab.kin.ik.general_loop import Floats
-from armlab.kin.ik.general_polish import errors_and_columns, polish
+from armlab.kin.ik.general_polish import errors_and_columns, nearest, polish
 
 ROUNDING = 4e-15
 """Error of the pose, in radians and units of length, that some ten products of matrices may make."""
@@ -30,6 +30,9 @@ EXACT = 1e-12
 
 IDENTICAL = 1e-9
 """Radians: what is closer is one without asking the pose."""
+
+WEAK, STAYED = 1e-4, 0.1
+"""Of the largest singular value: directions along the valley; and of the distance: how far its bottom is at most."""
 
 CLOSE = 0.3
 """Radians in all joints together: farther apart two candidates are not one."""
@@ -71,11 +74,15 @@ def _refined(links: Floats, q: Floats, sizes: Floats, hand: Floats) -> tuple[Flo
 
 
 def _same(links: Floats, q: Floats, sizes: Floats, apart: Floats, hand: Floats) -> np.ndarray:
-    """Return which pairs are one: half-way between them the error is no larger than theirs, or rounding."""
+    """Return which pairs are one: half-way between them the error is no larger than theirs, or rounding.
+
+    Candidates of high multiplicity lie in a bent valley: its bottom beside the middle of the chord counts.
+    """
     one, other = np.nonzero(np.tril(apart < CLOSE, -1))
     half_way = q[one] + 0.5 * wrapped(q[other] - q[one])
-    between = errors_and_columns(links, half_way, np.broadcast_to(hand, (len(one), 4, 4)))[2]
-    found = between <= np.maximum(4.0 * np.maximum(sizes[one], sizes[other]), ROUNDING)
+    between, left = nearest(links, half_way, np.broadcast_to(hand, (len(one), 4, 4)), WEAK)
+    stayed = np.linalg.norm(between - half_way, axis=1) < STAYED * apart[one, other]
+    found = stayed & (left <= np.maximum(4.0 * np.maximum(sizes[one], sizes[other]), ROUNDING))
     same = np.zeros((len(q), len(q)), dtype=bool)
     same[one[found], other[found]] = same[other[found], one[found]] = True
     return same

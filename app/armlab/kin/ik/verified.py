@@ -47,6 +47,10 @@ SAME = 1e-6
 CLOSE = 0.3
 """The same, for solutions farther apart, which are not one."""
 
+VALLEY, STAYED = 1e-4, 0.1
+"""Of the largest singular value: directions along which nothing is corrected half-way between two candidates; and of
+their distance: how far to the side the correction leads at most."""
+
 BETWEEN = 1e-14
 """Scaled error half-way between two candidates, up to which they are one: rounding."""
 
@@ -118,14 +122,22 @@ def each_once(arm: Arm, candidates: Sequence[Polished], target: list[float]) -> 
     rows = np.array([one.q for one in ranked]).reshape(-1, arm.n)
     ways = _apart(arm, rows[:, None], rows)
     close = np.abs(ways).max(axis=2, initial=0.0) <= CLOSE
-    task, scales = task_error_of(arm), np.where(arm.revolute, 1.0, arm.length_scale)
     kept: list[int] = []
     for k, one in enumerate(ranked):
-        rounding = max(16.0 * one.errors.scaled2, BETWEEN**2)
-        middles = (one.q - 0.5 * ways[k, j] * scales for j in kept if close[k, j])
-        if all(task.at(q.tolist(), target)[2].scaled2 > rounding for q in middles):
+        if not any(close[k, j] and _joined(arm, one, ways[k, j], target) for j in kept):
             kept.append(k)
     return [ranked[k] for k in kept]
+
+
+def _joined(arm: Arm, one: Polished, way: Vector, target: list[float]) -> bool:
+    """Return whether half-way from another solution, ``way`` before one, the arm still reaches the target.
+
+    Candidates of high multiplicity lie in a bent valley: its bottom beside the middle of the chord counts.
+    """
+    half_way = one.q - 0.5 * way * np.where(arm.revolute, 1.0, arm.length_scale)
+    between = _descended(arm, half_way, target, None, VALLEY, math.inf)
+    aside = np.abs(_apart(arm, between.q, half_way)).max()
+    return bool(aside < STAYED * np.abs(way).max() and between.errors.scaled2 <= max(16.0 * one.errors.scaled2, BETWEEN**2))
 
 
 def distinct(arm: Arm, candidates: Sequence[Vector], tolerance: float = SAME) -> list[Vector]:
