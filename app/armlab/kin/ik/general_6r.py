@@ -163,10 +163,12 @@ def _solve(
 ) -> GeneralSolutions:
     """Look on until all roots are accounted for; then judge and sort."""
     links, passes = search.loop.links, 0 if search.deficient else 1
-    while 0 < passes < len(PASSES) and not search.is_whole(roots):
+    # Of a nearly special arm roots may have come back from infinity: there a second look is taken.
+    least = 2 if search.nearly_special else 1
+    while 0 < passes < len(PASSES) and (passes < least or not search.is_whole(roots)):
         roots = joined(roots, search.roots(hand[None], passes)[0])
         passes += 1
-    whole = search.certain and search.is_whole(roots)
+    whole = search.certain and search.is_whole(roots) and (roots.regular.all() or not search.nearly_special)
     if whole:
         found, complete = roots.q[roots.real].real, True
         parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp), 0.0)

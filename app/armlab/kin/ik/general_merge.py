@@ -12,7 +12,7 @@ import numpy as np
 from armlab.kin.ik.general_loop import Floats
 from armlab.kin.ik.general_polish import errors_and_columns, nearest, polish
 
-ROUNDING = 4e-15
+ROUNDING = 1e-14
 """Error of the pose, in radians and units of length, that some ten products of matrices may make."""
 
 REFINED = 1e-15

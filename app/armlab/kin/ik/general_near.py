@@ -16,8 +16,8 @@ from armlab.kin.ik.general_polish import nearest
 BESIDE = 0.03
 """Imaginary part, radians, of roots that are looked at: they miss the pose by up to about a thousandth."""
 
-WEAK = 0.03
-"""Of the largest singular value: along weaker ones the arm can hardly move its tool, and need not."""
+WEAK = (0.03, 1e-3)
+"""Of the largest singular value: along weaker ones the arm can hardly move its tool, and need not. The better counts."""
 
 APART = 1e-2
 """Radians: what is closer to a solution is not listed beside it."""
@@ -29,7 +29,9 @@ def nearly(links: Floats, roots: Roots, solutions: Floats, hand: Floats) -> Floa
     rows = (outside < BESIDE) & (outside >= REAL) & (roots.q.imag.sum(axis=1) >= 0.0)
     kept = list(solutions)
     starts = roots.q[rows].real
-    for best in nearest(links, starts, np.broadcast_to(hand, (len(starts), 4, 4)), WEAK)[0]:
+    hands = np.broadcast_to(hand, (len(starts), 4, 4))
+    (one, left), (other, less) = (nearest(links, starts, hands, weak) for weak in WEAK)
+    for best in np.where((less < left)[:, None], other, one):
         if not kept or np.abs(wrapped(best - np.array(kept))).max(axis=1).min() > APART:
             kept.append(best)
     return np.array(kept[len(solutions) :]).reshape(-1, 6)

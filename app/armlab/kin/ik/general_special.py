@@ -18,7 +18,7 @@ from armlab.kin.ik.general_merge import merged, wrapped
 from armlab.kin.ik.general_search import PASSES, SEED, Search
 from armlab.kin.ik.general_track import Ends, Way, follow
 
-SIZES = (0.1, 0.2, 0.05)
+SIZES = (0.1, 0.2)
 """Radians and units of length to the pose beside: one after the other, until all ends are known."""
 
 FAST, FAR = 0.03, 4.0

@@ -43,7 +43,7 @@ NEAR, CONVERGED = 3e-3, 1e-8
 EASY = 1e-4
 """A first Newton step below it lets the next step be twice as long."""
 
-MOST_STEPS = 120
+MOST_STEPS = 80
 
 
 class Ends(NamedTuple):

@@ -120,10 +120,15 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
             return _with_descents(arm, T, seed, some, form.key, why)
     if some.rows:
         return Answer(some.rows, "complete", "", form.key, why, (), some.loose, some.missed)
-    if found.sampled or (found.q and _is_general(arm)):
+    if found.sampled:
         return None
     reason = found.none or "The target is off what the joints of this arm can do."
-    return Answer([], "none", reason, form.key, why, missed=some.missed)
+    answer = Answer([], "none", reason, form.key, why, missed=some.missed)
+    if _is_general(arm):
+        # Next to a singular pose a step of the closed form may leave the next without a solution.
+        second = _by_elimination(arm, T, why)
+        return replace(answer, missed=second.missed) if second.completeness == "none" else second
+    return answer
 
 
 def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why: str) -> Answer:

@@ -51,6 +51,9 @@ VALLEY, STAYED = 1e-4, 0.1
 """Of the largest singular value: directions along which nothing is corrected half-way between two candidates; and of
 their distance: how far to the side the correction leads at most."""
 
+IDENTICAL, BLURRED = 1e-9, 1e-2
+"""Radians, or length scales: what is closer is one without asking; and where it only comes near the target."""
+
 BETWEEN = 1e-14
 """Scaled error half-way between two candidates, up to which they are one: rounding."""
 
@@ -134,10 +137,13 @@ def _joined(arm: Arm, one: Polished, way: Vector, target: list[float]) -> bool:
 
     Candidates of high multiplicity lie in a bent valley: its bottom beside the middle of the chord counts.
     """
+    far = float(np.abs(way).max())
+    if far < (BLURRED if one.errors.scaled2 > EXACT**2 else IDENTICAL):
+        return True
     half_way = one.q - 0.5 * way * np.where(arm.revolute, 1.0, arm.length_scale)
     between = _descended(arm, half_way, target, None, VALLEY, math.inf)
     aside = np.abs(_apart(arm, between.q, half_way)).max()
-    return bool(aside < STAYED * np.abs(way).max() and between.errors.scaled2 <= max(16.0 * one.errors.scaled2, BETWEEN**2))
+    return bool(aside < STAYED * far and between.errors.scaled2 <= max(16.0 * one.errors.scaled2, BETWEEN**2))
 
 
 def distinct(arm: Arm, candidates: Sequence[Vector], tolerance: float = SAME) -> list[Vector]:
