@@ -70,9 +70,7 @@ class Verified(NamedTuple):
     doubtful: bool
 
 
-def verified(
-    arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None
-) -> Verified:
+def verified(arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None) -> Verified:
     """Return polished candidates that forward kinematics confirms."""
     target = task_error_of(arm).target(T)
     mask = held_mask(arm, held) if held else None

@@ -158,9 +158,7 @@ def solve_general_batch(
     return results
 
 
-def _solve(
-    arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tolerance: float
-) -> GeneralSolutions:
+def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tolerance: float) -> GeneralSolutions:
     """Look on until all roots are accounted for; then judge and sort."""
     links, passes = search.loop.links, 0 if search.deficient else 1
     # Of a nearly special arm roots may have come back from infinity: there a second look is taken.
@@ -180,7 +178,7 @@ def _solve(
     singular[: parts.isolated.sum()] = parts.singular[parts.isolated]
     q = principal(q - search.loop.offsets)
     position, rotation = _errors(arm, q, T)
-    close = (position <= max(tolerance, ROUNDING * np.linalg.norm(T[:3, 3]))) & (rotation <= tolerance)
+    close = (position <= max(tolerance, ROUNDING * float(np.linalg.norm(T[:3, 3])))) & (rotation <= tolerance)
     kept = np.flatnonzero(close)
     kept = kept[np.lexsort(np.round(q[kept], 6).T[::-1])]
     completeness: Completeness = "infinite" if parts.freedom else "complete" if complete else "at least"

@@ -73,7 +73,7 @@ class Roots(NamedTuple):
     @property
     def real(self) -> NDArray[np.bool_]:
         """Which are regular and real, shape (m,)."""
-        return self.regular & (np.abs(self.q.imag).max(axis=1, initial=0.0) < REAL)
+        return np.asarray(self.regular & (np.abs(self.q.imag).max(axis=1, initial=0.0) < REAL))
 
 
 NO_ROOTS = Roots(np.empty((0, 6), dtype=np.complex128), np.empty(0, dtype=bool))
@@ -119,12 +119,6 @@ def newton(links: Floats, q: Complex, hands: Numbers, steps: int = STEPS) -> tup
             sizes[rows[gone]] = np.inf
             rows = rows[going]
     return q, sizes, norms
-
-
-def roots_of(links: Floats, q: Complex, hand: Floats) -> Roots:
-    """Return the distinct roots candidates (m, 6) lead to, with their conjugates."""
-    found, sizes, norms = newton(links, q, np.broadcast_to(hand, (len(q), 4, 4)))
-    return distinct(found, sizes, norms)
 
 
 def distinct(q: Complex, sizes: Floats, norms: Floats) -> Roots:

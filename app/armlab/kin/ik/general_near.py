@@ -17,7 +17,7 @@ BESIDE = 0.03
 """Imaginary part, radians, of roots that are looked at: they miss the pose by up to about a thousandth."""
 
 WEAK = (0.03, 1e-3)
-"""Of the largest singular value: along weaker ones the arm can hardly move its tool, and need not. The better counts."""
+"""Of the largest singular value: along weaker ones the arm can hardly move its tool. The better of both counts."""
 
 APART = 1e-2
 """Radians: what is closer to a solution is not listed beside it."""

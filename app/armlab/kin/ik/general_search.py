@@ -41,6 +41,7 @@ STARTS, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT = 96, 40, 15
 NOTHING, NEARLY_NOTHING = 1e-12, 2e-2
 """Radians and units of length: below the first is rounding, below the second nearly special."""
 
+
 class Pass(NamedTuple):
     """One elimination: how large the moves are, and the formulation by its rank."""
 
@@ -55,8 +56,8 @@ MOST = 16
 """Roots of six turns at most."""
 
 BORDERS = (OUTERMOST, 9.0, 6.0, 4.0)
-"""Imaginary parts up to which roots are counted, the first at which most random poses agree. Arms that are nearly special
-have roots nearly at infinity, which rounding hides at some poses."""
+"""Imaginary parts up to which roots are counted, the first at which most random poses agree. Arms that are nearly
+special have roots nearly at infinity, which rounding hides at some poses."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -108,7 +108,7 @@ class Way:
 
 
 def cayley(a: Numbers) -> Numbers:
-    """Return ((1 - a.a) 1 + 2 a a^T + 2 [a]) / (1 + a.a), shape (m, 3, 3): the rotation by 2 atan |a| about a (m, 3)."""
+    """Return the rotation by 2 atan |a| about a (m, 3), ((1 - a.a) 1 + 2 a a^T + 2 [a]) / (1 + a.a), (m, 3, 3)."""
     square = (a * a).sum(axis=1)
     R = 2.0 * a[:, :, None] * a[:, None, :]
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):

@@ -248,7 +248,9 @@ def _distance(answer: Answer) -> str:
     by = missed_in_words(*answer.missed)
     if answer.q:
         many = len(answer.q) > 1
-        who = "It comes" if not many else "They come" if answer.loose == len(answer.q) else f"{answer.loose} of them come"
+        who = (
+            "It comes" if not many else "They come" if answer.loose == len(answer.q) else f"{answer.loose} of them come"
+        )
         return f"{who} within {by} of the target, which counts as reached."
     if max(answer.missed) > OUT_OF_REACH or answer.completeness != "none":
         return ""

@@ -107,7 +107,9 @@ def is_reached(arm: Arm, errors: Errors, target: list[float]) -> bool:
     if errors.reached:
         return True
     distance = math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates))
-    return ROUNDING * distance > REACHED_M and errors.position <= ROUNDING * distance and errors.rotation2 < REACHED_M**2
+    return (
+        ROUNDING * distance > REACHED_M and errors.position <= ROUNDING * distance and errors.rotation2 < REACHED_M**2
+    )
 
 
 def reaches(arm: Arm, q: Vector, target: list[float]) -> bool:
