@@ -166,7 +166,7 @@ def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tole
     while 0 < passes < len(PASSES) and (passes < least or not search.is_whole(roots)):
         roots = joined(roots, search.roots(hand[None], passes)[0])
         passes += 1
-    whole = search.certain and search.is_whole(roots) and (roots.regular.all() or not search.nearly_special)
+    whole = search.certain and search.is_whole(roots) and not (search.nearly_special and roots.merging)
     if whole:
         found, complete = roots.q[roots.real].real, True
         parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp), 0.0)

@@ -47,6 +47,9 @@ REGULAR = 3e5
 SAME = 1e-7
 """Radians: regular roots closer than this in all joints are one."""
 
+BESIDE = 1.0
+"""Imaginary part of what is nearly real, widely."""
+
 REAL = 1e-8
 """Largest imaginary part of a regular root that is real. One that is not has its conjugate at twice this distance,
 which no regular root has."""
@@ -69,6 +72,11 @@ class Roots(NamedTuple):
     def counted(self, border: float) -> int:
         """Return how many regular roots have no imaginary part above a border."""
         return int((self.regular & (np.abs(self.q.imag).max(axis=1, initial=0.0) <= border)).sum())
+
+    @property
+    def merging(self) -> bool:
+        """Whether a root that is nearly real is not regular."""
+        return bool((~self.regular & (np.abs(self.q.imag).max(axis=1, initial=0.0) < BESIDE)).any())
 
     @property
     def real(self) -> NDArray[np.bool_]:

@@ -111,9 +111,9 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     found = form.solve(arm, G)
     some = verified(arm, T, found.q)
     why = f"{form.title}: {why}"
-    if some.rows and found.families:
+    if some.rows and found.families and any(_moves(arm, row, T, None) for row in some.rows):
         return Answer(some.rows, "infinite", " ".join(found.families), form.key, why)
-    if some.doubtful:
+    if some.doubtful or (some.rows and found.families):
         if _is_general(arm):
             return _by_elimination(arm, T, f"{why} Branches merge at this pose or nearly: solved as a general 6R.")
         if some.rows:
