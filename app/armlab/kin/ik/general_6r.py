@@ -166,7 +166,7 @@ def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tole
     while 0 < passes < len(PASSES) and (passes < least or not search.is_whole(roots)):
         roots = joined(roots, search.roots(hand[None], passes)[0])
         passes += 1
-    whole = search.certain and search.is_whole(roots) and not (search.nearly_special and roots.merging)
+    whole = search.is_whole(roots) and not (search.nearly_special and roots.merging)
     if whole:
         found, complete = roots.q[roots.real].real, True
         parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp), 0.0)
@@ -238,7 +238,13 @@ def _reason(search: Search, completeness: Completeness, isolated: int, parts: Sp
             return f"searched from {STARTS} random starts, which proves nothing"
         return "not all roots of the equations of this arm could be told apart at this pose"
     if isolated == 0:
-        return f"none of the {search.number} roots is real"
+        return f"none of the {_number(search)} roots is real"
     folds = int(parts.singular[parts.isolated].sum())
     merge = f"; {folds} of them singular, where branches merge" if folds else ""
-    return f"all {search.number} roots of the arm are accounted for{merge}"
+    return f"all {_number(search)} roots of the arm are accounted for{merge}"
+
+
+def _number(search: Search) -> str:
+    """Return how many roots an arm has; of nearly special ones some are nearly at infinity, and counted or not."""
+    least = min(number for _, number in search.counts)
+    return f"{least}" if least == search.number else f"{least} to {search.number}"

@@ -137,6 +137,8 @@ def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = N
         errors, columns, sizes = errors_and_columns(links, q, hands)
         better = sizes < best
         found[better], best[better] = q[better], sizes[better]
+        if not (best > EXACT).any():
+            break
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
     return found, best
 

@@ -14,7 +14,7 @@ people build. A pose at which as many regular ones are found is done with (see `
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,12 +76,9 @@ class Search:
     deficient : bool
         Whether the Jacobian is singular everywhere: the arm has fewer than six freedoms. What it reaches, it reaches in
         infinitely many ways; and the least move of a link makes it impossible, so that elimination finds nothing.
-    number : int
-        How many regular roots the arm has at a random pose, complex ones counted.
-    border : float
-        Largest imaginary part of those that were counted.
-    certain : bool
-        Whether most random poses had as many.
+    counts : tuple of (float, int)
+        How many regular roots the arm has at most random poses, complex ones counted, up to imaginary parts; the
+        largest border first. Empty where random poses do not agree.
     nearly_special : bool
         Whether a length or an angle of the arm nearly vanishes while it has fewer than sixteen roots: the others are
         nearly at infinity, and at special poses they come back.
@@ -92,9 +89,7 @@ class Search:
     moves: Floats
     starts: Floats
     deficient: bool
-    number: int = 0
-    border: float = OUTERMOST
-    certain: bool = False
+    counts: tuple[tuple[float, int], ...] = ()
     nearly_special: bool = False
 
     @classmethod
@@ -108,8 +103,15 @@ class Search:
             return cls(loop, (), moves, starts, True)
         hands = forward(loop, some)
         search = cls(loop, _ranking(loop, hands, moves[0]), moves, starts, False)
-        search = replace(search, **_counted(search, hands))
-        return replace(search, nearly_special=search.number < MOST and _has_nearly_zero(loop.links))
+        counts, nearly = _counted(search, hands), _has_nearly_zero(loop.links)
+        nearly = nearly and any(number < MOST for _, number in counts)
+        # Of other arms roots with large imaginary parts are no farther than the rest, and all of them count.
+        return replace(search, counts=counts if nearly else counts[:1], nearly_special=nearly)
+
+    @property
+    def number(self) -> int:
+        """How many regular roots the arm has at a random pose; 0 where that is not known."""
+        return self.counts[0][1] if self.counts else 0
 
     def candidates(self, hands: Floats, number: int) -> tuple[NDArray[np.intp], Complex]:
         """Return what one pass leads to for N targets (N, 4, 4): which target (m,), and angles (m, 6)."""
@@ -125,7 +127,7 @@ class Search:
 
     def is_whole(self, roots: Roots) -> bool:
         """Return whether these are as many regular roots as the arm has; more would say that it was counted wrong."""
-        return self.number > 0 and roots.counted(self.border) == self.number
+        return any(roots.counted(border) == number for border, number in self.counts)
 
     def descents(self, hand: Floats) -> Floats:
         """Return what Newton's method finds from random starts, shape (m, 6)."""
@@ -192,18 +194,19 @@ def _has_nearly_zero(links: Floats) -> bool:
     return bool(((sizes > NOTHING) & (sizes < NEARLY_NOTHING)).any())
 
 
-def _counted(search: Search, hands: Floats) -> dict[str, Any]:
-    """Return number, border and certainty from the roots at some targets."""
+def _counted(search: Search, hands: Floats) -> tuple[tuple[float, int], ...]:
+    """Return the borders up to which most of some targets have as many roots, and how many."""
     found = search.roots(hands, 0)
     for number in range(1, len(PASSES)):
         counts = [roots.counted(OUTERMOST) for roots in found]
         if min(counts) == max(counts):
             break
         found = [joined(*two) for two in zip(found, search.roots(hands, number), strict=True)]
+    agreed = []
     for border in BORDERS:
         counts = [roots.counted(border) for roots in found]
         most = max(counts)
         # No arm has more than sixteen, and none more at special poses than at random ones.
         if most == MOST or (most > 0 and 2 * counts.count(most) > len(counts)):
-            return {"number": most, "border": border, "certain": True}
-    return {"number": max(roots.counted(OUTERMOST) for roots in found), "border": OUTERMOST, "certain": False}
+            agreed.append((border, most))
+    return tuple(agreed)

@@ -21,6 +21,9 @@ from armlab.kin.ik.general_track import Ends, Way, follow
 SIZES = (0.1, 0.2)
 """Radians and units of length to the pose beside: one after the other, until all ends are known."""
 
+FOLLOWED = 1e-6
+"""Distance u from the end of the way below which an end is as good as reached."""
+
 FAST, FAR = 0.03, 4.0
 """A root that is followed and still moves so fast by log u, with an imaginary part so large, goes to infinity."""
 
@@ -76,7 +79,7 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
     if search.deficient and not len(q):
         q = found[:MOST_LOOSE]
     parts = _parted(search, q, hand)
-    for size in SIZES if search.certain else SIZES[:1] if search.formulations else ():
+    for size in SIZES if search.counts else SIZES[:1] if search.formulations else ():
         if parts.freedom:
             break
         way = Way.beside(hand, rng, size)
@@ -90,6 +93,9 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
         lost = len(beside) - len(rest.q) - len(regular.q)
         if whole and lost <= 0 and all(_is_known(q, *end) for end in zip(rest.q, rest.speed, strict=True)):
             return Resolved(q, parts, roots, True)
+        if whole and lost <= 0 and (rest.u <= FOLLOWED).all():
+            # All ends are there, and another way would lead to them again.
+            break
     return Resolved(q, parts, roots, False)
 
 
@@ -105,7 +111,7 @@ def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:
         if search.is_whole(found):
             break
         found = joined(found, search.roots(hand[None], number)[0])
-    return found.q[found.regular], search.certain and not search.nearly_special and search.is_whole(found)
+    return found.q[found.regular], not search.nearly_special and search.is_whole(found)
 
 
 def _reached(search: Search, ends: Ends, hand: Floats) -> tuple[Roots, Ends]:

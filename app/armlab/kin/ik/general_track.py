@@ -37,10 +37,10 @@ ROUNDING = 1e-12
 FACTOR = 0.2
 """Of u in a step of the endgame."""
 
-NEAR, CONVERGED = 3e-3, 1e-8
+NEAR, CONVERGED = 1e-2, 1e-8
 """Radians: largest first and last Newton step after a predicted one."""
 
-EASY = 1e-4
+EASY = 5e-4
 """A first Newton step below it lets the next step be twice as long."""
 
 MOST_STEPS = 80

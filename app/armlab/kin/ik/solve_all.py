@@ -13,7 +13,7 @@ from armlab.kin.checks import whole_number
 from armlab.kin.ik.amounts import missed_in_words
 from armlab.kin.ik.answer import BEYOND, SURFACE, Answer, Verified, in_order, is_beyond, verified
 from armlab.kin.ik.branches import branch_names
-from armlab.kin.ik.closed_form import closed_form_of, known_structure
+from armlab.kin.ik.closed_form import SAMPLES, closed_form_of, known_structure
 from armlab.kin.ik.general_6r import solve_general
 from armlab.kin.ik.held import checked_held, with_held
 from armlab.kin.ik.many_starts import STARTS, many_starts
@@ -111,7 +111,7 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     found = form.solve(arm, G)
     some = verified(arm, T, found.q)
     why = f"{form.title}: {why}"
-    if some.rows and found.families and any(_moves(arm, row, T, None) for row in some.rows):
+    if some.rows and found.families and _is_family(arm, T, some.rows):
         return Answer(some.rows, "infinite", " ".join(found.families), form.key, why)
     if some.doubtful or (some.rows and found.families):
         if _is_general(arm):
@@ -129,6 +129,14 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
         second = _by_elimination(arm, T, why)
         return replace(answer, missed=second.missed) if second.completeness == "none" else second
     return answer
+
+
+def _is_family(arm: Arm, T: Vector, rows: Sequence[Vector]) -> bool:
+    """Return whether samples of a family are more than its end, where the other joints just reach the target.
+
+    Where two families cross, none of the samples may be on one alone, but then there are many.
+    """
+    return len(rows) >= SAMPLES or any(_moves(arm, row, T, None) for row in rows)
 
 
 def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why: str) -> Answer:
