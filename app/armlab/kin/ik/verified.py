@@ -38,8 +38,8 @@ STEPS, MORE_STEPS = 8, 60
 CUTOFF = 1e-9
 """Relative singular values below this do not move: along them a singular pose is not told."""
 
-WEAK = 0.03
-"""The same on the way to the nearest configuration: along weak directions it is at rest."""
+WEAK = (0.03, 1e-3, 1e-5)
+"""The same on the way to the nearest configuration: along weak directions it is at rest. The best of them counts."""
 
 SAME = 1e-6
 """Radians, or length scales: points of curves nearer than this in all joints are one."""
@@ -78,8 +78,8 @@ def polished(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] |
     """Return the nearest configuration to a target from a candidate (n,) on; held joints stay."""
     best = _descended(arm, q, target, held, CUTOFF, FAR)
     if EXACT**2 < best.errors.scaled2 <= FAR**2:
-        nearer = _descended(arm, best.q, target, held, WEAK, math.inf)
-        best = min(best, nearer, key=lambda one: one.errors.scaled2)
+        nearer = (_descended(arm, best.q, target, held, weak, math.inf) for weak in WEAK)
+        best = min(best, *nearer, key=lambda one: one.errors.scaled2)
     return best
 
 
