@@ -83,6 +83,12 @@ def polished(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] |
     return best
 
 
+def solution(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None) -> Vector | None:
+    """Return the solution at a candidate (n,), or None where the target is not reached."""
+    best = polished(arm, q, target, held)
+    return best.q if is_reached(arm, best.errors, target) else None
+
+
 def _descended(
     arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None, cutoff: float, limit: float
 ) -> Polished:
