@@ -79,7 +79,8 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
     if search.deficient and not len(q):
         q = found[:MOST_LOOSE]
     parts = _parted(search, q, hand)
-    for size in SIZES if search.counts else SIZES[:1] if search.formulations else ():
+    # More ways than one only where they can prove something.
+    for size in SIZES if search.counts and not search.nearly_special else SIZES[:1] if search.formulations else ():
         if parts.freedom:
             break
         way = Way.beside(hand, rng, size)
