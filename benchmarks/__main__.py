@@ -1,4 +1,7 @@
-"""``python3 benchmarks [NAME ...]``: measure against the peers, as Markdown; without a name, everything."""
+"""``python3 benchmarks [NAME ...] [--write]``: measure against the peers, as Markdown.
+
+Without a name, everything is measured and written into docs/figures.md.
+"""
 
 import os
 import subprocess

@@ -7,12 +7,12 @@ import numpy as np
 from armlab.content.robots import catalogue
 from armlab.kin.control import LineReference, Settings, rate_inverse, simulate
 from armlab.kin.control.scaled_task import ScaledTask
-from rounds import header, medians, row
+from rounds import header, medians, row, sized
 
 TITLE = "Kinematic control: 7R arm, Runge-Kutta 4, 6 s at 1 kHz, one core"
 ROBOT = "iiwa7"
 VELOCITY = (0.02, 0.02, -0.02)
-DURATION = 6.0
+DURATION = sized(6.0, 0.02)
 
 
 def measure() -> Iterator[str]:

@@ -2,15 +2,17 @@
 
 import tracemalloc
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
 import armlab
 import peers
-from rounds import header, medians, row
+from armlab import Arm
+from rounds import header, medians, row, sized
 
 TITLE = "Core: Franka Panda, one core"
-MANY, FEW = 1_000_000, 2_000
+MANY, BATCH, FEW, SHORT = sized((1_000_000, 100_000, 2_000, 1_000), (100, 100, 20, 10))
 
 
 def measure() -> Iterator[str]:
@@ -18,40 +20,48 @@ def measure() -> Iterator[str]:
     rng = np.random.default_rng(1)
     qs = rng.uniform(arm.limits[:, 0], arm.limits[:, 1], (MANY, arm.n))
     q = qs[0].copy()
-    pinocchio, toolbox, ikpy = peers.Pinocchio(arm), peers.Toolbox(arm), peers.IKPy(arm)
-    positions, manipulability = peers.numba_kernels(arm)
-    agree(arm, qs[:20], pinocchio, toolbox, ikpy, positions, manipulability)
+    others, compiled = peers.of(arm), peers.numba_kernels(arm)
+    with_jacobian = {name: peer for name, peer in others.items() if hasattr(peer, "jacobian")}
+    agree(arm, qs[:20], others, compiled)
     yield from header()
-    one = {
-        "Armlab": lambda: arm.fk(q),
-        "pinocchio": lambda: pinocchio.pose(q),
-        "roboticstoolbox (C)": lambda: toolbox.pose(q),
-        "ikpy": lambda: ikpy.pose(q),
-    }
+    one = {"Armlab": lambda: arm.fk(q)} | {name: partial(peer.pose, q) for name, peer in others.items()}
     yield row("tool pose, one q", medians(one), "µs", 1e6)
-    one = {
-        "Armlab": lambda: arm.jacobian(q),
-        "pinocchio": lambda: pinocchio.jacobian(q),
-        "roboticstoolbox (C)": lambda: toolbox.jacobian(q),
+    one = {"Armlab": lambda: arm.jacobian(q)} | {
+        name: partial(peer.jacobian, q) for name, peer in with_jacobian.items()
     }
     yield row("geometric Jacobian, one q", medians(one), "µs", 1e6)
     out, few = np.empty((MANY, 3)), qs[:FEW]
-    found = medians({"Armlab": lambda: arm.position(qs, out=out), "numba": lambda: positions(qs, out)}, MANY, 7)
-    loops = {
-        "stacked NumPy": lambda: peers.stacked_positions(arm, few),
-        "pinocchio": lambda: [pinocchio.pose(v).translation for v in few],
-        "roboticstoolbox (C)": lambda: toolbox.pose(few),
-        "naive NumPy": lambda: peers.naive_positions(arm, few),
-    }
-    yield row("tool positions, 10⁶ q, float64", found | medians(loops, FEW, 5), "ns each", 1e9, 0)
+    entries = {"Armlab": lambda: arm.position(qs, out=out)}
+    if compiled is not None:
+        entries["numba"] = lambda: compiled.positions(qs, out)
+    loops = {"stacked NumPy": lambda: peers.stacked_positions(arm, few)}
+    loops |= {name: partial(peer.positions, few) for name, peer in with_jacobian.items()}
+    loops |= {"naive NumPy": lambda: peers.naive_positions(arm, few)}
+    found = medians(entries, MANY, 7) | medians(loops, FEW, 5)
+    yield row("tool positions, 10⁶ q, float64", found, "ns each", 1e9, 0)
     singles, out32 = qs.astype(np.float32), np.empty((MANY, 3), np.float32)
-    yield row(
-        "the same, float32", medians({"Armlab": lambda: arm.position(singles, out=out32)}, MANY, 7), "ns each", 1e9, 0
-    )
+    found = medians({"Armlab": lambda: arm.position(singles, out=out32)}, MANY, 7)
+    yield row("the same, float32", found, "ns each", 1e9, 0)
     w = np.empty(MANY)
-    found = medians({"Armlab": lambda: arm.manipulability(qs, out=w), "numba": lambda: manipulability(qs, w)}, MANY, 5)
-    loops = {"pinocchio": lambda: [_w(pinocchio.jacobian(v)) for v in few]}
-    yield row("manipulability, 10⁶ q, float64", found | medians(loops, FEW, 5), "ns each", 1e9, 0)
+    entries = {"Armlab": lambda: arm.manipulability(qs, out=w)}
+    if compiled is not None:
+        entries["numba"] = lambda: compiled.manipulability(qs, w)
+    loops = {
+        name: lambda peer=peer: [_w(peer.jacobian(v)) for v in few]
+        for name, peer in with_jacobian.items()
+        if name == peers.PINOCCHIO
+    }
+    found = medians(entries, MANY, 5) | medians(loops, FEW, 5)
+    yield row("manipulability, 10⁶ q, float64", found, "ns each", 1e9, 0)
+    many, short = qs[:BATCH], qs[:SHORT]
+    entries = {"Armlab": lambda: arm.frames(many)}
+    if compiled is not None:
+        entries["numba"] = lambda: compiled.frames(many, np.empty((BATCH, arm.n + 1, 4, 4)))
+    yield row("all frames, 10⁵ q, fresh memory", medians(entries, BATCH, 15), "ns each", 1e9, 0)
+    entries = {"Armlab": lambda: arm.jacobian(short)}
+    if compiled is not None:
+        entries["numba"] = lambda: compiled.jacobians(short, np.empty((SHORT, 6, arm.n)))
+    yield row("geometric Jacobians, 1000 q, fresh memory", medians(entries, SHORT, 15), "ns each", 1e9, 0)
     tracemalloc.start()
     arm.position(qs, out=out)
     peak = tracemalloc.get_traced_memory()[1] / 2**20
@@ -63,19 +73,24 @@ def _w(J: np.ndarray) -> float:
     return float(np.sqrt(np.linalg.det(J @ J.T)))
 
 
-def agree(arm, qs, pinocchio, toolbox, ikpy, positions, manipulability) -> None:
+def agree(arm: Arm, qs: np.ndarray, others: dict, compiled: peers.Compiled | None) -> None:
     """Check that all compute the same, so that the times are of the same work."""
-    p, w = np.empty((len(qs), 3)), np.empty(len(qs))
-    positions(qs, p)
-    manipulability(qs, w)
-    np.testing.assert_allclose(p, arm.position(qs), atol=1e-9)
-    np.testing.assert_allclose(w, arm.manipulability(qs), atol=1e-9)
+    p, w = arm.position(qs), arm.manipulability(qs)
     np.testing.assert_allclose(peers.naive_positions(arm, qs), p, atol=1e-9)
     np.testing.assert_allclose(peers.stacked_positions(arm, qs), p, atol=1e-9)
-    for q in qs:
-        T = arm.fk(q)
-        np.testing.assert_allclose(pinocchio.pose(q).homogeneous, T, atol=1e-9)
-        np.testing.assert_allclose(np.squeeze(toolbox.pose(q)), T, atol=1e-9)
-        np.testing.assert_allclose(ikpy.pose(q), T, atol=1e-9)
-        np.testing.assert_allclose(pinocchio.jacobian(q), arm.jacobian(q), atol=1e-9)
-        np.testing.assert_allclose(toolbox.jacobian(q), arm.jacobian(q), atol=1e-9)
+    if compiled is not None:
+        for loop, expected in (
+            (compiled.positions, p),
+            (compiled.manipulability, w),
+            (compiled.frames, arm.frames(qs)),
+            (compiled.jacobians, arm.jacobian(qs)),
+        ):
+            found = np.empty(expected.shape)
+            loop(qs, found)
+            np.testing.assert_allclose(found, expected, atol=1e-9)
+    for peer in others.values():
+        for q in qs:
+            pose = peer.pose(q)
+            np.testing.assert_allclose(np.squeeze(getattr(pose, "homogeneous", pose)), arm.fk(q), atol=1e-9)
+            if hasattr(peer, "jacobian"):
+                np.testing.assert_allclose(peer.jacobian(q), arm.jacobian(q), atol=1e-9)

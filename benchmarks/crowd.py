@@ -7,12 +7,12 @@ import numpy as np
 
 import drag
 import servers
-from rounds import quantile
+from rounds import quantile, sized
 from support.fake_browser import FakeBrowser
 
 TITLE = "A class dragging with a bench open: handle event to new pose"
-STUDENTS, ROUNDS = 30, 2
-BENCHES = ("joints", "table", "film", "pose", "ellipsoid", "solutions")
+STUDENTS, ROUNDS = sized((30, 2), (1, 1))
+BENCHES = sized(("joints", "table", "film", "pose", "ellipsoid", "solutions"), ("joints",))
 
 
 def measure() -> Iterator[str]:
@@ -22,7 +22,7 @@ def measure() -> Iterator[str]:
     for bench in BENCHES:
         found: dict[str, tuple[list[float], list[float]]] = {}
         for _ in range(ROUNDS):
-            for name, labs in (("bare viser", None), ("one process", 0), ("front and 2 labs", 2)):
+            for name, labs in (("bare viser", None), ("one process", 0), (f"front and {drag.LABS} labs", drag.LABS)):
                 latencies, load = _once(points, angles, bench, labs)
                 kept = found.setdefault(name, ([], []))
                 kept[0].extend(latencies)

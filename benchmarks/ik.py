@@ -1,4 +1,4 @@
-"""One inverse-kinematics solution from a random start, inside the limits."""
+"""One inverse-kinematics solution where no start is given, inside the limits."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -8,10 +8,13 @@ import numpy as np
 import armlab
 import peers
 from armlab.kin import ik
+from rounds import sized
 
 TITLE = "Inverse kinematics: one solution, 1000 random poses, error below 1e-6 m and rad, inside the limits"
 ARMS = ("puma560", "ur10e", "panda", "iiwa7")
-POSES, POSES_OF_A_LOOP = 1000, 100
+POSES, POSES_OF_A_LOOP = sized((1000, 100), (4, 1))
+STRIDES = {peers.TOOLBOX: 1, peers.PINOCCHIO: POSES // POSES_OF_A_LOOP}
+"""Who solves, and every how many poses; the loop of pinocchio runs in Python."""
 
 
 def measure() -> Iterator[str]:
@@ -19,15 +22,10 @@ def measure() -> Iterator[str]:
     yield "| --- | --- | --- | --- | --- | --- |"
     for key in ARMS:
         arm = armlab.load(key)
-        pinocchio, toolbox = peers.Pinocchio(arm), peers.Toolbox(arm)
-        solvers: dict[str, tuple[int, Callable]] = {
-            "Armlab": (1, lambda T, k, arm=arm: ik.solve(arm, T, seed=k).q),
-            "roboticstoolbox (C)": (1, lambda T, k, toolbox=toolbox: toolbox.solve(T, np.random.default_rng(k))),
-            "pinocchio, loop in Python": (
-                POSES // POSES_OF_A_LOOP,
-                lambda T, k, pinocchio=pinocchio: pinocchio.solve(T, np.random.default_rng(k)),
-            ),
-        }
+        solvers: dict[str, tuple[int, Callable]] = {"Armlab": (1, lambda T, k, arm=arm: ik.solve(arm, T, seed=k).q)}
+        for name, peer in peers.of(arm).items():
+            if stride := STRIDES.get(name):
+                solvers[name] = (stride, lambda T, k, peer=peer: peer.solve(T, np.random.default_rng(k)))
         ours = 0.0
         for name, (seconds, solved, count) in compare(arm, solvers).items():
             ours = ours or float(np.median(seconds))

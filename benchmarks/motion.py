@@ -6,19 +6,22 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 import armlab
+import peers
 from armlab.kin.motion.follow import follow
 from armlab.kin.motion.geometry import ByLength
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.minimum_time import minimum_time_spline
 from armlab.kin.motion.orientation import about_one_axis
 from armlab.kin.motion.path_types import path_type
 from armlab.kin.motion.peaks import peaks
 from armlab.kin.motion.tool_path import ToolPath
 from armlab.kin.motion.trajectory import Trajectory
-from rounds import header, medians, row
+from rounds import header, medians, row, sized
 
 TITLE = "Motion: 10 000 samples of q, qdot, qddot of 7 joints, and a line with inverse kinematics, one core"
-SAMPLES, KNOTS, JOINTS = 10_000, 10, 7
+SAMPLES, KNOTS, JOINTS = sized(10_000, 100), 10, 7
+MANY_KNOTS = sized(10_000, 100)
 DURATION = 4.0
 ORDERS = (0, 1, 2)
 
@@ -38,7 +41,7 @@ def measure() -> Iterator[str]:
     )
     yield row("trapezoid of speed, sampled", medians(trapezoid(knots, t)), "ms", 1e3, 2)
     yield row(f"cubic spline through {KNOTS} waypoints, made and sampled", medians(spline(knots, t)), "ms", 1e3, 2)
-    many = rng.normal(size=(10_000, JOINTS))
+    many = rng.normal(size=(MANY_KNOTS, JOINTS))
     yield row(
         "cubic spline through 10 000 waypoints, made and sampled", medians(spline(many, t), rounds=5), "ms", 1e3, 1
     )
@@ -53,27 +56,29 @@ def line(knots: np.ndarray, law: str) -> Trajectory:
 
 
 def quintic(knots: np.ndarray, t: np.ndarray) -> dict[str, Callable[[], object]]:
+    ours = line(knots, "quintic")
+    entries: dict[str, Callable[[], object]] = {"Armlab": lambda: ours.derivatives(t, ORDERS)}
+    if not peers.is_installed("roboticstoolbox"):
+        return entries
     from roboticstoolbox import jtraj
 
-    ours = line(knots, "quintic")
     peer = jtraj(knots[0], knots[1], t)
     for order, values in zip(ORDERS, (peer.q, peer.qd, peer.qdd), strict=True):
         np.testing.assert_allclose(ours.at(t, order), values, rtol=0, atol=1e-9)
-    return {
-        "Armlab": lambda: ours.derivatives(t, ORDERS),
-        "roboticstoolbox jtraj": lambda: jtraj(knots[0], knots[1], t),
-    }
+    return entries | {"roboticstoolbox jtraj": lambda: jtraj(knots[0], knots[1], t)}
 
 
 def trapezoid(knots: np.ndarray, t: np.ndarray) -> dict[str, Callable[[], object]]:
+    ours = line(knots, "trapezoidal")
+    entries: dict[str, Callable[[], object]] = {"Armlab": lambda: ours.derivatives(t, ORDERS)}
+    if not peers.is_installed("roboticstoolbox"):
+        return entries
     from roboticstoolbox import mstraj, mtraj, trapezoidal
 
-    ours = line(knots, "trapezoidal")
     peer = mtraj(trapezoidal, knots[0], knots[1], SAMPLES)
     np.testing.assert_allclose(peer.q[[0, -1]], ours.at(t)[[0, -1]], rtol=0, atol=1e-6)
     step = DURATION / SAMPLES
-    return {
-        "Armlab": lambda: ours.derivatives(t, ORDERS),
+    return entries | {
         "roboticstoolbox mtraj": lambda: mtraj(trapezoidal, knots[0], knots[1], SAMPLES),
         "roboticstoolbox mstraj": lambda: mstraj(knots[:2], step, DURATION / 3, tsegment=[DURATION]),
     }
@@ -130,4 +135,4 @@ def followed() -> dict[str, Callable[[], object]]:
 
 
 def least_time(knots: np.ndarray) -> dict[str, Callable[[], object]]:
-    return {"Armlab": lambda: minimum_time_spline(knots[:7], 2.0, 5.0)}
+    return {"Armlab": lambda: minimum_time_spline(knots[:7], Limits(2.0, 5.0))}

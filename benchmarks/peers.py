@@ -1,10 +1,27 @@
 """The same arm in other libraries, and written the naive way. What is not installed is left out."""
 
+import importlib.util
+from collections.abc import Callable
+from typing import NamedTuple
+
 import numpy as np
 
 from armlab import Arm
 from armlab.kin.dh import link_transform
 from armlab.kin.rotations import euler_zyx
+
+PINOCCHIO, TOOLBOX, IKPY = "pinocchio", "roboticstoolbox (C)", "ikpy"
+
+
+def is_installed(module: str) -> bool:
+    """Return whether a library of others is there to be compared with."""
+    return importlib.util.find_spec(module) is not None
+
+
+def of(arm: Arm) -> "dict[str, Pinocchio | Toolbox | IKPy]":
+    """Return the arm in each library that is installed, by the name it has in the tables."""
+    kinds = {PINOCCHIO: ("pinocchio", Pinocchio), TOOLBOX: ("roboticstoolbox", Toolbox), IKPY: ("ikpy", IKPy)}
+    return {name: kind(arm) for name, (module, kind) in kinds.items() if is_installed(module)}
 
 
 def fixed_part(arm: Arm, i: int) -> np.ndarray:
@@ -36,6 +53,9 @@ class Pinocchio:
     def pose(self, q: np.ndarray) -> object:
         self.pin.forwardKinematics(self.model, self.data, q)
         return self.pin.updateFramePlacement(self.model, self.data, self.frame)
+
+    def positions(self, qs: np.ndarray) -> object:
+        return [self.pose(q).translation for q in qs]
 
     def jacobian(self, q: np.ndarray) -> np.ndarray:
         axes = self.pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
@@ -75,7 +95,8 @@ class Toolbox:
         tool = spatialmath.SE3(arm.tool, check=False)
         self.ets = rtb.ETS([*parts, ET.SE3(tool)])
         self.limits = arm.limits
-        self.pose, self.jacobian = self.ets.eval, self.ets.jacob0
+        self.pose = self.positions = self.ets.eval
+        self.jacobian = self.ets.jacob0
 
     def solve(self, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
         start = rng.uniform(*self.limits.T)
@@ -132,8 +153,19 @@ def stacked_positions(arm: Arm, qs: np.ndarray) -> np.ndarray:
     return np.asarray((T @ arm.tool)[:, :3, 3])
 
 
-def numba_kernels(arm: Arm) -> tuple[object, object]:
-    """Return compiled loops for tool points and for manipulability of a modified, all-revolute arm."""
+class Compiled(NamedTuple):
+    """Loops over configurations (N, n) that write into an array."""
+
+    positions: Callable[[np.ndarray, np.ndarray], None]
+    manipulability: Callable[[np.ndarray, np.ndarray], None]
+    frames: Callable[[np.ndarray, np.ndarray], None]
+    jacobians: Callable[[np.ndarray, np.ndarray], None]
+
+
+def numba_kernels(arm: Arm) -> Compiled | None:
+    """Return compiled loops of a modified, all-revolute arm whose base is the world, if numba is installed."""
+    if not is_installed("numba"):
+        return None
     import numba
 
     fixed = np.ascontiguousarray(np.array([fixed_part(arm, i)[:3] for i in range(arm.n)]))
@@ -166,17 +198,45 @@ def numba_kernels(arm: Arm) -> tuple[object, object]:
             out[k, 0], out[k, 1], out[k, 2] = p[0], p[1], p[2]
 
     @numba.njit(fastmath=True)
+    def frames(qs, out):
+        for k in range(len(qs)):
+            for i in range(n + 1):
+                for c in range(4):
+                    out[k, i, 3, c] = 1.0 if c == 3 else 0.0
+            for r in range(3):
+                for c in range(4):
+                    out[k, 0, r, c] = 1.0 if r == c else 0.0
+            for i in range(n):
+                co, si, last, T = np.cos(qs[k, i]), np.sin(qs[k, i]), out[k, i], out[k, i + 1]
+                for r in range(3):
+                    x = last[r, 0] * fixed[i, 0, 0] + last[r, 1] * fixed[i, 1, 0] + last[r, 2] * fixed[i, 2, 0]
+                    y = last[r, 0] * fixed[i, 0, 1] + last[r, 1] * fixed[i, 1, 1] + last[r, 2] * fixed[i, 2, 1]
+                    z = last[r, 0] * fixed[i, 0, 2] + last[r, 1] * fixed[i, 1, 2] + last[r, 2] * fixed[i, 2, 2]
+                    p = last[r, 0] * fixed[i, 0, 3] + last[r, 1] * fixed[i, 1, 3] + last[r, 2] * fixed[i, 2, 3]
+                    T[r, 0], T[r, 1], T[r, 2], T[r, 3] = co * x + si * y, co * y - si * x, z, p + last[r, 3]
+
+    @numba.njit(fastmath=True)
+    def columns(q, R, p, axes, origins, J):
+        chain(q, R, p, axes, origins)
+        for i in range(n):
+            x, y, z = p[0] - origins[i, 0], p[1] - origins[i, 1], p[2] - origins[i, 2]
+            J[0, i] = axes[i, 1] * z - axes[i, 2] * y
+            J[1, i] = axes[i, 2] * x - axes[i, 0] * z
+            J[2, i] = axes[i, 0] * y - axes[i, 1] * x
+            J[3, i], J[4, i], J[5, i] = axes[i, 0], axes[i, 1], axes[i, 2]
+
+    @numba.njit(fastmath=True)
+    def jacobians(qs, out):
+        R, p, axes, origins = np.empty((3, 3)), np.empty(3), np.empty((n, 3)), np.empty((n, 3))
+        for k in range(len(qs)):
+            columns(qs[k], R, p, axes, origins, out[k])
+
+    @numba.njit(fastmath=True)
     def manipulability(qs, out):
         R, p, axes, origins = np.empty((3, 3)), np.empty(3), np.empty((n, 3)), np.empty((n, 3))
         J, A = np.empty((6, n)), np.empty((6, 6))
         for k in range(len(qs)):
-            chain(qs[k], R, p, axes, origins)
-            for i in range(n):
-                x, y, z = p[0] - origins[i, 0], p[1] - origins[i, 1], p[2] - origins[i, 2]
-                J[0, i] = axes[i, 1] * z - axes[i, 2] * y
-                J[1, i] = axes[i, 2] * x - axes[i, 0] * z
-                J[2, i] = axes[i, 0] * y - axes[i, 1] * x
-                J[3, i], J[4, i], J[5, i] = axes[i, 0], axes[i, 1], axes[i, 2]
+            columns(qs[k], R, p, axes, origins, J)
             product = 1.0
             for r in range(6):
                 for c in range(r + 1):
@@ -192,4 +252,4 @@ def numba_kernels(arm: Arm) -> tuple[object, object]:
                         A[r, c] = total / A[c, c]
             out[k] = product
 
-    return positions, manipulability
+    return Compiled(positions, manipulability, frames, jacobians)

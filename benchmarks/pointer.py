@@ -8,12 +8,12 @@ from playwright.sync_api import Browser
 import servers
 from armlab.content.robots import catalogue
 from armlab.ui.figure.anatomy import anatomy_of
-from rounds import quantile
+from rounds import quantile, sized
 from support.page import HANDLE, LabPage, chromium
 
 TITLE = "Pointer to picture: Chromium with a software renderer, 640 x 420"
 WINDOW = (640, 420)
-STEPS, ROUNDS = 40, 3
+STEPS, ROUNDS = sized((40, 3), (2, 1))
 BARE_HANDLE = 0.4
 RECORD = """(() => {
   const record = window.__record = {moved: 0, shown: 0};
@@ -70,7 +70,7 @@ def dragged(browser: Browser, url: str, handle: float, off: Sequence[str]) -> It
         lab.rest()
         for k in range(STEPS):
             lab.page.mouse.move(start[0], start[1] - 8.0 - 20.0 * np.sin(0.2 * (k + 1)))
-            lab.page.wait_for_function("() => window.__record.shown", timeout=5000)
+            lab.page.wait_for_function("() => window.__record.shown")
             yield lab.page.evaluate("() => window.__record.shown - window.__record.moved")
             lab.page.wait_for_timeout(60)  # past the page's own limit of 20 events a second
         lab.page.mouse.up()

@@ -1,10 +1,21 @@
 """Time things side by side: rounds in turn, medians, and the ratio to ours in the same run."""
 
 import statistics
+import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
+from typing import TypeVar
 
 Work = Callable[[], object]
+Size = TypeVar("Size")
+
+TINY = "--tiny" in sys.argv
+"""Whether the tables are only to be filled, with figures that mean nothing, to see that every benchmark still runs."""
+
+
+def sized(full: Size, tiny: Size) -> Size:
+    """Return how much a benchmark does: as much as its figures need, or as little as fills its table."""
+    return tiny if TINY else full
 
 
 def medians(entries: Mapping[str, Work], count: int = 1, rounds: int = 15, least: float = 0.02) -> dict[str, float]:
@@ -12,6 +23,7 @@ def medians(entries: Mapping[str, Work], count: int = 1, rounds: int = 15, least
 
     Every round runs each entry once, for at least so many seconds, so that a slow moment of the machine meets all.
     """
+    rounds = sized(rounds, 1)
     calls = {name: _calls(work, least) for name, work in entries.items()}
     seconds: dict[str, list[float]] = {name: [] for name in entries}
     for _ in range(rounds):
@@ -24,6 +36,8 @@ def medians(entries: Mapping[str, Work], count: int = 1, rounds: int = 15, least
 
 
 def _calls(work: Work, least: float) -> int:
+    if TINY:
+        return 1
     work()
     start = time.perf_counter()
     work()

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import servers
-from drag import is_open
+from drag import SETTLING, is_open
+from rounds import sized
 from support.fake_browser import FakeBrowser
 
 TITLE = "Cost of a student, size of the wheel"
 ROOT = Path(__file__).resolve().parents[1]
-FIRST, MORE = 10, 30
+FIRST, MORE = sized((10, 30), (1, 2))
 
 
 def measure() -> Iterator[str]:
@@ -34,10 +35,10 @@ def measure() -> Iterator[str]:
 async def opened(server: servers.Server) -> tuple[float, float, float]:
     """Return bytes, seconds and bytes sent for each student after the first ones."""
     browsers = [await one_more(server) for _ in range(FIRST)]
-    await asyncio.sleep(3.0)
+    await asyncio.sleep(SETTLING)
     memory, cpu = server.memory(), server.cpu()
     browsers += [await one_more(server) for _ in range(MORE)]
-    await asyncio.sleep(3.0)
+    await asyncio.sleep(SETTLING)
     used, spent = server.memory() - memory, server.cpu() - cpu
     received = sum(browser.bytes for browser in browsers[FIRST:])
     await asyncio.gather(*(browser.close() for browser in browsers))
@@ -48,5 +49,5 @@ async def one_more(server: servers.Server) -> FakeBrowser:
     """Open a page."""
     browser = server.browser()
     await browser.connect()
-    await browser.until(lambda: is_open(browser), 30.0)
+    await browser.until(lambda: is_open(browser))
     return browser

@@ -14,11 +14,15 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, ViewportSize
 
+from rounds import sized
 from support.page import chromium
 
 TITLE = "Start"
 ROOT = Path(__file__).resolve().parents[1]
-ROUNDS = 5
+ROUNDS = sized(5, 1)
+IS_CLONED = sized(True, False)
+"""Whether it is also installed from a fresh clone, for which packages are downloaded."""
+
 WINDOW: ViewportSize = {"width": 640, "height": 420}
 
 
@@ -37,7 +41,8 @@ def measure() -> Iterator[str]:
     yield f"| `armlab` → first picture complete, software GL | {statistics.median(ours.drawn):.2f} |"
     yield f"| a bare viser server: its nodes on the page | {statistics.median(bare.usable):.2f} |"
     yield f"| a bare viser server: first picture complete, software GL | {statistics.median(bare.drawn):.2f} |"
-    yield from from_a_clone()
+    if IS_CLONED:
+        yield from from_a_clone()
 
 
 @dataclass(frozen=True)

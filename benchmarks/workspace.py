@@ -16,12 +16,15 @@ from armlab.kin.workspace.section import sections
 from armlab.kin.workspace.section_size import Size, size
 from armlab.kin.workspace.spherical_wrist import coverage
 from armlab.kin.workspace.voxels import Voxels, voxels_for
-from rounds import header, medians, row
+from rounds import header, medians, row, sized
 
 TITLE = "Workspace: 10⁶ samples with manipulability into 64³ voxels, one core"
-MANY, SOME, FEW, FEWEST = 1_000_000, 20_000, 2_000, 100
+MANY, SOME, FEW, FEWEST = sized((1_000_000, 20_000, 2_000, 100), (100, 50, 4, 2))
 RESOLUTION, SEED = 64, 1
 ROBOTS = {"puma560": "6R, PUMA 560", "panda": "7R, Franka Panda"}
+
+
+Sample = Callable[[np.ndarray], tuple[np.ndarray, float]]
 
 
 def measure() -> Iterator[str]:
@@ -62,16 +65,20 @@ def followed(arm: Arm) -> Size:
 def against(arm: Arm) -> dict[str, float]:
     """Return seconds for one sample of ours and of the others, each with as many samples as it can do in a while."""
     written = converted(arm, "modified")
-    positions, manipulability = peers.numba_kernels(written)
-    toolbox = peers.Toolbox(arm)
-    robot = as_users_build_it(arm)
-    agree(arm, written, positions, manipulability, toolbox, robot)
+    kernels = peers.numba_kernels(written)
+    toolboxes: dict[str, Sample] = {}
+    if peers.is_installed("roboticstoolbox"):
+        toolboxes["roboticstoolbox (C), in a loop"] = ets(peers.Toolbox(arm))
+        toolboxes["roboticstoolbox DHRobot"] = model(as_users_build_it(arm))
+    agree(arm, written, kernels, toolboxes)
     found = medians({"Armlab": lambda: ours(arm, MANY)}, MANY, 9)
-    found |= medians({"numba": lambda: compiled(written, positions, manipulability, MANY)}, MANY, 3)
+    if kernels is not None:
+        found |= medians({"numba": lambda: compiled(written, kernels, MANY)}, MANY, 3)
     found |= medians({"stacked NumPy": lambda: stacked(written, SOME)}, SOME, 3)
     found |= medians({"naive NumPy": lambda: looped(arm, naive(written), FEW)}, FEW, 3)
-    found |= medians({"roboticstoolbox (C), in a loop": lambda: looped(arm, ets(toolbox), FEW)}, FEW, 3)
-    return found | medians({"roboticstoolbox DHRobot": lambda: looped(arm, model(robot), FEWEST)}, FEWEST, 3)
+    for (name, sample), count in zip(toolboxes.items(), (FEW, FEWEST), strict=False):
+        found |= medians({name: lambda sample=sample, count=count: looped(arm, sample, count)}, count, 3)
+    return found
 
 
 def drawn(arm: Arm, count: int) -> np.ndarray:
@@ -86,12 +93,12 @@ def counted(arm: Arm, points: np.ndarray, w: np.ndarray) -> tuple[np.ndarray, np
     return count, np.histogramdd(points, RESOLUTION, box, weights=w)[0]
 
 
-def compiled(arm: Arm, positions: Callable, manipulability: Callable, count: int) -> object:
+def compiled(arm: Arm, kernels: peers.Compiled, count: int) -> object:
     """Run the loops of numba, which leave the counting to the fastest of NumPy."""
     qs = drawn(arm, count)
     points, w = np.empty((count, 3)), np.empty(count)
-    positions(qs, points)
-    manipulability(qs, w)
+    kernels.positions(qs, points)
+    kernels.manipulability(qs, w)
     cells = ((points + arm.reach) * (RESOLUTION / (2 * arm.reach))).astype(np.intp) @ (RESOLUTION**2, RESOLUTION, 1)
     return np.bincount(cells, minlength=RESOLUTION**3), np.bincount(cells, w, RESOLUTION**3)
 
@@ -132,9 +139,6 @@ def as_users_build_it(arm: Arm) -> object:
     return rtb.DHRobot(links, base=base, tool=tool)
 
 
-Sample = Callable[[np.ndarray], tuple[np.ndarray, float]]
-
-
 def ets(toolbox: peers.Toolbox) -> Sample:
     """Return tool point and w of one configuration, with the kinematics in C."""
 
@@ -173,18 +177,20 @@ def looped(arm: Arm, sample: Sample, count: int) -> object:
     return counted(arm, points, w)
 
 
-def agree(arm, written, positions, manipulability, toolbox, robot) -> None:
+def agree(arm: Arm, written: Arm, kernels: peers.Compiled | None, toolboxes: dict[str, Sample]) -> None:
     """Check that all compute the same, so that the times are of the same work."""
     qs = drawn(arm, 20)
-    points, w, exact = np.empty((len(qs), 3)), np.empty(len(qs)), arm.manipulability(qs)
-    positions(qs, points)
-    manipulability(qs, w)
-    np.testing.assert_allclose(points + written.base[:3, 3], arm.position(qs), atol=1e-9)
-    np.testing.assert_allclose(w, exact, atol=1e-9)
+    exact = arm.manipulability(qs)
+    if kernels is not None:
+        points, w = np.empty((len(qs), 3)), np.empty(len(qs))
+        kernels.positions(qs, points)
+        kernels.manipulability(qs, w)
+        np.testing.assert_allclose(points + written.base[:3, 3], arm.position(qs), atol=1e-9)
+        np.testing.assert_allclose(w, exact, atol=1e-9)
     p, J = stacked_jacobians(written, qs)
     np.testing.assert_allclose(p, arm.position(qs), atol=1e-9)
     np.testing.assert_allclose(np.sqrt(abs(np.linalg.det(J @ np.swapaxes(J, 1, 2)))), exact, atol=1e-9)
-    for sample in (naive(written), ets(toolbox), model(robot)):
+    for sample in (naive(written), *toolboxes.values()):
         for q, w_of_q in zip(qs, exact, strict=True):
             found = sample(q)
             np.testing.assert_allclose(found[0], arm.position(q), atol=1e-9)

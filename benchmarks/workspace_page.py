@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import drag
 import servers
-from rounds import quantile
+from rounds import quantile, sized
 from support.fake_browser import FakeBrowser, Message
 
 TITLE = "Workspace at the page: first points, a changed link, and others who drag meanwhile"
-ROUNDS = 7
+ROUNDS = sized(7, 1)
 COUNT, MANY = 100_000, 10_000_000
 
 
@@ -39,7 +39,7 @@ async def opened(server: servers.Server, page: str) -> FakeBrowser:
     """Return a new student with a page open."""
     browser = server.browser()
     await browser.connect()
-    await browser.until(lambda: drag.is_open(browser), 30.0)
+    await browser.until(lambda: drag.is_open(browser))
     await browser.open(page)
     return browser
 
@@ -55,9 +55,9 @@ async def clicked(server: servers.Server) -> tuple[list[float], list[float]]:
         start = time.perf_counter()
         arrived = listening(browser)
         await browser.press("sample")
-        await browser.until(lambda arrived=arrived: bool(arrived), 10.0)
+        await browser.until(lambda arrived=arrived: bool(arrived))
         first.append(arrived[0] - start)
-        await browser.until(lambda b=browser: "Save PLY" in b.html() and 'data-cell="cancel"' not in b.html(), 20.0)
+        await browser.until(lambda b=browser: "Save PLY" in b.html() and 'data-cell="cancel"' not in b.html())
         whole.append(time.perf_counter() - start)
         await browser.close()
     return first, whole
@@ -67,16 +67,16 @@ async def supposed(server: servers.Server) -> tuple[list[float], list[float]]:
     """Return the seconds from a typed link length to points of the other arm, and to both volumes."""
     points, volume = [], []
     browser = await opened(server, "what_if")
-    await browser.until(lambda: "±" in browser.html(), 20.0)
+    await browser.until(lambda: "±" in browser.html())
     for k in range(ROUNDS):
         await asyncio.sleep(0.5)
         start = time.perf_counter()
         arrived = listening(browser)
         await browser.press("value", str(500 + 10 * k))
-        await browser.until(lambda arrived=arrived: bool(arrived), 10.0)
+        await browser.until(lambda arrived=arrived: bool(arrived))
         points.append(arrived[0] - start)
         changed = f"<b>{500 + 10 * k}.0 mm</b>"
-        await browser.until(lambda changed=changed: changed in browser.html() and "known to" in browser.html(), 20.0)
+        await browser.until(lambda changed=changed: changed in browser.html() and "known to" in browser.html())
         volume.append(time.perf_counter() - start)
     await browser.close()
     return points, volume
@@ -114,10 +114,10 @@ async def sampled(browser: FakeBrowser) -> None:
     await browser.press("count", f"count {MANY}")
     for seed in range(1, 10_000):
         await browser.press("seed", str(seed))
-        await browser.until(lambda: 'data-cell="sample"' in browser.html(), 60.0)
+        await browser.until(lambda: 'data-cell="sample"' in browser.html())
         await browser.press("sample")
-        await browser.until(lambda: 'data-cell="cancel"' in browser.html(), 60.0)
-        await browser.until(lambda: 'data-cell="sample"' in browser.html(), 600.0)
+        await browser.until(lambda: 'data-cell="cancel"' in browser.html())
+        await browser.until(lambda: 'data-cell="sample"' in browser.html())
 
 
 if __name__ == "__main__":

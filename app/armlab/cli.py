@@ -13,6 +13,7 @@ import threading
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
+from urllib.parse import quote
 
 from armlab import __version__
 from armlab.commands import command_types, listing, run_command
@@ -20,6 +21,7 @@ from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
 from armlab.front.addresses import addresses
+from armlab.front.room import LONGEST
 from armlab.front.start import Running, Settings, start
 
 DEFAULT_ROBOT = "puma560"
@@ -45,6 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 folder=state_folder(options.state),
                 labs=options.labs,
                 lessons=tuple(options.lessons),
+                code=options.code or "",
             )
         )
     except ArmlabError as error:
@@ -59,9 +62,10 @@ def _run(running: Running, options: argparse.Namespace) -> int:
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: ended.put(None))
     own, others = addresses(options.host, running.port)
+    own += f"?code={quote(options.code)}" if options.code else ""
     print(f"Armlab is open at {own}")
     for other in others:
-        print(f"Others in the room type {other}")
+        print(f"Others in the room type {other}" + (f" and the code {options.code}" if options.code else ""))
     print("Stop it with Ctrl-C.", flush=True)
     if not options.no_browser:
         threading.Thread(target=_open_browser, args=(own,), daemon=True).start()
@@ -95,6 +99,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--host", default="127.0.0.1", help="address to listen on; 0.0.0.0 lets others in the room in")
     p.add_argument("--port", type=_port, help="port to listen on; by default the first free one from 8080")
     p.add_argument("--no-browser", action="store_true", help="do not open a browser")
+    p.add_argument("--code", type=_code, metavar="WORD", help="what a browser is asked for before it gets in")
     p.add_argument("--robot", default=DEFAULT_ROBOT, metavar="NAME", help=f"arm of new students ({DEFAULT_ROBOT})")
     p.add_argument("--labs", type=_count, default=0, metavar="N", help="for a class: N lab processes behind one front")
     p.add_argument(
@@ -122,6 +127,12 @@ def _count(text: str) -> int:
     if not text.isdecimal() or not 0 <= int(text) <= 64:
         raise argparse.ArgumentTypeError(f"expected a number from 0 to 64, got {text!r}")
     return int(text)
+
+
+def _code(text: str) -> str:
+    if not 4 <= len(text.strip()) <= LONGEST:
+        raise argparse.ArgumentTypeError(f"expected 4 to {LONGEST} characters, got {len(text.strip())}")
+    return text
 
 
 def state_folder(chosen: Path | None) -> Path:

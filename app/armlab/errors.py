@@ -14,6 +14,7 @@ An inverse-kinematics problem without a solution is a result, never an exception
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Iterable
 from difflib import get_close_matches
 
@@ -69,3 +70,18 @@ def suggestion(got: str, available: Iterable[str]) -> str:
     hint = f"; did you mean {close[0]!r}?" if close else "."
     listed = ", ".join(names) if names else "nothing"
     return f"{hint} Available: {listed}"
+
+
+def in_one_line(error: BaseException) -> str:
+    """Return what went wrong and where, for a log that strangers can write into: short, and never more than a line.
+
+    >>> try:
+    ...     int("x")
+    ... except ValueError as error:
+    ...     in_one_line(error).startswith("ValueError: invalid literal for int() with base 10: 'x' (")
+    True
+    """
+    frames = traceback.extract_tb(error.__traceback__)
+    place = f" ({frames[-1].filename.rpartition('/')[2]}:{frames[-1].lineno})" if frames else ""
+    said = " ".join(str(error).split())
+    return f"{type(error).__name__}: {said[:160]}{place}"

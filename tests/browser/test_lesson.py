@@ -19,6 +19,24 @@ PLAYED = ("first_arm", "rotation_matrix", "forward_2r")
 LONG = "\n\n".join(f"Line {i} with joint 1 at {{{{q1}}}}." for i in range(40))
 
 
+REVEALED = f"""
+## One
+
+{LONG}
+
+```question
+kind = "choice"
+text = "Which?"
+options = ["a", "b"]
+answer = 1
+```
+
+```reveal
+It is a, and there is something to say about it.
+```
+"""
+
+
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     """A lab with a teacher's lessons besides its own."""
@@ -27,6 +45,7 @@ def url(tmp_path_factory):
         questions=lesson(QUESTIONS),
         hostile=lesson(HOSTILE, HOSTILE_ARM, f"Title {PWN}"),
         long=lesson(f"\nThe introduction.\n\n## One\n\n{LONG}\n\n## Two\n\n{LONG}\n"),
+        revealed=lesson(REVEALED),
         table=lesson("\n## A table\n\n| a | `b` |\n|---|---|\n| $c$ | d |\n\n$$ A = B $$\n\n* item\n\n[link](/)\n"),
     )
     with running_lab(tmp_path_factory.mktemp("state"), lessons=folder) as address:
@@ -220,7 +239,7 @@ def test_options_and_a_grid_are_answered_by_clicking_and_typing(visit):
     lab.page.keyboard.type("1/2", delay=60)
     slow_click(lab, "lesson-check")
     lab.until(lambda: shown(lab, "✓ Right."))
-    assert [lab.page.locator(cell).input_value() for cell in cells] == ["0.5", "0", "0", "1/2"]
+    assert [lab.page.locator(cell).input_value() for cell in cells] == ["0,5", "0", "0", "1/2"]
 
 
 def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):
@@ -240,6 +259,38 @@ def test_what_was_opened_and_read_stays_while_the_arm_moves(visit):
     assert lab.page.locator('input[data-cell="lesson-name"]').is_visible()
     lab.press("lesson-next")
     assert lab.page.evaluate(top) == 0
+
+
+def test_work_that_was_saved_goes_on_at_another_computer(visit, tmp_path):
+    lab = visit("lesson/questions", size=(1400, 850))
+    lab.press("lesson-choice-2")
+    lab.until(lambda: shown(lab, "Two it is."))
+    lab.press("lesson-next")
+    lab.until(lambda: shown(lab, "2 of 6"))
+    lab.page.locator(".lesson-more summary").click()
+    with lab.page.expect_download() as saved:
+        lab.press("lesson-save")
+    saved.value.save_as(tmp_path / "work.json")
+    other = visit(size=(1400, 850))
+    other.open_tab("Lessons")
+    other.page.locator('input[data-cell="lesson-load"]').first.set_input_files(tmp_path / "work.json")
+    other.until(lambda: shown(other, "2 of 6"))
+    assert other.page.locator(".strip.done").count() == 1
+
+
+def test_with_the_fold_open_what_is_revealed_is_not_cut(visit):
+    lab = visit("lesson/revealed", size=(1280, 800))
+    lab.press("lesson-choice-1")
+    lab.until(lambda: lab.page.locator(".reveal").count() == 1)
+    whole = (
+        "() => { const text = document.querySelector('.lesson-text'); return text.scrollHeight - text.clientHeight; }"
+    )
+    assert lab.page.evaluate(whole) > 0
+    lab.page.locator(".lesson-more summary").click()
+    lab.until(lambda: lab.page.evaluate(whole) == 0)
+    for selector in (".reveal", 'button[data-cell="lesson-save"]'):
+        lab.page.locator(selector).scroll_into_view_if_needed()
+        assert lab.page.locator(selector).is_visible()
 
 
 # -- for a class -------------------------------------------------------------------------------------------------

@@ -43,7 +43,10 @@ def state_check(text):
         ('kind = "joint_at"\njoint = 1\nvalue_deg = 0\ntolerance_deg = 0', "tolerance_deg: expected a positive number"),
         ('kind = "joints_at"\nq_deg = [0, 0]\ntolerance_deg = 50', "tolerance_deg: 50 is met by chance"),
         ('kind = "joints_at"\nq_deg = [0]\ntolerance_deg = 5', "q_deg: expected 2 numbers in brackets"),
-        ('kind = "joints_at"\nq_deg = [0, 190]\ntolerance_deg = 5', "q_deg: outside the joint limits of Planar 2R"),
+        (
+            'kind = "joints_at"\nq_deg = [0, 190]\ntolerance_deg = 5',
+            "q_deg: outside the joint limits of Planar 2R: joint 2 is at 190°, outside its limits of -180° to 180°",
+        ),
         ('kind = "joints_at"\nq_m = [0, 0]\ntolerance_deg = 5', "q_deg: missing"),
         (
             'kind = "tool_pose"\nposition = [1, 0, 0]\ntolerance_m = 0.1',
@@ -159,6 +162,7 @@ def test_all_kinds_are_found():
         "joint_at",
         "joints_at",
         "joints_found",
+        "from_limits",
         "manipulability_at_least",
         "manipulability_at_most",
         "singular",

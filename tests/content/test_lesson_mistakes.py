@@ -7,6 +7,7 @@ from armlab.content.lesson_file import parse_lesson
 from armlab.content.lesson_lines import LessonError, key_lines, line_of
 from armlab.errors import ContentError
 from support.lesson_texts import RICH
+from support.small_lessons import TWO_STEPS
 
 BROKEN = [
     # old, new, a line of the broken file that the message must name, what it says
@@ -245,3 +246,10 @@ def test_mutations_give_a_lesson_or_a_named_mistake():
     assert all(1 <= error.line <= lines + 1 for error, lines in mistakes)
     assert len(mistakes) > 100
     assert good > 40
+
+
+def test_too_many_steps_are_told_at_once():
+    text = TWO_STEPS + "".join(f"## Step {i}\nText.\n" for i in range(20_001))
+    with pytest.raises(ContentError, match="expected at most 200 steps, got 20004") as found:
+        parse_lesson("many", text)
+    assert found.value.line == text.splitlines().index("## Step 197") + 1

@@ -1,6 +1,7 @@
 """The format of lessons, their checks and questions, and the lessons themselves."""
 
 import math
+import re
 import tomllib
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from armlab.content.lessons import lessons, parse_lesson
 from armlab.content.observation import Observation
 from armlab.content.robots import catalogue
 from armlab.errors import ContentError
+from armlab.session.hand_in import plain
 
 FRONT = """+++
 title = "A lesson"
@@ -193,3 +195,33 @@ def test_a_question_in_a_lesson():
 def test_mistakes_in_questions(old, new, says):
     with pytest.raises(ContentError, match=rf"made_up\.md, line \d+: step 1.question.{says}"):
         lesson(STEP + QUESTION.replace(old, new))
+
+
+def test_a_toggle_press_is_told_as_it_is_asked():
+    """The torque in the text has the sign of the answer, and both are those of the arm."""
+    found = next(step for step in lessons()["statics"].steps if step.title == "Slow is strong")
+    arm = lessons()["statics"].robot_used.arm
+    before, after = (float(arm.jacobian(np.radians(q))[0, 1] * 100.0) for q in ([-5.0, 10.0], [-2.0, 4.0]))
+    assert f"{before:.2f}".replace("-", "\u2212") in plain(found.html).replace("-", "\u2212")
+    assert found.question.answer == pytest.approx(after, abs=0.005)
+
+
+def test_the_joint_speed_near_a_singularity_is_right_to_its_last_digit():
+    found = lessons()["singularities"]
+    q = found.start.copy()
+    q[1] = np.radians(6.0)
+    smallest = np.linalg.svd(found.robot_used.arm.jacobian(q)[:2], compute_uv=False)[-1]
+    assert found.steps[-1].question.answer == pytest.approx(0.1 / smallest, abs=5e-4)
+
+
+METRES = re.compile(r"\\text\{m\}|\d m\b")
+LENGTH = re.compile(r"\{\{(p[xyz]|r)\}\}")
+
+
+@pytest.mark.parametrize("key", sorted(lessons().lessons))
+def test_a_length_in_a_sentence_about_metres_is_in_metres(key):
+    """On a screen in millimetres, too: a number with another unit beside it would be another number."""
+    source = resources.folder("lessons")
+    file = source.joinpath(f"{key}.md")
+    text = (file if file.is_file() else source.joinpath(key, "lesson.md")).read_text(encoding="utf-8")
+    assert [line for line in text.splitlines() if LENGTH.search(line) and METRES.search(line)] == []

@@ -111,7 +111,7 @@ def test_forged_fields_raise_a_sentence_and_nothing_else(rng):
     ("change", "says"),
     [
         ({"q": [0.1]}, r"observation\.q: expected 2 numbers"),
-        ({"q": [0.1, 4.0]}, r"observation\.q: outside the joint limits"),
+        ({"q": [0.1, 4.0]}, r"observation\.q: joint 2 is at 229.2°, outside its limits of -180° to 180°"),
         ({"q": [0.1, True]}, r"observation\.q: expected a number"),
         ({"seconds": -1}, r"observation\.seconds: expected a number not below zero"),
         ({"target": np.diag([1, 1, -1, 1]).tolist()}, r"observation\.target: .*not a rotation matrix"),

@@ -190,3 +190,13 @@ def test_several_choices():
 def test_broken_questions_name_file_and_key(kind, text, says):
     with pytest.raises(ContentError, match=rf"f\.md: step 1\.question\.{says}|f\.md: .*{says}"):
         ask(text, kind)
+
+
+def test_options_stand_in_another_order_in_other_variants():
+    form = Choices(("a", "b", "c", "d"), False)
+    assert form.order(0, "Step") == (1, 2, 3, 4)
+    orders = {form.order(k, "Step") for k in range(1, 30)}
+    assert len(orders) > 10
+    assert all(sorted(order) == [1, 2, 3, 4] for order in orders)
+    assert form.order(7, "Step") == form.order(7, "Step") != form.order(7, "Other")
+    assert {Choices(("1", "2"), False, True).order(k, "Step") for k in range(9)} == {(1, 2)}

@@ -38,6 +38,15 @@ def test_the_wheel_holds_the_data_and_is_small(wheel):
     assert wheel.stat().st_size < MOST_BYTES
 
 
+def test_the_wheel_holds_only_what_the_lab_reads_and_nothing_twice(wheel):
+    """No pictures of the docs, no compiled files, no copy of the data."""
+    with zipfile.ZipFile(wheel) as files:
+        own = [name for name in files.namelist() if name.startswith("armlab/")]
+        assert {name.rpartition(".")[2] for name in own} <= {"py", "typed", "js", "css", "md", "toml", "svg"}
+        contents = [data for name in own if len(data := files.read(name)) > 100]
+    assert len(contents) == len(set(contents))
+
+
 def test_an_installed_wheel_loads_robots_from_inside_itself(wheel, tmp_path):
     """Even still zipped."""
     code = "import armlab; print(armlab.__file__, armlab.load('puma560').n)"

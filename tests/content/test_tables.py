@@ -294,7 +294,7 @@ def test_what_is_written_is_read_back(format, angle):
 
 
 def test_tiny_and_huge_numbers_are_read_back():
-    rows = [("R", 1e-12, 1e-9, 25.0, -1e-17), ("P", -0.0, 6.5, 1e5, 12.0)]
+    rows = [("R", 1e-12, 1e-9, 25.0, -1e-17), ("P", -0.0, 6.25, 1e5, -6.28)]
     for format in FORMATS:
         for angle in ANGLE_UNITS:
             same(parse_table(write_table(Arm.from_dh(rows), format, angle)), rows)

@@ -1,5 +1,8 @@
 """A lesson written for an arm as it stands: it reads back, its start is no solution, its solution is."""
 
+import math
+import re
+
 import numpy as np
 import pytest
 
@@ -121,3 +124,10 @@ def test_an_arm_that_cannot_move():
     arm = Arm.from_dh([("R", 1, 0, 0, 0)], limits=[[0.0, 0.0]])
     with pytest.raises(InputError, match="has only this configuration"):
         lesson_text("x", own_robot(arm, "Fixed"), [0.0])
+
+
+def test_joint_values_have_no_crumbs_of_rounding():
+    robot = catalogue()["planar_2r"]
+    text = lesson_text("T", robot, [1.0471975511965979, math.radians(30.1) + 1e-16])
+    assert "60.0000" not in text
+    assert re.search(r"^q_deg = \[60, 30\.1\]$", text, re.MULTILINE)

@@ -2,12 +2,8 @@
 
 import asyncio
 import socket
-import urllib.error
-import urllib.request
 
 import pytest
-import viser
-import websockets
 
 from armlab.front.addresses import addresses
 from armlab.front.lock import FolderInUse
@@ -15,26 +11,13 @@ from armlab.front.start import Settings, StartError, start
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
 from support.student import run
+from support.web import get, opened
 
 
 @pytest.fixture(scope="module")
 def url():
     with running_lab() as address:
         yield address
-
-
-def get(url, headers=None, follow=True):
-    class Stay(urllib.request.HTTPRedirectHandler):
-        def redirect_request(self, *_args):
-            return None
-
-    opener = urllib.request.build_opener() if follow else urllib.request.build_opener(Stay)
-    request = urllib.request.Request(url, headers=headers or {})
-    try:
-        with opener.open(request) as response:
-            return response.status, response.headers, response.read()
-    except urllib.error.HTTPError as error:
-        return error.code, error.headers, error.read()
 
 
 @pytest.mark.parametrize(
@@ -145,21 +128,6 @@ def test_no_answer_is_without_the_safety_headers(url, path, request_headers, sta
     assert found == status
     assert headers["X-Content-Type-Options"] == "nosniff"
     assert headers["Cache-Control"] == "no-store"
-
-
-async def opened(url, headers, protocol=None):
-    """Try to open a socket; return the HTTP status of the refusal, or 101."""
-    protocol = protocol or f"viser-v{viser.__version__}"
-    try:
-        socket_ = await websockets.connect(
-            url.replace("http", "ws", 1),
-            subprotocols=[websockets.Subprotocol(protocol)],
-            additional_headers=headers,
-        )
-    except websockets.InvalidStatus as refusal:
-        return refusal.response.status_code
-    await socket_.close()
-    return 101
 
 
 @pytest.mark.parametrize(

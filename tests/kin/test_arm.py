@@ -1,10 +1,17 @@
 """Arms: forward kinematics in every form, and what a wrong table is told."""
 
+import math
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
+from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
+from armlab.kin import velocity
 from armlab.kin.arm import Arm
+from armlab.kin.dh import link_transform
+from armlab.kin.workspace.measures import inverse_condition, sigma_min
 from support.arms import frames_by_products, random_arm, random_q, tool_by_products
 
 TABLES = ["2R", "3R", "RRP", "RRP-alt", "3R-elbow", "PUMA-A", "PUMA-B", "UR10", "UR10-notes", "SCARA"]
@@ -71,6 +78,16 @@ def test_single_precision_stays_single(robot, rng):
     np.testing.assert_allclose(positions, robot.arm.position(q), rtol=0, atol=5e-6)
 
 
+def test_batches_in_several_threads_do_not_touch_each_other(rng):
+    """Each run has its own scratch memory."""
+    arm = Arm.from_dh([*TWO_R, *TWO_R])
+    batches = [rng.uniform(-3, 3, (n, 4)).astype(dtype) for n in (3, 500, 5000) for dtype in (np.float32, np.float64)]
+    expected = [arm.jacobian(q) for q in batches]
+    with ThreadPoolExecutor(3) as pool:
+        for found, q in zip(pool.map(arm.jacobian, batches * 5), expected * 5, strict=True):
+            np.testing.assert_array_equal(found, q)
+
+
 def test_whole_numbers_are_joint_values_too():
     assert Arm.from_dh(TWO_R).position([0, 0]).tolist() == [1.5, 0.0, 0.0]
 
@@ -96,6 +113,27 @@ def test_a_configuration_that_is_not_finite_is_refused(method, value):
             getattr(arm, method)(q)
 
 
+@pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+@pytest.mark.parametrize("method", ["fk", "frames", "position", "jacobian", "manipulability"])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_row_of_a_batch_that_is_not_finite_gives_nan_and_leaves_the_others(method, value, dtype, rng):
+    """Also in the joints a result does not depend on, and where its entries are constant."""
+    arm = Arm.from_dh([*TWO_R, ("P", 0, 0, 0, 0)])
+    q = rng.uniform(-1, 1, (6, 3)).astype(dtype)
+    expected = getattr(arm, method)(q)
+    for i in range(3):
+        q[2 * i, i] = value
+    found = getattr(arm, method)(q)
+    assert np.isnan(found[::2]).all()
+    np.testing.assert_array_equal(found[1::2], expected[1::2])
+
+
+def test_large_finite_joint_values_are_no_reason_for_nan():
+    slides = Arm.from_dh([("P", 0, 0, 0, 0), ("P", 0, 0, 0, 0)])
+    q = np.array([[1e308, 0.0], [1e308, 0.0]])
+    assert slides.frames(q)[:, 2, 2, 3].tolist() == [1e308, 1e308]
+
+
 @pytest.mark.parametrize("q", ["ab", [None, 0.0], [[0.0], [0.0, 1.0]], [10**400, 0.0]])
 def test_joint_values_that_are_no_numbers_are_refused(q):
     with pytest.raises(InputError, match=r"q: expected numbers of shape \(\.\.\., 2\)|q: expected 2 finite numbers"):
@@ -117,6 +155,13 @@ def test_joint_values_that_are_no_numbers_are_refused(q):
         ({"tool": np.zeros((4, 4))}, "tool: the last row"),
         ({"task": "position"}, "task: unknown name 'position'"),
         ({"task": ["xy"]}, r"task: unknown name \['xy'\]"),
+        (
+            {"rows": [("R", 1, 90, 0, 0)]},
+            r"row 1, alpha: expected radians, .* got 90; did you mean 90 degrees\? Then write math.radians\(90\)",
+        ),
+        ({"rows": [TWO_R[0], ("R", 1, 0, 0, -30.0)]}, "row 2, theta: expected radians, .* did you mean -30 degrees"),
+        ({"rows": [{"kind": "R", "alpha": 6.3}]}, "row 1, alpha: expected radians"),
+        ({"limits": [["0", "1"], ["0", "1"]]}, r"limits: expected numbers of shape \(2, 2\), got"),
         ({"rows": None}, "rows: expected a list of rows, got None"),
         ({"rows": "RR"}, "rows: expected a list of rows, got 'RR'"),
         ({"rows": [5]}, "row 1: expected a row with the entries .*, got 5"),
@@ -131,6 +176,12 @@ def test_a_wrong_table_is_told_what_is_wrong(change, text):
     arguments = {"rows": TWO_R} | change
     with pytest.raises(InputError, match=text):
         Arm.from_dh(**arguments)
+
+
+def test_a_full_turn_in_a_table_is_taken_and_a_larger_angle_once_it_is_reduced():
+    quarter = Arm.from_dh([("R", 1.0, math.remainder(90.0, math.tau), 0.0, 0.0)])
+    np.testing.assert_allclose(quarter.fk([0.0])[1:3, 2], [-math.sin(90.0), math.cos(90.0)], rtol=0, atol=1e-14)
+    assert Arm.from_dh([("R", 1.0, math.tau, 0.0, -math.tau)]).n == 1
 
 
 def test_arms_cannot_be_changed():
@@ -168,3 +219,78 @@ def test_printing_shows_the_table_in_degrees():
 def test_an_unknown_name_lists_the_others():
     with pytest.raises(UnknownName, match=r"did you mean 'pose'\? Available: phi, pose, x, x phi, xy,"):
         Arm.from_dh(TWO_R, task="pos")
+
+
+NONSENSE = {
+    "too short": [0.0],
+    "a number": 1.0,
+    "text": "ab",
+    "numbers as text": ["1", "2"],
+    "complex": [1j, 0.0],
+    "ragged": [[0.0], [0.0, 1.0]],
+    "nothing": None,
+    "objects": [object(), object()],
+    "a mapping": {},
+    "another batch": np.zeros((2, 3)),
+    "too large": [10**400, 0],
+}
+
+
+@pytest.mark.parametrize("given", NONSENSE)
+@pytest.mark.parametrize(
+    "ask",
+    [
+        *(Arm.fk, Arm.frames, Arm.position, Arm.jacobian, Arm.manipulability, Arm.clip, Arm.within_limits),
+        *(velocity.singularities, velocity.task_matrix, velocity.task_subspaces, velocity.jacobian_at),
+        *(velocity.jacobian_derivative, velocity.analytic_jacobian),
+    ],
+)
+def test_whatever_takes_joint_values_says_what_it_expects(ask, given):
+    with pytest.raises(InputError, match="q: expected"):
+        ask(Arm.from_dh(TWO_R), NONSENSE[given])
+
+
+@pytest.mark.parametrize("given", [g for g in NONSENSE if g not in ("too short",)])
+def test_whatever_takes_a_jacobian_says_what_it_expects(given):
+    asked = NONSENSE[given] if given != "another batch" else np.zeros((2, 3, 2))
+    for ask in (velocity.dependent_columns, velocity.determinant_tests, velocity.subspaces):
+        with pytest.raises(InputError):
+            ask(asked)
+
+
+@pytest.mark.parametrize("out", ["x", 3, [1.0], np.empty((4, 4), int), np.empty((4, 4), complex), np.empty((2, 2))])
+def test_out_that_cannot_be_written_is_refused(out):
+    with pytest.raises(InputError, match="out: expected a C-contiguous"):
+        Arm.from_dh(TWO_R).fk([0.0, 0.0], out=out)
+    fixed = np.empty((4, 4))
+    fixed.setflags(write=False)
+    with pytest.raises(InputError, match="writable"):
+        Arm.from_dh(TWO_R).fk([0.0, 0.0], out=fixed)
+
+
+def test_links_and_rows_that_are_no_numbers_are_refused():
+    arm = Arm.from_dh(TWO_R)
+    for link in (3, -1, 1.0, "1", None, [1]):
+        with pytest.raises(InputError, match="link: expected"):
+            velocity.link_jacobian(arm, [0.0, 0.0], link)
+    with pytest.raises(InputError, match="alpha: expected numbers, got 'x'"):
+        link_transform(0.0, "x", 0.0, 0.0)
+
+
+@pytest.mark.parametrize("key", ["puma560", "panda", "planar_3r", "scara"])
+@pytest.mark.parametrize(
+    "ask",
+    [
+        *(velocity.jacobian_at, velocity.jacobian_derivative, sigma_min, inverse_condition),
+        lambda arm, q: velocity.jacobian_rate(arm, q, np.ones(q.shape)),
+        lambda arm, q: velocity.analytic_jacobian(arm, q) if arm.n > 4 else velocity.jacobian_at(arm, q, "tool"),
+    ],
+)
+def test_what_follows_from_a_row_that_is_not_finite_is_nan_as_well(ask, key, rng):
+    arm = catalogue()[key].arm
+    q = rng.uniform(-1.0, 1.0, (4, arm.n))
+    expected = ask(arm, q)
+    q[1, 0], q[3, -1] = np.nan, np.inf
+    found = ask(arm, q)
+    assert np.isnan(found[1::2]).all()
+    np.testing.assert_allclose(found[::2], expected[::2], rtol=0, atol=1e-13)

@@ -60,6 +60,36 @@ def test_arms_with_a_spherical_wrist_have_three_factors():
     assert determinant(ROBOTS["stanford"].arm).minors[0].text == "q3**2*sin(q2)*sin(q5)"
 
 
+@pytest.mark.parametrize("key", ["ur3e", "ur5e", "ur10", "ur10e", "ur10_notes"])
+def test_arms_with_three_parallel_axes_have_an_elbow_a_wrist_and_a_shoulder(key):
+    (minor,) = determinant(ROBOTS[key].arm).minors
+    assert minor.joints == (1, 2, 3, 4, 5, 6)
+    for factor in ("sin(q3)", "sin(q5)", "(a2*cos(q2) + a3*cos(q2 + q3) + d5*sin(q2 + q3 + q4))"):
+        assert minor.text.count(factor) == 1
+    assert r"d_5\,s_{234}" in minor.latex
+
+
+@pytest.mark.parametrize("key", ["scorbot", "youbot"])
+def test_a_joint_that_never_moves_the_tool_has_no_minors(key):
+    found = determinant(ROBOTS[key].arm)
+    assert not found.square
+    assert [minor.joints for minor in found.minors] == [(1, 2, 3), (1, 2, 4), (1, 3, 4), (2, 3, 4)]
+    assert found.minors[-1].text == "0"
+
+
+def test_three_parallel_axes_of_any_arm_of_their_kind(rng):
+    """Random lengths, both conventions of signs of the twists, and an offset wherever the kind allows one."""
+    for signs in ((1, 1, -1), (-1, 1, -1), (1, -1, 1)):
+        first, fourth, fifth = (sign * math.pi / 2 for sign in signs)
+        a2, a3, d1, d2, d4, d5, d6 = rng.uniform(0.1, 1.0, 7)
+        rows = [("R", 0.1, first, d1, 0), ("R", a2, 0, d2, 0), ("R", a3, 0, 0, 0)]
+        rows += [("R", 0, fourth, d4, 0), ("R", 0, fifth, d5, 0), ("R", 0, 0, d6, 0)]
+        arm = Arm.from_dh(rows, tool=np.diag([1.0, -1.0, -1.0, 1.0]))
+        (minor,) = determinant(arm).minors
+        for q in random_q(arm, rng, 10):
+            assert value_of(arm, minor.text, q) == pytest.approx(np.linalg.det(arm.jacobian(q)), abs=1e-12)
+
+
 def test_wide_jacobians_have_minors():
     arm = Arm.from_dh([("R", 1.0, 0, 0, 0)] * 3, task="xy")
     found = determinant(arm)

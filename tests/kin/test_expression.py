@@ -160,6 +160,16 @@ def test_batches_longer_than_a_chunk_and_not_its_multiple(graph, rng):
     np.testing.assert_array_equal(out[:, 1], values[:, 0])
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_difference_wanted_with_either_sign_has_it(graph, dtype):
+    x, y, z = (graph.variable(i) for i in range(3))
+    both, shared, once = x - y, y - z, z - x
+    outputs = [both, -both, -shared, -shared, -once, shared * x]
+    out = np.empty((1, 6), dtype)
+    Kernel(graph, outputs, 3).batch(np.array([[1.0, 3.0, 7.0]], dtype), out)
+    assert out[0].tolist() == [-2.0, 2.0, 4.0, 4.0, -6.0, -4.0]
+
+
 def test_an_empty_batch_is_an_empty_answer(graph):
     out = np.empty((0, 1))
     Kernel(graph, [sin(graph.variable(0))], 1).batch(np.empty((0, 1)), out)

@@ -5,10 +5,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from armlab.errors import InputError
+from armlab.kin.euler import euler_angles
 from armlab.kin.rotations import (
+    as_rotation,
     axis_angle,
     euler_zyx,
     is_rotation,
+    nearest_rotation,
     quaternion_from_rotation,
     rotation_about,
     rotation_from_axis_angle,
@@ -16,6 +19,7 @@ from armlab.kin.rotations import (
     rotation_from_sequence,
     skew,
 )
+from armlab.kin.transforms import as_pose, inverse, transform
 from support.arms import random_pose
 
 APPENDIX = ["XYZ", "YXY", "YXZ", "YZY", "ZXY", "ZYX", "ZYZ", "XY", "XZ", "YZ", "ZX", "ZY"]
@@ -144,3 +148,91 @@ def test_what_a_rotation_is():
     assert not is_rotation(1.001 * np.eye(3))
     assert not is_rotation(np.full((3, 3), np.nan))
     assert not is_rotation(np.eye(4))
+
+
+@pytest.mark.parametrize("decimals", [3, 4, 5, 8])
+def test_a_rounded_rotation_is_taken_as_the_nearest_one(decimals, rng):
+    """An entry is off by half of the last digit, the nine together by three halves: the nearest is no farther."""
+    for _ in range(200):
+        R = rotation_from_quaternion(rng.normal(size=4))
+        rounded = R.round(decimals)
+        found = nearest_rotation(rounded)
+        assert is_rotation(found.rotation, 1e-14)
+        assert found.off <= 1.5 * 10.0**-decimals
+        np.testing.assert_allclose(as_rotation(rounded), R, rtol=0, atol=3.0 * 10.0**-decimals)
+        assert np.linalg.norm(rounded - found.rotation) <= np.linalg.norm(rounded - R) + 1e-15
+
+
+def test_the_rounded_rotation_of_the_notes_is_taken():
+    """0.866 for the cosine of 30 degrees: 3.127."""
+    T = np.array([[0.866, -0.5, 0, 10], [0.5, 0.866, 0, 5], [0, 0, 1, 0], [0, 0, 0, 1]])
+    pose = as_pose(T, "T")
+    np.testing.assert_allclose(pose[:3, :3], rotation_about("z", np.radians(30)), rtol=0, atol=3e-5)
+    np.testing.assert_array_equal(pose[:, 3], T[:, 3])
+
+
+def test_the_nearest_rotation_is_one_for_any_matrix(rng):
+    for _ in range(200):
+        matrix = rng.normal(size=(3, 3)) * 10.0 ** rng.uniform(-200, 200)
+        assert is_rotation(nearest_rotation(matrix).rotation, 1e-13)
+    for matrix in (np.zeros((3, 3)), np.ones((3, 3)), np.diag([1.0, 1.0, 0.0]), -np.eye(3)):
+        assert is_rotation(nearest_rotation(matrix).rotation, 1e-13)
+
+
+CONVERTERS = [
+    axis_angle,
+    quaternion_from_rotation,
+    euler_zyx,
+    lambda R: euler_angles(R, "zxz"),
+    lambda R: as_pose(np.block([[np.asarray(R), np.zeros((3, 1))], [np.zeros((1, 3)), np.eye(1)]]), "T"),
+]
+
+
+@pytest.mark.parametrize("convert", CONVERTERS)
+@pytest.mark.parametrize(
+    ("matrix", "text"),
+    [
+        (np.diag([1.0, 1.0, -1.0]), "is not a rotation matrix but a reflection: its determinant is -1, not"),
+        (np.zeros((3, 3)), "is not a rotation matrix: the nearest one differs from it by 1 in an entry; up to 0.002"),
+        (np.ones((3, 3)), "is not a rotation matrix: the nearest one differs from it by"),
+        (1.003 * np.eye(3), "is not a rotation matrix: the nearest one differs from it by 0.003 in an entry"),
+    ],
+)
+def test_what_is_no_rotation_is_refused_with_how_far_it_is_off(convert, matrix, text):
+    with pytest.raises(InputError, match=text):
+        convert(matrix)
+
+
+@pytest.mark.parametrize("convert", CONVERTERS[:4])
+def test_a_batch_names_the_matrix_that_is_no_rotation(convert):
+    with pytest.raises(InputError, match=r"R\[1, 0\] is not a rotation matrix but a reflection"):
+        convert([[np.eye(3), np.eye(3)], [-np.eye(3), np.eye(3)]])
+
+
+def test_a_matrix_of_a_batch_that_is_not_finite_stays_so():
+    found = quaternion_from_rotation([np.full((3, 3), np.nan), np.eye(3)])
+    assert np.isnan(found[0]).all()
+    assert found[1].tolist() == [1.0, 0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (lambda: quaternion_from_rotation(np.eye(4)), r"R: expected shape \(\.\.\., 3, 3\), got \(4, 4\)"),
+        (lambda: axis_angle("R"), "R: expected 3 x 3 matrices of numbers, got 'R'"),
+        (lambda: euler_zyx(np.eye(3) * 1j), "R: expected 3 x 3 matrices of numbers"),
+        (lambda: axis_angle(np.full((3, 3), np.nan)), "R: every entry must be finite"),
+        (lambda: rotation_from_axis_angle([1.0, 0.0], 0.1), r"axis: expected shape \(\.\.\., 3\), got \(2,\)"),
+        (lambda: rotation_from_axis_angle([[1.0], [0.0, 1.0]], 0.1), "axis: expected numbers"),
+        (lambda: rotation_about("z", "a"), "angle: expected numbers, got 'a'"),
+        (lambda: rotation_about(["z"], 0.1), r"axis: expected 'x', 'y' or 'z', got \['z'\]"),
+        (lambda: rotation_from_quaternion("wxyz"), r"q: expected numbers of shape \(\.\.\., 4\), got 'wxyz'"),
+        (lambda: skew([1.0, 2.0]), r"v: expected shape \(\.\.\., 3\), got \(2,\)"),
+        (lambda: transform(np.eye(4)), "expected a rotation"),
+        (lambda: inverse(np.eye(3)), r"T: expected shape \(\.\.\., 4, 4\), got \(3, 3\)"),
+        (lambda: nearest_rotation(np.eye(2)), r"R: expected shape \(3, 3\), got \(2, 2\)"),
+    ],
+)
+def test_wrong_arguments_are_named(call, text):
+    with pytest.raises(InputError, match=text):
+        call()

@@ -8,7 +8,7 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.ik.self_motion import STEP, distance_to, evenly, self_motion, trace_self_motion
+from armlab.kin.ik.self_motion import MOST_ON_SURFACE, STEP, distance_to, evenly, self_motion, trace_self_motion
 from support.arms import random_q
 from support.solutions import worst_error
 
@@ -124,3 +124,12 @@ def test_more_than_one_freedom_gives_one_curve_of_the_surface(rng):
 def test_bad_input_is_refused_in_words(q, count, words):
     with pytest.raises(InputError, match=words):
         self_motion(catalogue()["panda"].arm, q, count)
+
+
+def test_a_line_on_a_surface_comes_to_an_end():
+    """Folded, links of one length leave three directions; straight on through them no line closes."""
+    arm = catalogue()["iiwa7"].arm
+    q = np.array([0.3, 0.5, -0.4, np.pi, 0.7, -0.6, 0.2])
+    motion = trace_self_motion(arm, q, np.asarray(arm.fk(q)), limits=False)
+    assert motion.freedom == 3
+    assert len(motion.q) <= 2 * MOST_ON_SURFACE + 1

@@ -4,11 +4,13 @@ import json
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 from scipy.interpolate import CubicSpline
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.law_types import free_law_types
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.peaks import peaks, violations
 from armlab.session.chosen import Chosen
 from armlab.session.curves_commands import (
@@ -30,7 +32,7 @@ def state():
 
 
 def curve(knots, path, law="constant", **options):
-    return made(tuple(knots), Drawn(0, Chosen.of(kinds(), path, **options), Chosen.of(law_types(), law)))
+    return made(tuple(knots), Drawn(0, Chosen.of(kinds(), path, **options), Chosen.of(free_law_types(), law)))
 
 
 def example(state, key):
@@ -194,7 +196,7 @@ def test_the_polynomial_wanders_and_the_spline_bends_least(state):
     assert polynomial.overshoot > 0.9
     assert spline.overshoot == 0.0
     for each in (polynomial, spline):
-        assert each.bending == pytest.approx(np.trapezoid(each.at(t)[2] ** 2, t), rel=1e-5)
+        assert each.bending == pytest.approx(trapezoid(each.at(t)[2] ** 2, t), rel=1e-5)
     clamped = curve(polynomial.knots, "spline")
     assert spline.bending < clamped.bending < polynomial.bending
 
@@ -240,7 +242,7 @@ def test_every_kind_draws_or_says_why_it_takes_no_such_knots(rng):
     assert why_not(kinds()["cubic"], ((0, 1), (1, 1))) == "knot 2 does not move"
 
 
-@pytest.mark.parametrize("law", law_types())
+@pytest.mark.parametrize("law", free_law_types())
 def test_every_law_runs_through_a_path(law):
     found = curve(((1.0, 0.0), (3.0, 1.0)), "cubic", law)
     t = np.linspace(1.0, 3.0, 2001)
@@ -270,7 +272,7 @@ def test_what_is_measured_is_what_the_core_measures(path, law, rng):
     found = curve(knots, path, law)
     for order in (1, 2, 3):
         assert found.peaks[order - 1] == pytest.approx(float(peaks(found.trajectory, order).peak[0]), rel=1e-9)
-    expected = violations(found.trajectory, velocity=1.0, acceleration=2.0)
+    expected = violations(found.trajectory, Limits(1.0, 2.0), from_rest=False)
     mine = sorted(found.beyond(1.0, 2.0), key=lambda violation: (violation.start, violation.quantity))
     assert [v.quantity for v in mine] == [v.quantity for v in expected]
     np.testing.assert_allclose([v.start for v in mine], [v.start for v in expected], rtol=0, atol=1e-6)
@@ -284,3 +286,10 @@ def test_long_and_short_intervals_are_measured_in_few_pieces():
     t = np.linspace(0.1, 102.25, 400_001)
     for order in (1, 2):
         assert found.peaks[order - 1] == pytest.approx(np.abs(found.at(t)[order]).max(), rel=1e-3)
+
+
+def test_a_velocity_that_jumps_at_a_knot_exceeds_a_limit_of_acceleration():
+    found = curve(((0.0, 0.0), (1.0, 1.0), (3.0, 0.0)), "polyline", "constant")
+    (only,) = found.beyond(5.0, 5.0)
+    assert (only.quantity, only.start, only.end) == ("acceleration", pytest.approx(1.5), pytest.approx(1.5))
+    assert found.beyond(5.0, None) == []

@@ -75,7 +75,7 @@ def test_the_bounds_hold():
         (SetEntry("a33", 1.0), "unknown name 'a33'"),
         (SetEntry("a11", math.inf), "a₁₁: expected a finite number"),
         (SetEntry("x1", 1e9), "x₁"),
-        (SetEntry("a11", 500.0), "take an end up to 0.0598 s"),
+        (SetEntry("a11", 500.0), "an eigenvalue .* of 1500, expected at most 30; take an end up to 0.06 s"),
         (SetEntry("end", 0.0), "end: expected 0.001 to 100 s"),
         (SumTerms(0), "terms: expected 1 to 120"),
         (SumTerms(1000), "terms: expected 1 to 120"),

@@ -92,6 +92,44 @@ def test_work_gets_the_verdicts_of_the_screen(solved):
     assert part.progress.passed(part.lesson) == {i for i, step in enumerate(report.steps) if step.passed}
 
 
+@pytest.mark.parametrize("last", ["11", "x", ""])
+def test_an_answer_that_was_right_once_counts_on_screen_and_in_the_file(fresh, own, last):
+    state = done(fresh, OpenLesson("v", variant=3), GoToStep(2))
+    right = state[LessonPart].step.question.right_answer
+    state = done(state, Answer(right), Answer(last))
+    part, report = state[LessonPart], judge(hand_in(state))
+    assert 2 in part.progress.passed(part.lesson)
+    assert report.steps[2].passed
+    assert repr(right) in report.steps[2].says
+    assert repr(last) in report.steps[2].says or not last
+
+
+def test_screen_and_file_agree_after_any_answers(fresh, own, rng):
+    state = done(fresh, OpenLesson("t"))
+    words = ["2", "3", "11", "x", "", "2,0", "1e400", "3/1"]
+    for _ in range(200):
+        command = GoToStep(int(rng.integers(3))) if rng.random() < 0.4 else Answer(words[rng.integers(len(words))])
+        try:
+            state = done(state, command)
+        except InputError:  # there is no question in the first step
+            continue
+        part, report = state[LessonPart], judge(hand_in(state))
+        screen = {i for i in part.progress.passed(part.lesson) if report.steps[i].counts}
+        assert screen == {i for i, step in enumerate(report.steps) if step.counts and step.passed}
+
+
+def test_a_right_answer_that_the_file_only_claims_is_judged_again(solved):
+    data = json.loads(hand_in(solved))
+    data["progress"]["right"]["Double"] = ["1", 3.0]
+    assert not judge(json.dumps(data)).steps[2].passed
+
+
+def test_what_cannot_be_read_is_no_prediction(solved):
+    data = json.loads(hand_in(solved))
+    data["progress"]["answers"]["Predict"] = "?!"
+    assert not judge(json.dumps(data)).steps[1].passed
+
+
 def test_a_player_of_the_solutions_passes_everything(own):
     player = Player(lesson("v", 12))
     for i, step in enumerate(player.lesson.steps):
@@ -169,6 +207,15 @@ def test_evidence_that_is_none_is_said(solved, evidence):
     report = judge(json.dumps(data))
     assert report.steps[0].met is False
     assert "not usable" in report.steps[0].says
+
+
+def test_limits_are_those_of_the_arm_and_not_of_the_file(solved):
+    data = json.loads(hand_in(solved))
+    seen = data["progress"]["evidence"]["Turn"]
+    seen["q"][1], seen["arm"]["limits"] = 50.0, [[-100.0, 100.0]] * 2
+    report = judge(json.dumps(data))
+    assert not report.steps[0].passed
+    assert "joint 2 is at 2865°, outside its limits of -180° to 180°" in report.steps[0].says
 
 
 def test_a_prediction_without_an_answer_is_not_passed(solved):
@@ -313,6 +360,7 @@ def test_rows_for_a_spreadsheet(judged):
         "passed": "2",
         "count": "3",
         "score": "67",
+        "same as": "",
     }
     assert (found[0]["1 passed"], found[0]["1 hints"], found[0]["3 passed"]) == ("yes", "1", "no")
     assert found[1]["changed"] == "yes"

@@ -8,6 +8,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import PLUS_MINUS_ONE
 from armlab.session.chosen import Chosen
 from armlab.session.clips.laws import CLIP, present_time
@@ -186,7 +187,7 @@ def test_the_bound_holds_on_the_path():
         (SetBound("knots", [[float(i)] for i in range(41)]), "at most 40 rows"),
         (SetBound("knots", [[0.0, math.nan], [1.0, 1.0]]), "knots: expected finite numbers"),
         (SetBound("v_max", [0.0, 1.0]), "v_max: expected a positive number"),
-        (SetBound("v_max", [1.0, 1.0, 1.0]), "v_max: expected 2 positive numbers"),
+        (SetBound("v_max", [1.0, 1.0, 1.0]), "limit of velocity: expected one number, or 2: one for each joint"),
         (SetBound("v_max", None), "v_max: expected limits of speed, a joint each, got nothing"),
         (SetBound("speed", 0.6), "speed: expected more than 0 and at most V = 0.5"),
         (SetBound("mood", 0.6), "unknown field 'mood'"),
@@ -205,8 +206,8 @@ def test_nonsense_is_refused_and_the_field_is_named(command, says):
     [
         ("ramp", 0.6, "ramp: expected more than 0 and at most 0.5, got 0.6"),
         ("ramp", 0.0, "ramp: expected more than 0"),
-        ("v_start", -1.0, "v_start: expected at least 0"),
-        ("v_start", 50.0, "v_start and v_end"),
+        ("sdot_start", -1.0, "sdot_start: expected at least 0"),
+        ("sdot_start", 50.0, "sdot_start and sdot_end"),
     ],
 )
 def test_ramps_and_end_speeds_of_a_trapezoid_are_checked(name, value, says):
@@ -237,7 +238,7 @@ def test_limits_a_law_needs_are_asked_for():
     fast = after(AsFastAsAllowed(True))
     with pytest.raises(InputError, match=r"limit of jerk: Double S \(bounded jerk\) needs one"):
         apply(fast, ChooseLaw(0, "double_s"))
-    with pytest.raises(InputError, match="at least one of speed, acceleration and jerk"):
+    with pytest.raises(InputError, match="at least one of velocity, acceleration and jerk"):
         after(SetQuantity("speed", None), SetQuantity("acceleration", None), AsFastAsAllowed(True))
     assert "V, A, J: none is given" in optimal_text(bench(ChooseLawExample("same_time")))
     with pytest.raises(InputError, match="none is given"):
@@ -263,3 +264,22 @@ def test_limits_a_law_needs_are_asked_for():
 def test_a_damaged_file_is_not_read(damage):
     with pytest.raises(InputError):
         Laws.from_json({**Laws().to_json(), **damage}, catalogue()["planar_2r"])
+
+
+def test_works_saved_under_the_former_names_of_options_open():
+    part = bench(ChooseLawExample("end_speeds"))
+    data = part.to_json()
+    for each, name in ((each, name) for each in data["laws"] for name in ("start", "end")):
+        options = each["law"].get("options", {})
+        if f"sdot_{name}" in options:
+            options[f"v_{name}"] = options.pop(f"sdot_{name}")
+    assert "v_start" in str(data)
+    assert Laws.from_json(data, catalogue()["planar_2r"]).entries == part.entries
+    braking = {"key": "trapezoidal", "options": {"deceleration": 0.5}}
+    assert Chosen.from_json(braking, free_law_types()).options == {"sddot_down": 0.5}
+    # A deceleration above the limit was taken then, and is refused now.
+    data["laws"][0]["law"] = {"key": "trapezoidal", "options": {"deceleration": 9.0}}
+    opened = Laws.from_json({**data, "timing": {**data["timing"], "fastest": True}}, catalogue()["planar_2r"])
+    assert opened.entries[0].chosen == Chosen("trapezoidal")
+    table = {"key": "table", "options": {"v_start": 0.7}}
+    assert Chosen.from_json(table, free_law_types()).options == {"sdot_first": 0.7}

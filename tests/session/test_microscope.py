@@ -83,8 +83,8 @@ def test_every_known_place_of_every_robot_is_where_it_says(robot):
         assert at.derived(near).why
         beside = apply(apply(state, SetDistance(0.05)), BringNear(i))
         assert 0.0 < beside.derived(looked).inverse_condition < 0.2
-        units = look.task.joint_units[place.pose.joint]
-        moved = beside[Joints].q[place.pose.joint] - place.pose.q[place.pose.joint]
+        units = look.task.joint_units[place.pose.place]
+        moved = beside[Joints].q[place.pose.place] - place.pose.q[place.pose.place]
         assert abs(moved) == pytest.approx(0.05 * units, abs=1e-9)
         for aim in ("lost", "across"):
             for each in apply(at, AimVelocity(aim)).derived(looked).answers:

@@ -24,7 +24,7 @@ from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
 from armlab.session.plan_commands import AllMovesLike, SetMove
 from armlab.session.plan_examples import TakeExample
-from armlab.session.plan_limits import LastFor, UseShare
+from armlab.session.plan_limits import LastFor, LimitJoint, UseShare
 from armlab.session.plan_measured import measuring
 from armlab.session.plan_points import AddWaypoint
 from armlab.session.planning import making
@@ -294,11 +294,37 @@ def test_the_work_can_be_handed_in_and_is_judged_again(own):
         assert [player.act(action) for action in step.solution] == [""] * len(step.solution)
     text = hand_in(player.session.state)
     assert (judge(text).passed, judge(text).count) == (4, 4)
-    data = json.loads(text)
-    data["progress"]["evidence"]["Slowly"]["motion"]["duration"] = 3.0
-    report = judge(json.dumps(data))
+    assert [step.noted for step in judge(text).steps] == [False, True, False, True, False]
+    assert judge(text).steps[1].says == "Noted only, not judged: that the motion was played."
+
+    def forged(step, **changes):
+        data = json.loads(text)
+        data["progress"]["evidence"][step] |= changes
+        return judge(json.dumps(data))
+
+    seen = json.loads(text)["progress"]["evidence"]["Slowly"]
+    # What the file says of the motion is worth nothing; what it was planned of decides.
+    assert forged("Slowly", motion={**seen["motion"], "duration": 3.0, "whole": False}).passed == 4
+    report = forged("Slowly", plan={**seen["plan"], "duration": 12.0})
     assert report.passed == 3
-    assert report.steps[2].says == "The motion takes 3.00 s; at least 10.00 s is wanted."
+    assert report.steps[2].says == "The motion takes 12.00 s; at most 10.00 s is wanted."
+    fast = [100.0 * v for v in seen["plan"]["velocity"]]
+    assert (
+        "limit of velocity of joint 1 was raised"
+        in forged("Slowly", plan={**seen["plan"], "velocity": fast}).steps[2].says
+    )
+    assert "what it is planned of is missing" in forged("Slowly", plan=None).steps[2].says
+    for plan in (3, [], {"waypoints": []}, {**seen["plan"], "more": 1}, {**seen["plan"], "samples": 1e9}):
+        assert "not usable" in forged("Slowly", plan=plan).steps[2].says
+
+
+def test_a_limit_that_was_raised_counts_neither_on_screen_nor_in_the_file(corners):
+    limits = corners[Plan].velocity
+    state = worked(after(corners, GoToStep(2), LimitJoint(0, "velocity", 2.0 * limits[0])))
+    assert "joint 1 was raised" in check_line(state)[1]
+    assert not observed(state).motion.runs
+    state = worked(after(state, LimitJoint(0, "velocity", limits[0])))
+    assert "was raised" not in check_line(state)[1]
 
 
 def test_a_player_who_does_not_plan_is_told_so(own):

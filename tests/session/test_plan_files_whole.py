@@ -232,6 +232,21 @@ def each_joint_by_itself_in_a_time():
     return apply(each_joint_by_itself(), LastFor(9.0))
 
 
+def time_optimal():
+    """Return a spline of joints and a line in space, each as fast as can be, and a corner that is not stopped at."""
+    state = opened("puma560", points=6)
+    for k in (1, 2):
+        state = apply(apply(state, SetMove(k, path="spline")), SetMove(k, law="time_optimal"))
+    for k in (4, 5):
+        state = apply(state, SetMove(k, path="polyline"))
+    return apply(state, LimitTool(0.9))
+
+
+def time_optimal_in_space_in_a_time():
+    state = apply(opened("ur10e"), SetMove(1, space="cartesian"))
+    return apply(apply(state, SetMove(1, law="time_optimal")), LastFor(9.0))
+
+
 def recorded():
     state = opened("planar_2r")
     return apply(apply(state, ReadMotion(table(state, 30.0))), LastFor(5.0))
@@ -247,6 +262,8 @@ def recorded():
         own_table,
         each_joint_by_itself,
         each_joint_by_itself_in_a_time,
+        time_optimal,
+        time_optimal_in_space_in_a_time,
         recorded,
     ],
 )
@@ -262,7 +279,7 @@ def test_a_script_holds_only_what_it_needs_and_no_words_of_a_student():
     text = motion_script(replace(state[RobotPart], robot=robot), planned(state), 40.0, "motion.csv")
     assert "import os" not in text
     compile(text, "again.py", "exec")
-    assert re.search(r"^from armlab\.kin\.motion import Trajectory, law_type, path_type$", text, re.MULTILINE)
+    assert re.search(r"^from armlab\.kin\.motion import Limits, Trajectory, law_type, path_type$", text, re.MULTILINE)
 
 
 def test_of_a_plan_that_ends_early_the_script_makes_what_can_be_run(tmp_path):

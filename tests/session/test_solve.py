@@ -286,8 +286,8 @@ def test_a_place_in_the_square_is_where_the_joints_go():
 def test_one_drag_in_the_square_is_one_step_of_undo():
     history, state = History(), opened()
     for command in (DragTo(0.6, 0.5, 1), DragTo(0.7, 0.4, 1), DragTo(0.2, 0.4, 2)):
-        history.note(state, command, 0.0)
-        state = apply(state, command)
+        before, state = state, apply(state, command)
+        history.note(before, state, command, 0.0)
     np.testing.assert_allclose(state[Joints].q, (np.array([0.2, 0.4]) - 0.5) * math.tau, rtol=0, atol=1e-12)
     state = history.undo(state)
     np.testing.assert_allclose(state[Joints].q, (np.array([0.7, 0.4]) - 0.5) * math.tau, rtol=0, atol=1e-12)

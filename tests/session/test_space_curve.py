@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.errors import InputError
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.kin.motion.geometry import curvature
 from armlab.kin.rotations import is_rotation
 from armlab.session.parts.joints import Joints
@@ -172,7 +172,7 @@ def test_every_kind_of_path_in_space_is_offered_and_made(key):
     assert after(ChooseCurve(FORMULA), state=state)[SpaceCurve].formula == NOTES
 
 
-@pytest.mark.parametrize("key", law_types())
+@pytest.mark.parametrize("key", free_law_types())
 def test_every_law_moves_along_the_whole_curve(key):
     state = after(ChooseLaw(key))
     end = moment(curve_of(state), curve_of(state).law.duration)

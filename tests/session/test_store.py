@@ -1,16 +1,20 @@
 """Sessions on disk: they come back, and what is damaged keeps nobody out."""
 
 import json
+import os
+import time
 
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.session.parts.joints import Joints, TakePose
+from armlab.session import store as module
+from armlab.session.edits import SetCell
+from armlab.session.parts.joints import Joints, MoveJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import DragTarget, Target, target_pose
 from armlab.session.session import Session
 from armlab.session.state import State
-from armlab.session.store import Store
+from armlab.session.store import IDLE, MOST_IDLE, Store
 
 PUMA = catalogue()["puma560"]
 
@@ -128,3 +132,91 @@ def test_a_writing_that_fails_leaves_no_file(tmp_path):
     store.get("a student").state = HalfWritten({})
     assert store.save() == 0
     assert list(tmp_path.iterdir()) == []
+
+
+def crowd(store, count):
+    """Visits of so many students, each of whom moves a joint."""
+    for k in range(count):
+        store.get(f"student {k}").apply(MoveJoint(0, 0.001 * (k + 1)), 0.0)
+
+
+def test_sessions_nobody_watches_are_let_go_of_and_come_back_from_their_files(tmp_path):
+    store = Store(tmp_path, PUMA)
+    crowd(store, MOST_IDLE + 20)
+    watched, first = {"student 3"}, store.get("student 0")
+    later = time.monotonic() + 2.0 * IDLE
+    store.let_go(watched, later)
+    assert store.get("student 1").history.past, "what is not saved is held"
+    store.save()
+    store.let_go(watched, time.monotonic())
+    assert store.get("student 2").history.past, "who was here just now is held"
+    store.let_go(watched, later)
+    assert store.get("student 0") is first, "who came last goes last"
+    assert store.get("student 3").history.past, "a session with a page is held"
+    back = store.get("student 5")
+    assert not back.history.past
+    assert back.state[Joints].q[0] == pytest.approx(0.006)
+
+
+def test_without_a_folder_only_so_many_idle_sessions_are_held():
+    store = Store(None, PUMA)
+    crowd(store, MOST_IDLE + 5)
+    store.let_go((), time.monotonic() + 2.0 * IDLE)
+    assert len(store._live) == MOST_IDLE
+
+
+def test_steps_of_undo_of_all_students_together_are_bounded(monkeypatch):
+    monkeypatch.setattr(module, "MOST_HELD", 2_000_000)
+    store = Store(None, PUMA)
+    for k in range(60):
+        store.get("many").apply(SetCell(1, "a", 0.43 + 0.001 * k), 3.0 * k)
+    store.get("few").apply(MoveJoint(0, 0.1), 0.0)
+    store.let_go((), time.monotonic())
+    many = store.get("many").history
+    assert 0 < len(many.past) < 60
+    assert many.held <= 2_000_000
+    assert len(store.get("few").history.past) == 1
+
+
+def test_what_a_killed_lab_was_writing_is_cleared_up(tmp_path):
+    (tmp_path / ".writing-abc").write_text("{")
+    Store(tmp_path, PUMA)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_of_too_many_files_the_oldest_go_whatever_the_clock_says(tmp_path, monkeypatch):
+    monkeypatch.setattr(module, "MOST_FILES", 3)
+    for k in range(5):
+        path = tmp_path / f"{k}.json"
+        path.write_text("{}")
+        os.utime(path, (k * 1e9, k * 1e9))  # years apart, one of them far in the future
+    Store(tmp_path, PUMA)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["2.json", "3.json", "4.json"]
+
+
+class FullDisk:
+    """A disk on which nothing can be written for a while."""
+
+    def __init__(self, monkeypatch):
+        self.full, replace = True, os.replace
+
+        def guarded(*paths):
+            if self.full:
+                raise OSError(28, "No space left on device")
+            replace(*paths)
+
+        monkeypatch.setattr(os, "replace", guarded)
+
+
+def test_a_full_disk_loses_nothing_and_is_made_good_for_when_there_is_room(tmp_path, monkeypatch, caplog):
+    store = Store(tmp_path, PUMA)
+    store.get("a student").apply(MoveJoint(0, 0.25), 0.0)
+    store.save()
+    disk = FullDisk(monkeypatch)
+    store.get("a student").apply(MoveJoint(0, 0.5), 3.0)
+    assert [store.save() for _ in range(3)] == [0, 0, 0]
+    assert len(caplog.records) == 1
+    assert Store(tmp_path, PUMA).get("a student").state[Joints].q[0] == 0.25
+    disk.full = False
+    assert store.save() == 1
+    assert Store(tmp_path, PUMA).get("a student").state[Joints].q[0] == 0.5

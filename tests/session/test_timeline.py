@@ -81,10 +81,10 @@ def test_the_hand_is_not_overtaken_in_the_mailbox():
     mailbox, state = Mailbox(), made(Play(True))
     for command in (Seek(5.0), Advance(0.0, 0.1)):
         mailbox.post(command)
-    assert made(*mailbox.take(), state=state)[Timeline].time == 5.0
+    assert made(*iter(mailbox.take, None), state=state)[Timeline].time == 5.0
     for time in (1.0, 2.0, 3.0):
         mailbox.post(Seek(time))
-    assert mailbox.take() == [Seek(3.0)]
+    assert list(iter(mailbox.take, None)) == [Seek(3.0)]
 
 
 def test_stepping_goes_from_stop_to_stop_and_pauses():

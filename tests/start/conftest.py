@@ -1,5 +1,7 @@
 """Fixtures of the tests of commands: a working folder with lessons, a command line, the work of students."""
 
+from collections.abc import Iterator
+
 import numpy as np
 import pytest
 
@@ -13,7 +15,14 @@ from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State, apply
+from support.command import end_all
 from support.small_lessons import TWO_STEPS, VARIED
+
+
+@pytest.fixture(autouse=True)
+def nothing_left_running() -> Iterator[None]:
+    yield
+    end_all()
 
 
 @pytest.fixture
@@ -29,7 +38,8 @@ def place(tmp_path, monkeypatch):
     mine = tmp_path / "mine"
     mine.mkdir()
     (mine / "v.md").write_text(VARIED, encoding="utf-8")
-    (mine / "t.md").write_text(TWO_STEPS, encoding="utf-8")
+    before, _, after = TWO_STEPS.rpartition("## Same")
+    (mine / "t.md").write_text(f"{before}## Sum{after}", encoding="utf-8")
     return tmp_path
 
 

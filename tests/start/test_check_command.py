@@ -158,3 +158,14 @@ def test_gradescope_also_hears_why_there_is_no_verdict(typed, place):
 def test_the_same_file_twice_is_judged_once(typed, work):
     path = work("a.json")
     assert len(typed("check", "v", "--lessons", "mine", "--state", path, path, "--format", "csv")[1].splitlines()) == 2
+
+
+def test_the_list_of_students_says_whose_variant_it_is(typed, work, place):
+    (place / "class.txt").write_text("Bob\n\nEve\nAda Lovelace\n", encoding="utf-8")
+    files = [work("a.json"), work("b.json", "Bob", 3)]
+    asked = ("check", "v", "--lessons", "mine", "--students", "class.txt", "--state", *files)
+    status, out, _ = typed(*asked)
+    assert status == 0
+    assert "2 of 3" in out.splitlines()[1]
+    assert "0 of 3  This is variant 3; given was 1." in out.splitlines()[2]
+    assert "gone.txt" in typed("check", "v", "--lessons", "mine", "--students", "gone.txt", "--state", *files)[2]

@@ -4,8 +4,6 @@ import os
 import re
 import signal
 import socket
-import subprocess
-import sys
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -13,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from armlab.cli import main
+from support.command import MAIN, command
+from support.patience import WAIT
 from support.student import run, student
-
-APP = Path(__file__).resolve().parents[2] / "app"
 
 NONE = (
     "import armlab.resources as there; real = there.folder; "
@@ -28,26 +26,27 @@ ALL = ""
 
 def armlab(*arguments, lessons=NONE, **variables):
     """Start the command; without the lab's lessons, which take longer to read than all the rest."""
-    code = f"import sys; sys.path.insert(0, {str(APP)!r}); {lessons}from armlab.cli import main; sys.exit(main())"
-    return subprocess.Popen(
-        [sys.executable, "-P", "-c", code, *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, **variables},
-    )
+    return command(*arguments, code=lessons + MAIN, env={**os.environ, **variables})
+
+
+def opening_lines(process):
+    """Return what the command prints until it is open."""
+    lines = [process.stdout.readline()]
+    while lines[-1] and "Ctrl-C" not in lines[-1]:
+        lines.append(process.stdout.readline())
+    return lines
 
 
 def finished(*arguments, **variables):
     """Return exit status, output and complaint of a command that ends by itself."""
     process = armlab(*arguments, **variables)
-    out, err = process.communicate(timeout=60.0)
+    out, err = process.communicate(timeout=WAIT)
     return process.returncode, out, err
 
 
 def end(process, number=signal.SIGINT):
     process.send_signal(number)
-    out, err = process.communicate(timeout=20.0)
+    out, err = process.communicate(timeout=WAIT)
     return process.returncode, out, err
 
 
@@ -66,9 +65,7 @@ def test_it_opens_and_ctrl_c_ends_it_without_a_word(tmp_path, number):
 
 def test_others_in_the_room_get_an_address_that_works(tmp_path):
     process = armlab("--no-browser", "--host", "0.0.0.0", "--port", "0", "--state", str(tmp_path))
-    lines = [process.stdout.readline()]
-    while "Ctrl-C" not in lines[-1]:
-        lines.append(process.stdout.readline())
+    lines = opening_lines(process)
     others = [re.fullmatch(r"Others in the room type (http://\S+/)\n", line) for line in lines[1:-1]]
     assert all(others), lines
     assert "http://127.0.0.1" in lines[0]
@@ -77,6 +74,15 @@ def test_others_in_the_room_get_an_address_that_works(tmp_path):
         assert "127.0.0.1" not in other[1]
         with urllib.request.urlopen(other[1]) as page:
             assert page.status == 200
+    assert end(process)[0] == 0
+
+
+def test_a_lab_with_a_code_says_it_to_those_who_may_know(tmp_path):
+    arguments = ("--no-browser", "--host", "0.0.0.0", "--port", "0", "--code", "blue elbow", "--state", str(tmp_path))
+    process = armlab(*arguments)
+    own, *others = opening_lines(process)[:-1]
+    assert re.fullmatch(r"Armlab is open at http://127\.0\.0\.1:\d+/\?code=blue%20elbow\n", own)
+    assert all(line.endswith(" and the code blue elbow\n") for line in others)
     assert end(process)[0] == 0
 
 
@@ -109,7 +115,7 @@ def test_a_lab_that_was_killed_does_not_keep_its_folder(tmp_path):
     process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
     assert process.stdout.readline().startswith("Armlab is open at ")
     process.kill()
-    process.communicate(timeout=20.0)
+    process.communicate(timeout=WAIT)
     again = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
     assert again.stdout.readline().startswith("Armlab is open at ")
     assert end(again)[0] == 0
@@ -123,7 +129,9 @@ def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path):
     assert "puma560" in err
 
 
-@pytest.mark.parametrize("arguments", [("--port", "70000"), ("--port", "x"), ("--labs", "-1"), ("--nonsense",)])
+@pytest.mark.parametrize(
+    "arguments", [("--port", "70000"), ("--port", "x"), ("--labs", "-1"), ("--code", "abc"), ("--nonsense",)]
+)
 def test_wrong_options_are_refused(arguments, capsys):
     with pytest.raises(SystemExit) as refused:
         main(arguments)
@@ -135,7 +143,17 @@ def test_wrong_options_are_refused(arguments, capsys):
 def test_help_names_every_option():
     status, out, _ = finished("--help")
     assert status == 0
-    for option in ("--host", "--port", "--no-browser", "--robot", "--labs", "--lessons", "--state", "--version"):
+    for option in (
+        "--host",
+        "--port",
+        "--no-browser",
+        "--code",
+        "--robot",
+        "--labs",
+        "--lessons",
+        "--state",
+        "--version",
+    ):
         assert option in out
 
 

@@ -2,8 +2,6 @@
 
 import os
 import signal
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -11,8 +9,8 @@ import pytest
 from armlab import commands
 from armlab.commands import CommandType, command_types, run_command
 from armlab.errors import InputError
-
-APP = Path(__file__).resolve().parents[2] / "app"
+from support.command import command
+from support.patience import WAIT
 
 
 def test_every_command_is_found_by_its_file():
@@ -86,29 +84,17 @@ def test_what_goes_wrong_in_a_command_is_one_line(capsys, error, status, says):
     assert capsys.readouterr() == ("", says)
 
 
-def process(*arguments, code="from armlab.cli import main; sys.exit(main(sys.argv[1:]))", **options):
-    """Start a command as a process of its own."""
-    code = f"import sys; sys.path.insert(0, {str(APP)!r}); {code}"
-    return subprocess.Popen(
-        [sys.executable, "-P", "-c", code, *map(str, arguments)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        **options,
-    )
-
-
 def test_commands_load_no_viser_and_the_lab_no_commands(work):
     path = work("a.json")
     loaded = (
         "print(*(name for name in sys.modules if name.split('.')[0] == 'viser' or name.startswith('armlab.commands')))"
     )
     code = f"from armlab.cli import main; main(sys.argv[1:]); {loaded}"
-    out, err = process("check", "mine/v.md", "--state", path, code=code).communicate(timeout=60.0)
+    out, err = command("check", "mine/v.md", "--state", path, code=code).communicate(timeout=WAIT)
     assert err == ""
     assert "viser" not in out.splitlines()[-1].split()
     assert "armlab.commands.check" in out
-    out, err = process(code=f"import armlab.cli, armlab.front.start; {loaded}").communicate(timeout=60.0)
+    out, err = command(code=f"import armlab.cli, armlab.front.start; {loaded}").communicate(timeout=WAIT)
     assert (out.split(), err) == (["armlab.commands"], "")
 
 
@@ -119,26 +105,26 @@ def test_ctrl_c_is_one_line(place):
         "wait = lambda options: print('begun', flush=True) or time.sleep(60.0); "
         "commands.command_types = lambda: {'x': commands.CommandType('x', 1, 'X.', run=wait)}; sys.exit(main(['x']))"
     )
-    running = process(code=code)
+    running = command(code=code)
     assert running.stdout.readline() == "begun\n"
     running.send_signal(signal.SIGINT)
-    out, err = running.communicate(timeout=20.0)
+    out, err = running.communicate(timeout=WAIT)
     assert (running.returncode, out, err) == (130, "", "armlab: stopped\n")
 
 
 @pytest.mark.skipif(os.name == "nt", reason="pipes of POSIX")
 def test_a_reader_that_has_had_enough_is_no_error(place):
-    running = process("lesson", "sheet", "mine/v.md", "--variants", "0-999")
+    running = command("lesson", "sheet", "mine/v.md", "--variants", "0-999")
     running.stdout.close()
     err = running.stderr.read()
     running.stderr.close()
-    running.wait(timeout=60.0)
+    running.wait(timeout=WAIT)
     assert err == ""
 
 
 def test_a_terminal_without_the_letters_is_no_error(work):
     path = work("a.json", student="王")
-    running = process("check", "mine/v.md", "--state", path, env={**os.environ, "PYTHONIOENCODING": "ascii"})
-    out, err = running.communicate(timeout=60.0)
+    running = command("check", "mine/v.md", "--state", path, env={**os.environ, "PYTHONIOENCODING": "ascii"})
+    out, err = running.communicate(timeout=WAIT)
     assert (running.returncode, err) == (0, "")
     assert out.splitlines()[1].split()[:2] == ["?", "3"]

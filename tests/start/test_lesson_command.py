@@ -1,18 +1,14 @@
 """``armlab lesson``, as an author types it."""
 
+import re
 from pathlib import Path
 
 import pytest
 
-from armlab.cli import main
 from armlab.commands._found import Place
 from armlab.commands._lesson_check import problems_of
-from armlab.commands._lesson_sheet import names_of, numbers_of
-from armlab.commands._sheet import escaped
-from armlab.content import lessons as library_module
 from armlab.content.new_lesson import new_lesson
 from armlab.content.robots import catalogue
-from armlab.errors import ArmlabError
 from support.small_lessons import TWO_STEPS, VARIED
 
 
@@ -96,8 +92,10 @@ def test_a_file_or_a_folder_is_a_lesson(typed, place, typed_as):
 
 
 def test_a_folder_of_lessons_is_all_of_them(typed, place):
-    text = TWO_STEPS.replace("tolerance_deg = 1\n```", "tolerance_deg = 1\n```\n```solution\nq_deg = [90, 20]\n```")
-    (place / "mine" / "t.md").write_text(text, encoding="utf-8")
+    path = place / "mine" / "t.md"
+    text = path.read_text(encoding="utf-8")
+    solved = text.replace("tolerance_deg = 1\n```", "tolerance_deg = 1\n```\n```solution\nq_deg = [90, 20]\n```")
+    path.write_text(solved, encoding="utf-8")
     assert typed("lesson", "check", "mine") == (0, "t: 3 steps, no problems\nv: 3 steps, no problems\n", "")
 
 
@@ -304,68 +302,34 @@ def test_the_number_of_variants_is_bounded(typed, count):
     assert one_line(err)
 
 
-# --- armlab lesson sheet
+def test_two_steps_of_one_title_are_told(typed, place):
+    (place / "mine" / "t.md").write_text(TWO_STEPS, encoding="utf-8")
+    out = typed("lesson", "check", "mine/t.md")[1]
+    assert "step 3: its title is that of step 2; progress is kept under titles" in out
 
 
-def test_a_sheet_has_a_row_a_variant(typed, work):
-    status, out, err = typed("lesson", "sheet", "mine/v.md", "--variants", "0-2,7")
-    assert (status, err) == (0, "")
-    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in out.splitlines() if line.startswith("|")]
-    assert rows[0] == ["variant", "`goal`", "1 do", "2 answer", "3 answer"]
-    assert [row[0] for row in rows[2:]] == ["0", "1", "2", "7"]
-    for number, goal, move, half, double in rows[2:]:
-        expected = library_module.lesson("v", int(number)).values["goal"]
-        assert float(goal) == expected
-        assert move == f"q = ({goal}°, 20°)"
-        assert float(half.split(" ±")[0]) == expected / 2
-        assert float(double.split(" ±")[0]) == expected * 2
-    assert "- Step 3, Double, in variant 0: Twice?" in out
-
-
-def test_a_sheet_for_a_list_of_names(typed, place):
-    (place / "names.txt").write_text("Ada\n\n  Bob | *x*  \n", encoding="utf-8")
-    status, out, _ = typed("lesson", "sheet", "mine/v.md", "--students", "names.txt")
-    assert status == 0
-    assert [line.split(" | ")[:2] for line in out.splitlines()[-2:]] == [["| 1", "Ada"], ["| 2", r"Bob \| \*x\*"]]
-
-
-def test_a_lesson_without_variants_has_one_row(typed):
-    status, out, _ = typed("lesson", "sheet", "first_arm")
-    assert status == 0
-    assert [line.split(" | ")[0] for line in out.splitlines() if line.startswith("|")] == ["| variant", "| ---", "| 0"]
-    assert "0.866 m ±" in out
-
-
-@pytest.mark.parametrize("found", Place().all(), ids=lambda found: found.key)
-def test_every_lesson_of_the_lab_has_a_sheet(capsys, found):
-    assert main(["lesson", "sheet", found.key, "--variants", "0-3"]) == 0
-    out, err = capsys.readouterr()
-    assert err == ""
-    widths = {line.replace(r"\|", "").count("|") for line in out.splitlines() if line.startswith("|")}
-    assert len(widths) == 1
-
-
-def test_a_variant_that_cannot_be_used_leaves_the_others(typed, place):
-    (place / "mine" / "v.md").write_text(VARIED.replace("+++\n## Turn", 'root = "sqrt(31 - goal)"\n+++\n## Turn'))
-    status, out, err = typed("lesson", "sheet", "mine/v.md", "--variants", "0,1")
+def test_a_file_beside_a_folder_of_its_name_is_told(typed, place):
+    (place / "mine" / "v").mkdir()
+    (place / "mine" / "v" / "lesson.md").write_text(VARIED, encoding="utf-8")
+    status, out, _ = typed("lesson", "check", "mine")
     assert status == 1
-    assert one_line(err)
-    assert err.startswith("armlab: variant 1: ")
-    assert out.splitlines()[-1].startswith("| 0 |")
+    assert "the lesson 'v' is there already, in v/lesson.md; rename one" in out
 
 
-@pytest.mark.parametrize("text", ["", "x", "3-1", "-1", "1,,2", "0-9999", "99999", "1-2-3", "٣"])
-def test_numbers_that_are_none_are_refused(text):
-    with pytest.raises(ArmlabError, match="--variants"):
-        numbers_of(text)
+def test_braces_that_are_not_closed_are_told_with_their_line(typed, place):
+    text = VARIED.replace("## Turn\n", "## Turn\nThe hand is at {{px\nnow.\n")
+    (place / "mine" / "open.md").write_text(text, encoding="utf-8")
+    out = typed("lesson", "check", "mine/open.md")[1]
+    assert "expected }} after {{px" in out
+    assert f"open.md:{text.splitlines().index('The hand is at {{px') + 1}: " in out
 
 
-@pytest.mark.parametrize("data", [b"", b"\n \n", b"\xff\xfeA\x00", b"A\n" * 1001, b"x" * 2_000_000])
-def test_lists_that_are_none_are_refused(place, data):
-    (place / "names.txt").write_bytes(data)
-    with pytest.raises(ArmlabError, match=r"names\.txt"):
-        names_of(place / "names.txt")
-
-
-def test_nothing_means_anything_in_an_escaped_text():
-    assert escaped("a|b\n*c* `d` <e>") == r"a\|b \*c\* \`d\` \<e\>"
+def test_all_broken_variants_are_told_at_once(typed, place):
+    text = VARIED.replace(
+        "goal = { from = 30", 'bad = { choose = [1, 0, 1, 0, 0] }\nworse = "3/bad"\ngoal = { from = 30'
+    )
+    (place / "mine" / "b.md").write_text(text, encoding="utf-8")
+    out = typed("lesson", "check", "mine/b.md", "--variants", "40")[1]
+    told = [line for line in out.splitlines() if "worse" in line]
+    numbers = {int(n) for line in told for n in re.findall(r"\d+", re.search(r"variants? ([\d, ]+):", line)[1])}
+    assert len(numbers) > 5

@@ -70,3 +70,20 @@ def jacobian_by_differences(arm: Arm, q: np.ndarray, h: float = 1e-6) -> np.ndar
         S = (after[:3, :3] - before[:3, :3]) / (2 * h) @ R.T
         J[3:, i] = [S[2, 1], S[0, 2], S[1, 0]]
     return J
+
+
+def limited_arm(rng: np.random.Generator, n: int) -> Arm:
+    """Return a random arm of n joints, a tenth of them slides, with narrow and wide limits."""
+    rows, limits, narrow = [], [], rng.random()
+    for _ in range(n):
+        a, d = rng.choice([0.0, rng.uniform(0.05, 0.6)]), rng.choice([0.0, rng.uniform(-0.4, 0.4)])
+        alpha = rng.choice([*QUARTERS[:3], rng.uniform(-np.pi, np.pi)])
+        if rng.random() < 0.1:
+            rows.append(("P", a, alpha, 0.0, rng.uniform(-np.pi, np.pi)))
+            low, width = rng.uniform(-0.2, 0.2), rng.uniform(0.05, 0.5)
+        else:
+            rows.append(("R", a, alpha, d, 0.0))
+            width = rng.uniform(0.1, 1.0) if rng.random() < narrow else rng.uniform(1.0, 2.0 * np.pi)
+            low = rng.uniform(-np.pi, np.pi - width) if width < 2.0 * np.pi else -np.pi
+        limits.append((low, low + width))
+    return Arm.from_dh(rows, limits=limits)

@@ -1,58 +1,13 @@
 """What the adapter assumes of viser, against a running viser; when viser's pin moves, these say what has to follow."""
 
 import asyncio
-import threading
 
 import numpy as np
 import pytest
-from viser import _messages
 
 from armlab.errors import InputError
 from armlab.ui import adapter
-from support.fake_browser import FakeBrowser
-from support.student import run
-
-
-class Bare:
-    """A viser server with one student, a slider, some markup and a handle."""
-
-    def __init__(self):
-        self.server = adapter.make_server(0)
-        self.heard, self.client = [], None
-        self.there = threading.Event()
-        self.server.on_client_connect(self._build)
-
-    async def _build(self, client):
-        self.client = client
-        adapter.refuse_uploads(client)
-        self.slider = client.gui.add_slider("Joint", -1.0, 1.0, 0.01, 0.0)
-        self.markup = client.gui.add_html("before")
-        self.frame = client.scene.add_frame("/frame")
-        self.handle = client.scene.add_transform_controls("/target")
-        adapter.on_event(self.slider, "on_update", lambda event: self.heard.append(event.target.value))
-        adapter.on_event(self.handle, "on_update", lambda event: self.heard.append(event.phase))
-        self.there.set()
-
-    def run(self, work):
-        """Run ``work(browser, do)`` with a connected browser; ``do`` calls something on viser's loop."""
-        loop = self.server.get_event_loop()
-
-        async def do(function):
-            async def there():
-                found = function()
-                self.client.flush()
-                return found
-
-            return await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(there(), loop))
-
-        async def main():
-            browser = FakeBrowser(f"http://127.0.0.1:{self.server.get_port()}", None)
-            await browser.connect()
-            await browser.until(lambda: "/target" in browser.nodes and self.there.is_set())
-            await work(browser, do)
-            await browser.close()
-
-        run(main())
+from support.bare import Bare
 
 
 @pytest.fixture
@@ -66,13 +21,6 @@ def test_it_says_nothing_on_standard_output(capsys):
     server = adapter.make_server(0)
     adapter.stop_server(server)
     assert capsys.readouterr().out == ""
-
-
-def test_nobody_can_open_a_public_tunnel(bare):
-    handlers = bare.server._websock_server._incoming_handlers
-    assert handlers, "viser keeps its handlers elsewhere now"
-    for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
-        assert not handlers.get(message)
 
 
 def test_the_headers_of_a_connection_can_be_read(bare):
@@ -131,31 +79,6 @@ def test_poses_are_sent_however_small_the_move(bare):
         await do(lambda: adapter.set_wxyz(bare.frame, (1.0, 1e-9, 0.0, 0.0)))
         await browser.until(lambda: browser.nodes.get("/frame", {}).get("position") == [1e-9, 0.0, 0.0])
         await browser.until(lambda: browser.nodes["/frame"].get("wxyz") == [1.0, 1e-9, 0.0, 0.0])
-
-    bare.run(work)
-
-
-def test_no_page_can_fill_the_memory_with_files(bare):
-    async def work(browser, do):
-        start = {"mime_type": "text/plain", "part_count": 3, "size_bytes": 3 << 20, "filename": "x"}
-        uuid, transfer = browser.control("Joint")["uuid"], "a" * 32
-        await browser.send(
-            {
-                "type": "FileTransferStartUpload",
-                "source_component_uuid": uuid,
-                "transfer_uuid": transfer,
-                **start,
-            }
-        )
-        part = {"type": "FileTransferPart", "source_component_uuid": uuid, "transfer_uuid": transfer}
-        await browser.send({**part, "part_index": 0, "content": b"x" * 1000})
-        await browser.set_value(browser.control("Joint"), 0.3)
-        for _ in range(200):
-            if bare.heard == [0.3]:
-                break
-            await asyncio.sleep(0.01)
-        assert bare.heard == [0.3]
-        assert not bare.client.gui._current_file_upload_states
 
     bare.run(work)
 

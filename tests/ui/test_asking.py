@@ -2,6 +2,7 @@
 
 import asyncio
 
+import numpy as np
 import pytest
 
 from armlab.content.question import Choices, Field, Grid
@@ -11,7 +12,7 @@ from armlab.ui.tab import COVERED
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from support.own_lessons import ARM, QUESTIONS, in_lesson, lesson, load, piece, to_step, write
-from support.student import run
+from support.student import arm_nodes, run, settled
 
 VALUES = """
 ## Guess
@@ -120,16 +121,16 @@ def test_a_grid_is_filled_while_the_arm_moves_and_handed_in(url):
         await to_step(browser, 3)
         assert entries(browser) == ["", "", "", ""]
         await browser.press(f"{ENTRY}0-0", " 1 / 2 ")
-        await browser.until(lambda: entries(browser)[0] == "1/2")
+        await browser.until(lambda: entries(browser)[0] == " 1 / 2 ")
         await browser.press(f"{ENTRY}1-1", "0,5")
         for value in (10.0, 20.0, -10.0):
             await browser.set_value(browser.slider(1), value)
             await asyncio.sleep(0.15)
-        await browser.until(lambda: entries(browser) == ["1/2", "", "", "0.5"])
+        await browser.until(lambda: entries(browser) == [" 1 / 2 ", "", "", "0,5"])
         await browser.press(CHECK)
         await browser.until(lambda: "✕ Not yet" in browser.html())
         assert "row 1, column 2" in piece(browser, "✕ Not yet").lower()
-        assert entries(browser) == ["1/2", "?", "?", "0.5"]
+        assert entries(browser) == [" 1 / 2 ", "", "", "0,5"]
         await browser.press(f"{ENTRY}0-1", "0")
         await browser.press(f"{ENTRY}1-0", "0")
         await browser.press(CHECK)
@@ -177,6 +178,10 @@ def test_decimal_commas_in_a_grid_are_decimal_points(rows):
     assert "," not in filled(*rows)
 
 
+def test_an_answer_that_comes_back_has_nothing_in_its_empty_entries():
+    assert Draft(Grid(2, 2), "1 0; ? sqrt(2)/2").entries == {(0, 0): "1", (0, 1): "0", (1, 1): "sqrt(2)/2"}
+
+
 def test_the_entries_of_a_grid_stay_apart():
     assert filled(["1; 2", "atan2(1, 2)"]).count(";") == 0
     assert filled(["atan2(1,2)", "0"]) == "atan2(1,2) 0"
@@ -210,13 +215,15 @@ def test_a_moving_arm_does_not_touch_the_field_of_an_answer(url):
     async def main():
         browser = await in_lesson(url, "questions")
         await to_step(browser, 4)
-        await asyncio.sleep(0.3)
+        await settled(browser)
         field = next(key for key, c in browser.controls.items() if "lesson-answer" in c["props"].get("content", ""))
         written = []
         browser.on_message = lambda message, _at: written.append(message["uuid"]) if "uuid" in message else None
         for value in (10.0, 20.0, 30.5):
             await browser.set_value(browser.slider(1), value)
-            await asyncio.sleep(0.15)
+            z = np.sin(np.radians(value) / 2)
+            await browser.until(lambda z=z: np.isclose(browser.nodes[arm_nodes(browser)[0]]["wxyz"][3], z))
+        await settled(browser)
         assert written
         assert field not in written
         await browser.close()

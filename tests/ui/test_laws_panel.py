@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.session.laws_commands import SetQuantity, Stretch
 from armlab.session.laws_examples import EXAMPLES, ChooseLawExample
 from armlab.session.parts.laws import Laws
@@ -163,14 +163,14 @@ def test_an_example_a_law_and_its_options(url):
     async def main():
         browser = await at_laws(url)
         # Every kind of law is on offer.
-        for kind in law_types().values():
+        for kind in free_law_types().values():
             assert f">{kind.title}</option>" in browser.html()
         await browser.press("example", "triangle")
         await says(browser, "Triangle: L = 0.5 &lt; V²/A = 1")
         await says(browser, "Notes 6.112")
         await browser.press("t-distance", "2")
         await says(browser, "T = (L A + V²)/(A V) = 3 s")
-        await browser.press("l0-v_start", "0.5")
+        await browser.press("l0-sdot_start", "0.5")
         await says(browser, "Trapezoid of speed: speeds up for 0.5 s")
         await browser.press("add")
         await says(browser, 'data-cell="law 1"')

@@ -1,10 +1,12 @@
 """Lessons over the wire: the dock with text, formulas and checks; links; progress; what a lesson holds back."""
 
+import asyncio
 import json
 
 import pytest
 
 from armlab.content.lessons import lessons
+from armlab.ui.view import ELSEWHERE
 from support.fake_browser import cookie_of
 from support.lab import running_lab
 from support.own_lessons import (
@@ -44,8 +46,9 @@ def test_a_link_opens_the_lesson_with_text_formulas_and_what_is_missing(url):
         assert "<h2><small>1 of 3</small> Stretch the arm along x</h2>" in text
         assert "<math" in text
         assert "<summary>About this lesson</summary>" in text
-        assert "◐ Not there yet" in browser.html()
-        assert "away from (2000.0, 0.0, 0.0) mm" in browser.html()
+        assert "◐ To do" in browser.html()
+        assert "Not there yet" not in browser.html()
+        assert "away from (2000.0, 0.0, 0.0) mm" not in browser.html()
         assert notes(browser)["path"] == "/lesson/first_arm"
         assert "Lesson" in docks(browser)
         assert browser.slider(2)["value"] == 55.0
@@ -223,5 +226,32 @@ def test_a_link_to_a_lesson_that_is_not_there_says_so(url):
         assert "did you mean 'first_arm'" in browser.notices[0]
         assert "lesson-head" not in browser.html()
         await browser.close()
+
+    run(main())
+
+
+# -- two tabs ----------------------------------------------------------------------------------------------------
+
+
+def test_a_tab_is_told_that_another_one_has_switched_its_lesson(url):
+    async def main():
+        cookie = cookie_of(url)
+        one = await in_lesson(url, "first_arm", cookie)
+        other = await student(url, cookie)
+        await other.until(lambda: "lesson-text" in other.html())
+        await asyncio.sleep(ELSEWHERE + 0.1)
+        channel = piece(other, "lesson-head").split('data-chan="')[1].split('"')[0]
+        value = json.dumps(["lesson-key", "questions", 1])
+        await other.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": value}})
+        await one.until(lambda: bool(one.notices))
+        title = lessons()["questions"].title
+        assert (
+            one.notices[-1]
+            == f"Another tab of this browser has opened the lesson “{title}”. All of them show the same work."
+        )
+        await other.until(lambda: "How many joints?" in other.html())
+        assert other.notices == []
+        await one.close()
+        await other.close()
 
     run(main())

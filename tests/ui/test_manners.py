@@ -3,7 +3,6 @@
 import asyncio
 import re
 import threading
-import time
 import urllib.request
 
 from armlab.session.session import Session
@@ -11,6 +10,7 @@ from armlab.ui import lab as lab_module
 from armlab.ui.pace import Pace
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
+from support.patience import WAIT
 from support.student import run, student
 
 
@@ -108,11 +108,12 @@ def test_a_notice_is_told_once(url):
 
 def test_a_page_closed_while_it_opens_leaves_nothing_behind(tmp_path, monkeypatch):
     """The worker is slow, the link asks for another arm, and the browser goes before the page is built."""
-    built = []
+    built, begun, gone = [], threading.Event(), threading.Event()
     apply = Session.apply
 
     def slowly(self, command, at):
-        time.sleep(0.6)
+        begun.set()
+        gone.wait(WAIT)
         apply(self, command, at)
 
     class Recorded(lab_module.View):
@@ -126,9 +127,11 @@ def test_a_page_closed_while_it_opens_leaves_nothing_behind(tmp_path, monkeypatc
     async def main(url):
         browser = FakeBrowser(url, cookie_of(url + "robot/scara"))
         await browser.connect()
-        await asyncio.sleep(0.1)
+        await asyncio.to_thread(begun.wait, WAIT)
         await browser.close()
-        await asyncio.sleep(1.0)
+        await asyncio.sleep(0.5)  # until the lab has noticed
+        gone.set()
+        await asyncio.sleep(0.5)
 
     with running_lab(tmp_path) as url:
         run(main(url))

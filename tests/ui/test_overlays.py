@@ -1,6 +1,6 @@
 """Overlays: where they stand against forward kinematics, what their names say, and when they are there."""
 
-import asyncio
+import re
 
 import numpy as np
 import pytest
@@ -19,10 +19,17 @@ from armlab.ui.layers.angles import name_of
 from armlab.ui.plugin import layers, panels
 from armlab.ui.units import Units
 from support.arms import frames_by_products, random_arm, random_q
-from support.student import run, student
+from support.student import arm_nodes, run, student
 
 PLAIN, TABLE = Units(Notation()), Units(Notation(angle="rad", length="m", variable="theta"))
-OVERLAYS = {"angles": "angle", "lengths": "a", "projections": "projections", "swept": "swept", "symbols": "type"}
+OVERLAYS = {
+    "angles": r"/angle(_to)?\d",
+    "lengths": r"/(a|alpha|d)\d",
+    "projections": "/projections",
+    "swept": "/swept",
+    "symbols": r"/type\d",
+}
+"""The switch of each overlay, and what the names of its nodes hold."""
 
 
 def nodes_of(anatomy, q):
@@ -163,19 +170,25 @@ def test_an_overlay_is_made_when_switched_on_and_hidden_as_a_whole(url, switch):
     async def main():
         browser = await student(url)
         scene = Scene(browser)
+
+        def own():
+            """The nodes of the overlay: those of the arm may come at any time."""
+            return {name for name in scene.made if re.search(OVERLAYS[switch], name)}
+
         await browser.open("picture")
-        assert not any(OVERLAYS[switch] in name.rsplit("/", 2)[-1] for name in scene.made)
+        assert not own()
         await browser.press(switch)
-        await browser.until(lambda: len(scene.made) > 3)
-        await asyncio.sleep(0.4)
-        made = {name for name in scene.made if scene.seen[name]}
+        shown_on = re.compile(rf'data-cell="{switch}"[^>]*aria-checked="true"')
+        await browser.until(lambda: len(own()) > 3 and bool(shown_on.search(browser.html())))
         await browser.press(switch)
-        await browser.until(lambda: not any(scene.seen[name] for name in made))
-        texts = dict(scene.texts)
+        await browser.until(lambda: not any(scene.seen[name] for name in own()))
+        made, texts = own(), dict(scene.texts)
+        assert texts
         await browser.open("joints")
         await browser.set_value(browser.slider(1), 30.0)
-        await asyncio.sleep(0.4)
-        assert scene.texts == texts  # while it is hidden, nothing is written to it
+        half = np.radians(30.0) / 2
+        await browser.until(lambda: np.allclose(browser.nodes[arm_nodes(browser)[0]]["wxyz"][3], np.sin(half)))
+        assert (own(), scene.texts) == (made, texts)  # while it is hidden, nothing is written to it
         await browser.close()
 
     run(main())

@@ -163,7 +163,14 @@ def _looked(folder: Traversable) -> tuple[list[Found], list[tuple[str, str]]]:
     label = f"{folder.name}/"
     sources, wrong = sources_of(folder, label)
     found = [Found(source.key, shown(source.text), source) for source in sources]
-    return found, [(error.file.removeprefix(label), error.problem) for error in wrong]
+    problems = [(error.file.removeprefix(label), error.problem) for error in wrong]
+    first: dict[str, Source] = {}
+    for source in sources:
+        other = first.setdefault(source.key, source)
+        if other is not source:
+            name, there = source.file.removeprefix(label), other.file.removeprefix(label)
+            problems.append((name, f"the lesson {source.key!r} is there already, in {there}; rename one"))
+    return found, problems
 
 
 def shown(file: Traversable) -> str:

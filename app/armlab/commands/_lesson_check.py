@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
@@ -64,14 +64,29 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
         yield _of_error(found, error)
         return
     yield from _names(found, first)
+    yield from _titles(found, first)
     told: set[tuple[int, str]] = set()
+    broken: dict[str, tuple[ContentError, list[int]]] = {}
     for number in range(variants + 1 if first.varies else 1):
         try:
             given = lesson(found.key, number)
         except ContentError as error:
-            yield _of_error(found, error, number)
-            return
+            broken.setdefault(str(error), (error, []))[1].append(number)
+            continue
         yield from _played(found, given, told)
+    for error, numbers in broken.values():
+        yield _of_error(found, error, numbers)
+
+
+def _titles(found: Found, lesson: Lesson) -> Iterator[str]:
+    """Yield the steps that have the title of an earlier one."""
+    first: dict[str, int] = {}
+    for i, step in enumerate(lesson.steps, start=1):
+        if first.setdefault(step.title, i) != i:
+            says = (
+                f"its title is that of step {first[step.title]}; progress is kept under titles, give it one of its own"
+            )
+            yield f"{found.file}:{step.line}: step {i}: {says}"
 
 
 def _names(found: Found, lesson: Lesson) -> Iterator[str]:
@@ -95,8 +110,9 @@ def _played(found: Found, lesson: Lesson, told: set[tuple[int, str]]) -> Iterato
             yield f"{found.file}:{problem.line}: step {problem.step}{where}: {problem.says}"
 
 
-def _of_error(found: Found, error: ContentError, variant: int = 0) -> str:
-    where = f"variant {variant}: " if variant else ""
+def _of_error(found: Found, error: ContentError, variants: Sequence[int] = ()) -> str:
+    which = ", ".join(map(str, variants))
+    where = f"variant{'s' * (len(variants) > 1)} {which}: " if variants else ""
     file, name = PurePath(found.file), PurePath(error.file).name
     # A picture has no lines.
     place = f"{file}:{getattr(error, 'line', 1)}" if name == file.name else str(file.with_name(name))

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.commands._sheet_motion import motion_words
 from armlab.content import actions
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_values import written
@@ -115,7 +116,11 @@ def _done(action: actions.Action, lesson: Lesson) -> str:
         return f"switch {action.name} {'on' if action.on else 'off'}"
     if isinstance(action, actions.Wait):
         return f"wait {written(action.seconds)} s"
-    return f"answer {action.text}" if isinstance(action, actions.TypeAnswer) else "play the film"
+    if isinstance(action, actions.TypeAnswer):
+        return f"answer {action.text}"
+    if isinstance(action, actions.PlayFilm):
+        return {"film": "play the film", "motion": "play the motion"}.get(action.name, f"play {action.name}")
+    return motion_words(action)
 
 
 def _joint_values(q: NDArray[np.float64], lesson: Lesson) -> str:

@@ -36,6 +36,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--format", choices=FORMATS, default="table", help="table (default), csv (score in percent) or gradescope"
     )
     parser.add_argument("--out", metavar="FILE", help="where to write; for gradescope and several files a folder")
+    parser.add_argument(
+        "--students",
+        type=Path,
+        metavar="FILE",
+        help="names, one a line, as for `lesson sheet`: line 1 was given variant 1; other work does not count",
+    )
     parser.add_argument("--verbose", action="store_true", help="in the table, also what is missing to each step")
     add_lessons_option(parser)
 
@@ -43,12 +49,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Judge the files; return 0 when all of them could be."""
     from armlab.commands._found import Place
+    from armlab.commands._lesson_sheet import names_of
+    from armlab.session.hand_in_class import looked_at_together
 
     found = Place(options.lessons).one(options.lesson)
     found.lesson()
+    students = names_of(options.students) if options.students else None
     files = list(dict.fromkeys(files_of(options.state)))
     names = _names([path for path, _ in files])
-    judged = [judge_file(path, shown, found.key) for path, shown in files]
+    judged = looked_at_together([judge_file(path, shown, found.key) for path, shown in files], students)
     for one in judged:
         if one.report is None:
             print(f"armlab: {one.file}: {one.problem}", file=sys.stderr)

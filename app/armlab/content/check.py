@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.content import checks as _folder
+from armlab.content.joint_limits import outside
 from armlab.content.observation import Observation
 from armlab.content.reader import Table, joint_values
 from armlab.content.robots import Robot
@@ -160,6 +161,11 @@ class StateCheck:
         """Whether it or a mistake it knows is about the planned motion, which then has to be worked out."""
         return any(getattr(check, "of_motion", False) for check in (self.check, *(each.check for each in self.wrong)))
 
+    @property
+    def noted(self) -> tuple[str, ...]:
+        """What of it no file proves, such as the time that has passed: it can only be taken down as it was told."""
+        return tuple(dict.fromkeys(getattr(self.check, "noted", ())))
+
     def is_met(self, observation: Observation) -> bool:
         """Whether the check is met."""
         return self.check.is_met(observation)
@@ -212,7 +218,7 @@ def configuration(table: Table, robot: Robot) -> NDArray[np.float64]:
     q = joint_values(table, "".join(row.kind for row in robot.arm.rows))
     if not robot.arm.within_limits(q):
         key = next(key for key in JOINT_VALUES if table.has(key))
-        raise table.fail(key, f"outside the joint limits of {robot.name}")
+        raise table.fail(key, f"outside the joint limits of {robot.name}: {outside(robot.arm, q)}")
     q.setflags(write=False)
     return q
 

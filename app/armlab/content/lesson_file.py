@@ -27,6 +27,9 @@ from armlab.content.variants import NoValue, Value, Variants
 from armlab.errors import ContentError, InputError
 from armlab.kin.checks import whole_number
 
+MOST_STEPS = 200
+"""Steps of a lesson; one for an hour has about ten."""
+
 _FENCE = "+++"
 _OPENED = "{{="
 
@@ -75,6 +78,9 @@ def parse_lesson(
     if not sections:
         line = before + body.count("\n") + 1
         raise LessonError(file, "", "expected at least one step, a section that begins with '## Title'", line)
+    if len(sections) > MOST_STEPS:
+        line = setting.line(sections[MOST_STEPS][0])
+        raise LessonError(file, "", f"expected at most {MOST_STEPS} steps, got {len(sections)}", line)
     _only_text(setting, intro)
     intro_html = prose.html(intro, "introduction", before)
     return Lesson(

@@ -51,6 +51,9 @@ _PARTS = {
     **dict.fromkeys(("mfrac", "mroot", "msub", "msup", "munder", "mover"), 2),
     **dict.fromkeys(("msubsup", "munderover"), 3),
 }
+IN_METRES = "m"
+"""What stands behind the name of a live length that is shown in metres, whatever unit the screen has."""
+
 _LIVE = re.compile(r"\{\{([^{}\n]*)\}\}")
 _LIVE_BEGUN = re.compile(r"\{\{\s*([A-Za-z][^{}\n]{0,40})")
 MOST_FORMULAS = 8192
@@ -197,13 +200,24 @@ def _name(text: str) -> str:
 
 
 def _look_up(token: Token, extras: Extras) -> None:
-    name = _name(token.content)
+    if token.meta["open"]:
+        raise InputError(f"expected }}}} after {{{{{_name(token.content)}")
+    name, colon, unit = (part.strip() for part in _name(token.content).partition(":"))
+    if colon and (unit != IN_METRES or not is_length(name)):
+        raise InputError(
+            f"expected {{{{name}}}}, or of a length {{{{name:m}}}} for metres, got {{{{{token.content}}}}}"
+        )
     if name not in extras.live:
         there = [each for each, missing in extras.live.items() if not missing]
         raise InputError(f"unknown live value {name!r}{suggestion(name, there)}")
     if extras.live[name]:
         raise InputError(f"the live value {name!r} is not there for this arm: {extras.live[name]}")
     extras.used.add(name)
+
+
+def is_length(name: str) -> bool:
+    """Return whether a live value may be a length: a coordinate, a distance, or the value of a sliding joint."""
+    return name in ("px", "py", "pz", "r") or re.fullmatch(r"q\d+", name) is not None
 
 
 def _embed(token: Token, extras: Extras) -> None:
@@ -272,7 +286,8 @@ def _live(state: StateInline, silent: bool) -> bool:
         return False
     found = _LIVE.match(state.src, state.pos, state.posMax)
     if not silent:
-        state.push("live", "output", 0).content = found[1] if found else begun[1]
+        token = state.push("live", "output", 0)
+        token.content, token.meta = found[1] if found else begun[1], {"open": found is None}
     state.pos = found.end() if found else begun.end()
     return True
 

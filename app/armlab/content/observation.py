@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.content import evidence
+from armlab.content.joint_limits import outside
 from armlab.content.robots import Robot
 from armlab.content.seen_motion import SeenMotion
 from armlab.errors import InputError
@@ -20,6 +21,9 @@ from armlab.kin.task import task_named
 
 BEYOND = 1e-6
 """Radians or metres by which a joint value in evidence may be outside of the limits, from rounding."""
+
+SAME_TABLE = 1e-12
+"""Metres and radians by which two tables may differ and still be the same: files hold angles in degrees."""
 
 _KEYS = ("q", "arm", "target", "seconds", "switches", "panel", "films")
 
@@ -88,8 +92,8 @@ class Observation:
         data : object
             As `to_json` writes it.
         robot : Robot
-            The robot of the lesson. Where the evidence has its table, ``arm`` is the very object ``robot.arm``;
-            else the student has edited the table, and ``arm is robot.arm`` is false.
+            The robot of the lesson. Where the evidence has its table, ``arm`` is the very object ``robot.arm``, whose
+            limits and task hold whatever the file says; else the student has edited the table.
 
         Raises
         ------
@@ -100,8 +104,9 @@ class Observation:
         fields = evidence.mapping(data, "observation", _KEYS, ("motion",))
         arm = _arm(fields["arm"], robot)
         q = evidence.numbers(fields["q"], "observation.q", arm.n)
-        if not arm.within_limits(q, BEYOND):
-            raise InputError("observation.q: outside the joint limits")
+        beyond = outside(arm, q, BEYOND)
+        if beyond:
+            raise InputError(f"observation.q: {beyond}")
         target = fields["target"]
         seconds = evidence.number(fields["seconds"], "observation.seconds")
         if seconds < 0.0:
@@ -130,14 +135,12 @@ def _written(arm: Arm) -> dict[str, Any]:
 
 
 def _arm(data: object, robot: Robot) -> Arm:
-    """Return the robot's arm where the data is its table, else an arm made of the data."""
+    """Return the robot's arm where the data has its table, else an arm made of the data."""
     fields = evidence.mapping(data, "observation.arm", tuple(_written(robot.arm)))
-    if fields == _written(robot.arm):
-        return robot.arm
     rows = fields["rows"]
     if not isinstance(rows, list) or not 1 <= len(rows) <= MAX_JOINTS:
         raise wrong("observation.arm.rows", f"a list of 1 to {MAX_JOINTS} rows", rows)
-    return Arm.from_dh(
+    arm = Arm.from_dh(
         [_row(row, f"observation.arm.rows[{i}]") for i, row in enumerate(rows, start=1)],
         _convention(fields["convention"], "observation.arm.convention"),
         evidence.pose(fields["base"], "observation.arm.base"),
@@ -146,6 +149,18 @@ def _arm(data: object, robot: Robot) -> Arm:
         task=task_named(evidence.name(fields["task"], "observation.arm.task")),
         name=robot.arm.name,
     )
+    return robot.arm if same_table(arm, robot.arm) else arm
+
+
+def same_table(one: Arm, other: Arm) -> bool:
+    """Return whether two arms have the same table, base and tool."""
+
+    def numbers(arm: Arm) -> np.ndarray:
+        rows = [[row.a, row.alpha, row.d, row.theta] for row in arm.rows]
+        return np.concatenate([np.ravel(rows), arm.base.ravel(), arm.tool.ravel()])
+
+    same_kind = one.convention == other.convention and np.array_equal(one.revolute, other.revolute)
+    return bool(same_kind and np.allclose(numbers(one), numbers(other), rtol=0.0, atol=SAME_TABLE))
 
 
 def _convention(value: object, where: str) -> Convention:

@@ -5,6 +5,7 @@ An answer is always one text, as typed: ``0.5 m``; ``2`` or ``1,3`` for options;
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -60,10 +61,25 @@ class Field:
 
 @dataclass(frozen=True)
 class Choices:
-    """Options (HTML) to choose one of, or several."""
+    """Options (HTML) to choose one of, or several; where they are ``fixed``, in this order in every variant."""
 
     options: tuple[str, ...]
     several: bool
+    fixed: bool = False
+
+    def order(self, variant: int, name: str) -> tuple[int, ...]:
+        """Return the options, from 1, in the order in which a variant shows them; variant 0 as they are written.
+
+        Parameters
+        ----------
+        variant : int
+        name : str
+            Of the step: another question has another order.
+        """
+        order = list(range(1, len(self.options) + 1))
+        if variant and not self.fixed:
+            random.Random(f"{variant} {name}").shuffle(order)
+        return tuple(order)
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from armlab import resources
 from armlab.content.folder import Folder
+from armlab.content.joint_limits import outside
 from armlab.content.reader import Table, joint_values
 from armlab.errors import ContentError, InputError
 from armlab.kin.arm import MAX_JOINTS, Arm
@@ -156,15 +157,23 @@ def parse_robot(key: str, text: str, file: str | None = None, *, proven: bool = 
     return robot
 
 
+def _turn(table: Table, key: str) -> float:
+    """Return an angle of the table in radians."""
+    degrees = table.number(key, 0.0)
+    if abs(degrees) > 360.0:
+        raise table.fail(key, f"expected -360 to 360, got {degrees:g}")
+    return float(np.radians(degrees))
+
+
 def _joint(table: Table) -> tuple[Row, tuple[float, float], float, float]:
     kind = table.choice("type", ("R", "P"))
     revolute = kind == "R"
     row = Row(
         "R" if revolute else "P",
         a=table.number("a", 0.0),
-        alpha=float(np.radians(table.number("alpha_deg", 0.0))),
+        alpha=_turn(table, "alpha_deg"),
         d=table.number("d", 0.0),
-        theta=float(np.radians(table.number("theta_deg", 0.0))),
+        theta=_turn(table, "theta_deg"),
     )
     unit, factor = ("deg", float(np.pi) / 180.0) if revolute else ("m", 1.0)
     low, high = table.numbers(f"limits_{unit}", 2)
@@ -226,7 +235,7 @@ def _named_poses(top: Table, arm: Arm, kinds: str, *, required: bool) -> Iterabl
             raise table.fail("name", f"{name!r} is taken; choose a name that is not {', '.join(sorted(names))}")
         names.add(name)
         if not arm.within_limits(q):
-            raise table.fail("q", f"the pose {name!r} is outside the joint limits")
+            raise table.fail("q", f"the pose {name!r} is outside the joint limits: {outside(arm, q)}")
         q.setflags(write=False)
         table.done()
         yield name, q

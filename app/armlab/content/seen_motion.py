@@ -13,6 +13,7 @@ MOST_WAYPOINTS = 100
 """Waypoints of a motion that lessons speak of."""
 
 _TRUTHS = ("planned", "whole", "within", "played")
+_FOLLOWS = ("trouble", "raised")
 _SIZES = ("duration", "fastest", "velocity", "acceleration", "deviation")
 
 
@@ -63,6 +64,8 @@ class SeenMotion:
         Seconds at which its playback stands; None while it is not on.
     trouble : str
         Why it cannot be run; empty when it can. Not kept as evidence.
+    raised : str
+        Which limit of a joint was set higher than the arm's own; empty when none was. Not kept as evidence.
     """
 
     waypoints: int = 0
@@ -78,15 +81,16 @@ class SeenMotion:
     played: bool = False
     time: float | None = None
     trouble: str = ""
+    raised: str = ""
 
     @property
     def runs(self) -> bool:
         """Whether it runs to its end within all limits."""
-        return self.planned and self.whole and self.within
+        return self.planned and self.whole and self.within and not self.raised
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain data."""
-        data = {key: value for key, value in asdict(self).items() if key != "trouble"}
+        data = {key: value for key, value in asdict(self).items() if key not in _FOLLOWS}
         return {**data, "moves": [[move.space, move.path, move.law] for move in self.moves]}
 
     @classmethod

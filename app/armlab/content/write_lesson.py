@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.content import robots
-from armlab.content.arithmetic import shortest, shortest_degrees
+from armlab.content.arithmetic import shortest
 from armlab.content.check import PLAIN
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_file import parse_lesson
@@ -38,6 +38,9 @@ NEAR = 0.02
 """A start at which every joint is nearer to the goal than this part of its range is too near."""
 
 _DECIMALS = 6
+_JOINT_DECIMALS = 11
+"""Of joint values in degrees: what is left out is 1e-13 rad, the crumbs of turning radians into degrees."""
+
 _HEADER = re.compile(r"^(\[\[?)(\w+)(\]\]?)$", re.MULTILINE)
 
 
@@ -171,7 +174,9 @@ def _pose_task(robot: Robot, goal: Vector) -> tuple[str, list[str], str]:
     within = shortest(float(f"{PART_OF_REACH * 2.0 * arm.length_scale:.2g}"))
     check = [f"position = {_numbers(T[:3, 3])}", f"tolerance_m = {within}"]
     place = ", ".join(PLAIN.length(float(x)).removesuffix(" m") for x in T[:3, 3])
-    hint = "The hand is at {{px}}, {{py}}, {{pz}}. Move one joint at a time and watch which of the three it changes."
+    hint = (
+        "The hand is at {{px:m}}, {{py:m}}, {{pz:m}}. Move one joint at a time and watch which of the three it changes."
+    )
     upright = abs(arm.base[2, 2] - 1.0) < 1e-9
     if arm.task.rotation == "none" or (arm.task.rotation == "phi" and upright):
         if arm.task.rotation == "none":
@@ -212,7 +217,7 @@ def _joint_values(robot: Robot, q: Vector) -> str:
     revolute = robot.arm.revolute
     key = "q_deg" if revolute.all() else "q_deg_m" if revolute.any() else "q_m"
     values = [
-        shortest_degrees(float(value)) if turns else shortest(float(value))
+        shortest(round(math.degrees(float(value)), _JOINT_DECIMALS)) if turns else shortest(float(value))
         for value, turns in zip(q, revolute, strict=True)
     ]
     return f"{key} = [{', '.join(values)}]"

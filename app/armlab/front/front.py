@@ -15,6 +15,7 @@ from aiohttp import WSCloseCode, web
 from armlab.front.limits import Limits, Meter
 from armlab.front.page import Page
 from armlab.front.relay import relay
+from armlab.front.room import FORM, POLICY, Room
 from armlab.front.tokens import Tokens
 from armlab.front.wishes import ROUTES, Wishes, refused
 
@@ -42,10 +43,12 @@ class Front:
     secret : str
         What this front says to its labs.
     labs : sequence of int
-        Loopback ports; a browser always gets the same one.
+        Loopback ports, one of which a browser always gets; they may change when a lab is started again.
     hosts : frozenset of str, or None
         Names this front is addressed by; None accepts every name.
     limits : Limits
+    room : Room, optional
+        Whom it lets in; everybody when left out.
     """
 
     def __init__(
@@ -56,10 +59,11 @@ class Front:
         labs: Sequence[int],
         hosts: frozenset[str] | None,
         limits: Limits | None = None,
+        room: Room | None = None,
     ) -> None:
         self._page, self._tokens, self._secret = page, tokens, secret
-        self._labs, self._hosts = list(labs), hosts
-        self._limits = limits or Limits()
+        self._labs, self._hosts = labs, hosts
+        self._limits, self._room = limits or Limits(), room
         self._meters: dict[str, Meter] = {}
         self._wishes = Wishes()
         self._open: Counter[str] = Counter()
@@ -83,7 +87,7 @@ class Front:
 
     async def _visit(self, request: web.Request) -> web.StreamResponse:
         is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
-        refusal = self._refusal(request, is_socket)
+        refusal = self._refusal(request, is_socket) or self._asked_for_code(request)
         if refusal is not None:
             return refusal
         return await (self._serve_socket(request) if is_socket else self._serve_page(request))
@@ -97,6 +101,24 @@ class Front:
             return _text(403, "Cross-site connection refused.")
         refusal = refused(request.match_info)
         return _text(*refusal) if refusal is not None else None
+
+    def _asked_for_code(self, request: web.Request) -> web.Response | None:
+        """Return the question for the code of the room, the way on for who has just said it, or None for who is in."""
+        room = self._room
+        if room is None or room.is_in(request.cookies.get(room.cookie)):
+            return None
+        why = room.refusal(request.query.get("code"), request.remote or "")
+        if why:
+            page = web.Response(status=401, text=FORM.format(said=why), content_type="text/html")
+            page.headers["Content-Security-Policy"] = POLICY
+            return page
+        kept = {key: value for key, value in request.query.items() if key != "code"}
+        on = web.Response(status=303, headers={"Location": str(request.rel_url.with_query(kept))})
+        secure = request.headers.get("X-Forwarded-Proto", request.scheme) == "https"
+        on.set_cookie(
+            room.cookie, room.key, max_age=HALF_A_YEAR, httponly=True, samesite="Lax", secure=secure, path="/"
+        )
+        return on
 
     async def _serve_page(self, request: web.Request) -> web.Response:
         if any(name in request.query for name in FOREIGN):
@@ -116,10 +138,7 @@ class Front:
         if token is None:
             value = self._tokens.new()
             token = self._tokens.read(value)
-            secure = request.headers.get("X-Forwarded-Proto", request.scheme) == "https"
-            response.set_cookie(
-                self._tokens.cookie, value, max_age=HALF_A_YEAR, httponly=True, samesite="Lax", secure=secure, path="/"
-            )
+            _give_cookie(request, response, self._tokens.cookie, value)
         if token is not None and request.match_info:
             # A wish belongs to the loading of a page, not to the socket: a reconnect must not repeat it.
             self._wishes.put(token, request.path.strip("/"))
@@ -177,6 +196,12 @@ class Front:
     def _lab_of(self, token: str) -> int:
         number = int(hashlib.sha256(token.encode()).hexdigest(), 16)
         return self._labs[number % len(self._labs)]
+
+
+def _give_cookie(request: web.Request, response: web.Response, name: str, value: str) -> None:
+    """Set a cookie that no script can read and no other site can use."""
+    secure = request.headers.get("X-Forwarded-Proto", request.scheme) == "https"
+    response.set_cookie(name, value, max_age=HALF_A_YEAR, httponly=True, samesite="Lax", secure=secure, path="/")
 
 
 def _bare(host: str) -> str:

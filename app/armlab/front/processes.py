@@ -2,21 +2,41 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import logging
 import subprocess
 import sys
+import threading
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
 from armlab.errors import ArmlabError
 
+log = logging.getLogger(__name__)
+
+LOOK_INTERVAL = 0.25
+"""Seconds between looks at whether all labs live."""
+
+LASTING = 20.0
+"""Seconds that a lab has to live to be started again at once; one that ends sooner waits twice as long each time."""
+
+LONGEST_WAIT = 30.0
+"""Seconds."""
+
 
 class LabProcesses:
-    """Several labs on loopback.
+    """Several labs on loopback; one that dies is started again, and finds its students' work in the folder.
 
     A lab reads its standard input and ends when it closes, so no lab outlives its front, not even one that was killed.
     It is started in a process group of its own: Ctrl-C reaches the front alone, which then ends the labs in order.
+
+    Attributes
+    ----------
+    ports : list of int
+        Where the labs are; the entry of one that is started again changes.
     """
 
     def __init__(
@@ -24,27 +44,62 @@ class LabProcesses:
     ) -> None:
         folders = [str(folder.resolve()) for folder in lessons]
         said = {"opening": opening, "sessions": sessions and str(sessions), "secret": secret, "lessons": folders}
-        settings = json.dumps(said)
-        self._processes = [self._launch(settings) for _ in range(count)]
-        self.ports = [self._port(process) for process in self._processes]
+        self._settings = json.dumps(said)
+        self._stopping = threading.Event()
+        self._processes: list[subprocess.Popen[str]] = []
+        try:
+            for _ in range(count):
+                self._processes.append(self._launch())
+                self._tell(self._processes[-1])
+            self.ports = [self._port(process) for process in self._processes]
+        except (ArmlabError, OSError):
+            self._end()
+            raise ArmlabError("a lab process could not be started; its message is above") from None
+        self._watcher = threading.Thread(target=self._watch, daemon=True, name="armlab-watcher")
+        self._watcher.start()
 
-    def _launch(self, settings: str) -> subprocess.Popen[str]:
-        process = subprocess.Popen(
+    def _watch(self) -> None:
+        """Start labs again that have died."""
+        began = [time.monotonic()] * len(self._processes)
+        waits = [0.0] * len(self._processes)
+        while not self._stopping.wait(LOOK_INTERVAL):
+            for k, process in enumerate(self._processes):
+                now = time.monotonic()
+                if process.poll() is None or now < began[k] + waits[k]:
+                    continue
+                log.error("lab %d has ended (%s) and is started again", k + 1, process.returncode)
+                waits[k] = 0.0 if now - began[k] > LASTING else min(LONGEST_WAIT, 2.0 * waits[k] or 1.0)
+                began[k] = now
+                self._start_again(k)
+
+    def _start_again(self, k: int) -> None:
+        with contextlib.suppress(BrokenPipeError):
+            self._pipe(self._processes[k].stdin).close()
+        self._pipe(self._processes[k].stdout).close()
+        try:
+            self._processes[k] = self._launch()
+            self._tell(self._processes[k])
+            self.ports[k] = self._port(self._processes[k])
+        except (ArmlabError, OSError) as refusal:
+            log.error("lab %d: %s", k + 1, refusal)
+
+    def _launch(self) -> subprocess.Popen[str]:
+        return subprocess.Popen(
             [sys.executable, "-P", "-m", "armlab.front.lab_process"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
             start_new_session=True,
         )
-        self._pipe(process.stdin).write(settings + "\n")
+
+    def _tell(self, process: subprocess.Popen[str]) -> None:
+        self._pipe(process.stdin).write(self._settings + "\n")
         self._pipe(process.stdin).flush()
-        return process
 
     def _port(self, process: subprocess.Popen[str]) -> int:
         line = self._pipe(process.stdout).readline()
         if not line:
-            self.stop()
-            raise ArmlabError("a lab process could not be started; its message is above")
+            raise ArmlabError("its process has ended; its message is above")
         return int(json.loads(line)["port"])
 
     @staticmethod
@@ -54,8 +109,14 @@ class LabProcesses:
 
     def stop(self) -> None:
         """End all labs; they save before they go."""
+        self._stopping.set()
+        self._watcher.join()  # at most until a lab that is being started says its port
+        self._end()
+
+    def _end(self) -> None:
         for process in self._processes:
-            self._pipe(process.stdin).close()
+            with contextlib.suppress(BrokenPipeError):  # it has not read what it was told
+                self._pipe(process.stdin).close()
         for process in self._processes:
             try:
                 process.wait(5.0)

@@ -22,6 +22,7 @@ from armlab.front.front import Front
 from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
 from armlab.front.processes import LabProcesses
+from armlab.front.room import Room
 from armlab.front.tokens import Tokens, kept_secret
 
 SWITCH_INTERVAL = 0.0005
@@ -50,6 +51,8 @@ class Settings:
         Number of lab processes; 0 runs everything in this one.
     lessons : tuple of Path
         Folders of lessons besides those of the lab.
+    code : str
+        What a browser has to say before it gets in; empty lets everybody in.
     """
 
     host: str
@@ -58,6 +61,7 @@ class Settings:
     folder: Path | None
     labs: int = 0
     lessons: tuple[Path, ...] = ()
+    code: str = ""
 
 
 class Running:
@@ -88,21 +92,22 @@ def start(settings: Settings) -> Running:
     for folder in settings.lessons:
         add_folder(folder)
     with ExitStack() as opened:
-        tokens = _tokens(settings.folder, opened)
+        kept = _kept_secret(settings.folder, opened)
         secret = secrets.token_urlsafe(24)
         labs = _open_labs(settings, secret, opened)
-        front = Front(make_page(), tokens, secret, labs, served_names(settings.host))
+        room = Room(settings.code, kept) if settings.code else None
+        front = Front(make_page(), Tokens(kept), secret, labs, served_names(settings.host), room=room)
         port = _open_front(front, settings, opened)
         # All is well: what was opened stays open until `Running.stop`.
         return Running(port, opened.pop_all())
 
 
-def _tokens(folder: Path | None, opened: ExitStack) -> Tokens:
+def _kept_secret(folder: Path | None, opened: ExitStack) -> bytes:
     """Take the folder for this lab alone, labs of a class included, and read its secret."""
     try:
         if folder is not None:
             opened.callback(FolderLock(folder).release)
-        return Tokens(kept_secret(folder))
+        return kept_secret(folder)
     except OSError as error:
         raise StartError(f"cannot keep students' work in {error.filename}: {error.strerror}; use --state DIR") from None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
@@ -223,11 +223,7 @@ class Arm:
         return self._evaluate(self._manipulability, q, (), out)
 
     def _evaluate(self, kernel: Kernel, q: ArrayLike, shape: tuple[int, ...], out: Array | None) -> Array:
-        # Floats are taken as they are: a batch may be large.
-        ready = isinstance(q, np.ndarray) and q.dtype.char in "fd"
-        values = np.asarray(q) if ready else as_floats(q, "q", f"numbers of shape (..., {self.n})")
-        if values.shape[-1:] != (self.n,):
-            raise InputError(f"q: expected shape (..., {self.n}), got {values.shape}")
+        values = self._values(q)
         if values.ndim == 1 and out is None:
             # Everything a student's slider does comes through here: no batch machinery.
             numbers = values.tolist()
@@ -237,29 +233,52 @@ class Arm:
         batch = values.shape[:-1]
         if out is None:
             out = np.empty(batch + shape, values.dtype)
-        elif out.shape != batch + shape or out.dtype.char not in "fd" or not out.flags.c_contiguous:
+        elif not isinstance(out, np.ndarray):
+            raise wrong("out", f"a C-contiguous float array of shape {batch + shape}", out)
+        elif out.shape != batch + shape or out.dtype.char not in "fd" or not _writable_rows(out):
             raise InputError(
-                f"out: expected a C-contiguous float array of shape {batch + shape}, "
+                f"out: expected a C-contiguous, writable float array of shape {batch + shape}, "
                 f"got {out.dtype} of shape {out.shape}"
             )
         kernel.batch(values.reshape(-1, self.n), out.reshape(-1, len(kernel.outputs)))
         return out
 
+    def __getstate__(self) -> dict[str, object]:
+        """Leave out what follows from the table: a copy finds it again."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        """Take a state over; copied arrays would be writable."""
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)
+        vars(self).update(state)
+
+    def _values(self, q: ArrayLike) -> Array:
+        """Return joint values (..., n). Floats are taken as they are: a batch may be large."""
+        ready = isinstance(q, np.ndarray) and q.dtype.char in "fd"
+        values: Array = np.asarray(q) if ready else as_floats(q, "q", f"numbers of shape (..., {self.n})")
+        if values.shape[-1:] != (self.n,):
+            raise InputError(f"q: expected shape (..., {self.n}), got {values.shape}")
+        return values
+
     def clip(self, q: ArrayLike) -> Array:
         """Return joint values moved inside the limits, shape (..., n)."""
-        inside: Array = np.clip(
-            as_floats(q, "q", f"numbers of shape (..., {self.n})"), self.limits[:, 0], self.limits[:, 1]
-        )
+        inside: Array = np.clip(self._values(q), self.limits[:, 0], self.limits[:, 1])
         return inside
 
     def within_limits(self, q: ArrayLike, tolerance: float = 1e-9) -> bool:
         """Return whether one configuration is inside the limits, in rad or m within the tolerance."""
-        values = np.asarray(q, dtype=float)
+        values = self._values(q)
         inside = (values >= self.limits[:, 0] - tolerance) & (values <= self.limits[:, 1] + tolerance)
         return bool(np.all(inside))
 
     def __str__(self) -> str:
         return table(self)
+
+
+def _writable_rows(out: Array) -> bool:
+    return out.flags.c_contiguous and out.flags.writeable
 
 
 def _limits(limits: ArrayLike | None, rows: Sequence[Row]) -> NDArray[np.float64]:

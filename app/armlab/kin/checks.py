@@ -31,10 +31,15 @@ def as_floats(values: ArrayLike | None, where: str, expected: str) -> NDArray[np
     Raises
     ------
     InputError
-        Text, ragged lists, or numbers too large: "where: expected ..., got ...".
+        Text, complex numbers, ragged lists, or numbers too large: "where: expected ..., got ...".
     """
     try:
-        return np.array(values, dtype=float)
+        array = np.array(values)
+        if array.dtype.kind in "cSU":  # NumPy would drop the imaginary part, and read the text
+            raise wrong(where, expected, values)
+        return array.astype(float, copy=False)
+    except InputError:
+        raise
     except (TypeError, ValueError, OverflowError):
         raise wrong(where, expected, values) from None
 

@@ -11,6 +11,7 @@ recap is right); in the modified convention z_i is. Row i of a modified table ho
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -19,12 +20,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.checks import finite_floats, wrong
+from armlab.kin.checks import as_floats, finite_floats, wrong
 
 Convention = Literal["standard", "modified"]
 Kind = Literal["R", "P"]
 CONVENTIONS: tuple[Convention, ...] = ("standard", "modified")
 FIELDS = ("kind", "a", "alpha", "d", "theta")
+LARGEST_ANGLE = 2.0 * math.pi
+"""Of alpha and theta in a table, rad: whoever writes 90 means degrees."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +67,8 @@ def row_of(entry: RowLike, where: str = "row") -> Row:
     Raises
     ------
     InputError
-        Wrong number of fields, an unknown field or joint type, a value that is not a finite number.
+        Wrong number of fields, an unknown field or joint type, a value that is not a finite number, an angle of more
+        than a full turn: it was meant in degrees. One that is meant is reduced by ``math.remainder(angle, math.tau)``.
 
     Examples
     --------
@@ -90,6 +94,13 @@ def row_of(entry: RowLike, where: str = "row") -> Row:
     if kind not in ("R", "P"):
         raise InputError(f"{where}: the joint type must be 'R' (revolute) or 'P' (prismatic), got {kind!r}")
     numbers = {name: _finite(f"{where}, {name}", value) for name, value in values.items()}
+    for name in ("alpha", "theta"):
+        if abs(numbers.get(name, 0.0)) > LARGEST_ANGLE:
+            value = numbers[name]
+            raise InputError(
+                f"{where}, {name}: expected radians, up to a full turn (2 pi), got {value:g}; did you mean {value:g} "
+                f"degrees? Then write math.radians({value:g}), else math.remainder({value:g}, math.tau)"
+            )
     return Row(kind, **numbers)
 
 
@@ -120,7 +131,8 @@ def link_transform(
     ----------
     Notes 4.13-4.14 (standard); Craig, *Introduction to Robotics*, 3.6 (modified).
     """
-    a_, alpha_, d_, theta_ = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (a, alpha, d, theta)))
+    entries = zip(FIELDS[1:], (a, alpha, d, theta), strict=True)
+    a_, alpha_, d_, theta_ = np.broadcast_arrays(*(as_floats(value, name, "numbers") for name, value in entries))
     ct, st, ca, sa = np.cos(theta_), np.sin(theta_), np.cos(alpha_), np.sin(alpha_)
     zero, one = np.zeros_like(ct), np.ones_like(ct)
     if convention == "standard":

@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.checks import as_floats
-from armlab.kin.rotations import rotation_about
+from armlab.kin.rotations import as_rotations, rotation_about
 
 TAIT_BRYAN: tuple[str, ...] = ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx")
 PROPER: tuple[str, ...] = ("xyx", "xzx", "yxy", "yzy", "zxz", "zyz")
@@ -89,7 +88,7 @@ def euler_angles(R: ArrayLike, axes: str, *, fixed: bool = False) -> EulerSoluti
     Raises
     ------
     InputError
-        Not matrices of shape (3, 3), or not a sequence.
+        No rotations, as of `as_rotations`, or not a sequence.
 
     References
     ----------
@@ -104,9 +103,7 @@ def euler_angles(R: ArrayLike, axes: str, *, fixed: bool = False) -> EulerSoluti
     True
     """
     sequence = _checked(axes)
-    matrices = as_floats(R, "R", "3 x 3 matrices of numbers")
-    if matrices.shape[-2:] != (3, 3):
-        raise InputError(f"R: expected shape (..., 3, 3), got {matrices.shape}")
+    matrices = as_rotations(R)
     moving = sequence[::-1] if fixed else sequence
     first, middle, third, singular = _principal(matrices, moving)
     combination = np.where(singular, _defined_combination(moving, middle), 0)

@@ -8,16 +8,25 @@ are the definitions of the notes with their singular cases spelled out.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
+from armlab.kin.checks import as_floats
 
 Array = NDArray[np.floating]
 
 SMALL = 1e-15
 """Part of a unit quaternion that counts as zero where it would decide the sign."""
+
+EXACT = 1e-12
+"""Deviation of R^T R from the identity below which a matrix is taken as it is: the rounding of long products."""
+
+ROUNDED = 2e-3
+"""Largest difference of an entry from the nearest rotation that is taken for rounding. Three decimals are off by up to
+5e-4 an entry, 1.5e-3 in the root of the sum of squares, and the nearest rotation is no farther than that."""
 
 _PERMUTED = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}
 
@@ -39,9 +48,9 @@ def rotation_about(axis: str, angle: ArrayLike) -> Array:
     ----------
     Notes 3.16-3.17. The unnumbered line before them prints sin alpha for sin theta.
     """
-    if axis not in _PERMUTED:
+    if not isinstance(axis, str) or axis not in _PERMUTED:
         raise InputError(f"axis: expected 'x', 'y' or 'z', got {axis!r}")
-    angle = np.asarray(angle, dtype=float)
+    angle = as_floats(angle, "angle", "numbers")
     i, j = _PERMUTED[axis]
     R = np.zeros((*angle.shape, 3, 3))
     R[...] = np.eye(3)
@@ -73,7 +82,7 @@ def rotation_from_sequence(axes: str, angles: ArrayLike, *, fixed: bool = False)
     >>> bool(np.allclose(R, rotation_from_sequence("xyz", [0.3, 0.2, 0.1], fixed=True)))
     True
     """
-    angles = np.asarray(angles, dtype=float)
+    angles = as_floats(angles, "angles", "numbers")
     if not axes or angles.shape[-1:] != (len(axes),):
         raise InputError(f"angles: expected {len(axes)} for the sequence {axes!r}, got shape {angles.shape}")
     R = np.broadcast_to(np.eye(3), (*angles.shape[:-1], 3, 3))
@@ -97,23 +106,125 @@ def rotation_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     ----------
     Notes 3.46-3.56.
     """
-    r: Array = np.asarray(axis, dtype=float)
+    r: Array = as_floats(axis, "axis", "numbers of shape (..., 3)")
+    if r.shape[-1:] != (3,):
+        raise InputError(f"axis: expected shape (..., 3), got {r.shape}")
     length = np.linalg.norm(r, axis=-1, keepdims=True)
     if np.any(length == 0.0) or not np.all(np.isfinite(length)):
         raise InputError(f"axis: expected a finite vector that is not zero, got {axis!r}")
     r = r / length
-    theta: Array = np.asarray(angle, dtype=float)[..., None, None]
+    theta: Array = as_floats(angle, "angle", "numbers")[..., None, None]
     outer: Array = r[..., :, None] * r[..., None, :]
     return outer + (np.eye(3) - outer) * np.cos(theta) + skew(r) * np.sin(theta)
 
 
 def skew(v: ArrayLike) -> Array:
     """Return S(v) with S(v) u = v x u, shape (..., 3, 3) from (..., 3). Notes, definition 3."""
-    v = np.asarray(v, dtype=float)
+    v = as_floats(v, "v", "numbers of shape (..., 3)")
+    if v.shape[-1:] != (3,):
+        raise InputError(f"v: expected shape (..., 3), got {v.shape}")
     S = np.zeros((*v.shape, 3))
     S[..., 2, 1], S[..., 0, 2], S[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]
     S[..., 1, 2], S[..., 2, 0], S[..., 0, 1] = -v[..., 0], -v[..., 1], -v[..., 2]
     return S
+
+
+@dataclass(frozen=True, eq=False)
+class NearestRotation:
+    """The rotation nearest to a matrix.
+
+    Attributes
+    ----------
+    rotation : ndarray, shape (3, 3)
+    off : float
+        The largest difference of an entry of the matrix from it.
+    """
+
+    rotation: NDArray[np.float64]
+    off: float
+
+
+def nearest_rotation(R: ArrayLike, where: str = "R") -> NearestRotation:
+    """Return the rotation nearest to a 3 x 3 matrix, in the sum of squared differences, and how far it is off.
+
+    With R = U S V^T it is U V^T, with diag(1, 1, -1) between where that would be a reflection. What counts as near is
+    left to who asks.
+
+    Raises
+    ------
+    InputError
+        Not a 3 x 3 matrix of finite numbers; ``where`` says which.
+
+    References
+    ----------
+    Kabsch 1976, "A solution for the best rotation to relate two sets of vectors".
+
+    Examples
+    --------
+    >>> found = nearest_rotation([[0.866, -0.5, 0.0], [0.5, 0.866, 0.0], [0.0, 0.0, 1.0]])
+    >>> found.rotation[0].round(6).tolist(), f"{found.off:.0e}"
+    ([0.866019, -0.500011, 0.0], '2e-05')
+    """
+    matrix = as_floats(R, where, "a 3 x 3 matrix of numbers")
+    if matrix.shape != (3, 3):
+        raise InputError(f"{where}: expected shape (3, 3), got {matrix.shape}")
+    if not np.isfinite(matrix).all():
+        raise InputError(f"{where}: every entry must be finite")
+    size = float(np.abs(matrix).max())
+    # Divided by its size: a huge matrix has no finite sum of squares.
+    U, _, V_T = np.linalg.svd(matrix / (size or 1.0))
+    U[:, 2] *= math.copysign(1.0, float(np.linalg.det(U) * np.linalg.det(V_T)))
+    rotation = np.asarray(U @ V_T)
+    return NearestRotation(rotation, float(np.abs(matrix - rotation).max()))
+
+
+def as_rotation(R: ArrayLike, where: str = "R") -> NDArray[np.float64]:
+    """Return a matrix as a rotation: as it is when it is one to rounding, else the nearest one within `ROUNDED`.
+
+    Raises
+    ------
+    InputError
+        Not a 3 x 3 matrix of finite numbers, a reflection, or farther off: the text says how far.
+    """
+    matrix = as_floats(R, where, "a 3 x 3 matrix of numbers")
+    if matrix.shape == (3, 3) and _orthonormal(matrix.ravel().tolist(), EXACT):
+        return matrix
+    nearest = nearest_rotation(matrix, where)
+    if nearest.off <= ROUNDED:
+        return nearest.rotation
+    if is_rotation(-matrix, ROUNDED):
+        raise InputError(f"{where} is not a rotation matrix but a reflection: its determinant is -1, not +1")
+    raise InputError(
+        f"{where} is not a rotation matrix: the nearest one differs from it by {nearest.off:.2g} in an entry; up to "
+        f"{ROUNDED:g} is taken for rounding"
+    )
+
+
+def as_rotations(R: ArrayLike, where: str = "R") -> NDArray[np.float64]:
+    """Return matrices (..., 3, 3) as rotations, each as of `as_rotation`; in a batch one that is not finite stays.
+
+    Raises
+    ------
+    InputError
+        As of `as_rotation`.
+    """
+    matrices = (
+        R if isinstance(R, np.ndarray) and R.dtype == np.float64 else as_floats(R, where, "3 x 3 matrices of numbers")
+    )
+    if matrices.shape[-2:] != (3, 3):
+        raise InputError(f"{where}: expected shape (..., 3, 3), got {matrices.shape}")
+    if matrices.ndim == 2:
+        # Without a copy: every picture of a moving mark asks.
+        return matrices if _orthonormal(matrices.ravel().tolist(), EXACT) else as_rotation(matrices, where)
+    finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
+    given = np.where(finite[..., None, None], matrices, np.eye(3))
+    off = np.abs(np.swapaxes(given, -1, -2) @ given - np.eye(3)).max(axis=(-2, -1), initial=0.0)
+    doubtful = ~((off < EXACT) & (np.linalg.det(given) > 0.0))
+    if doubtful.any():
+        matrices = matrices.copy()
+        for index in np.argwhere(doubtful).tolist():
+            matrices[tuple(index)] = as_rotation(matrices[tuple(index)], f"{where}{index}")
+    return matrices
 
 
 def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
@@ -123,6 +234,11 @@ def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
     one whose last non-zero component is positive is returned. The angle is 2 atan2(|eps|, eta) from the quaternion and
     stays accurate at both ends, where arccos of the trace (3.63) loses half of the digits. Equation 3.66 prints a
     factor 1/2 that does not belong there.
+
+    Raises
+    ------
+    InputError
+        As of `as_rotations`.
 
     References
     ----------
@@ -142,10 +258,13 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
 
     Shepperd's method: of w, x, y, z the largest is computed from the diagonal and the others are divided by it, so
     nothing is lost near pi, where the signs of 3.77-3.79 fail. Equation 3.78 has the indices of a sign wrong.
+
+    Raises
+    ------
+    InputError
+        As of `as_rotations`.
     """
-    R = np.asarray(R, dtype=float)
-    if R.shape[-2:] != (3, 3):
-        raise InputError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    R = as_rotations(R)
     if R.ndim == 2:
         return _of_one_rotation(*R.ravel().tolist())
     m = np.moveaxis(R, (-2, -1), (0, 1))
@@ -160,6 +279,20 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
     q = np.moveaxis(q, 0, -1)
     q = q / np.linalg.norm(q, axis=-1, keepdims=True)
     return np.asarray(q * _sign_rule(q)[..., None])
+
+
+def _orthonormal(m: list[float], tolerance: float) -> bool:
+    """Return whether nine entries, row by row, are a rotation; false for what is no number."""
+    a, b, c, d, e, f, g, h, i = m
+    return (
+        -tolerance < a * a + b * b + c * c - 1.0 < tolerance
+        and -tolerance < d * d + e * e + f * f - 1.0 < tolerance
+        and -tolerance < g * g + h * h + i * i - 1.0 < tolerance
+        and -tolerance < a * d + b * e + c * f < tolerance
+        and -tolerance < d * g + e * h + f * i < tolerance
+        and -tolerance < g * a + h * b + i * c < tolerance
+        and g * (b * f - c * e) + h * (c * d - a * f) + i * (a * e - b * d) > 0.0
+    )
 
 
 def _of_one_rotation(a: float, b: float, c: float, d: float, e: float, f: float, g: float, h: float, i: float) -> Array:
@@ -196,7 +329,7 @@ def rotation_from_quaternion(q: ArrayLike) -> Array:
     ----------
     Notes 3.73.
     """
-    values: Array = np.asarray(q, dtype=float)
+    values: Array = as_floats(q, "q", "numbers of shape (..., 4)")
     if values.shape[-1:] != (4,):
         raise InputError(f"q: expected shape (..., 4), got {values.shape}")
     if values.ndim == 1:
@@ -239,11 +372,16 @@ def euler_zyx(R: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
     singular : ndarray of bool, shape (...)
         Where pitch is ±pi/2 only yaw ∓ roll is defined; roll is then 0.
 
+    Raises
+    ------
+    InputError
+        As of `as_rotations`.
+
     References
     ----------
     Notes 3.104-3.108; entries (1,2) and (2,3) of 3.103 are misprinted.
     """
-    R = np.asarray(R, dtype=float)
+    R = as_rotations(R)
     c = np.hypot(R[..., 0, 0], R[..., 1, 0])
     # Below this the two angles change by more than the accuracy of a pose given with eight decimals.
     singular = c < 1e-7
@@ -256,12 +394,6 @@ def euler_zyx(R: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
 def is_rotation(R: ArrayLike, tolerance: float = 1e-6) -> bool:
     """Return whether a 3 x 3 matrix is orthonormal with determinant +1, entries within the tolerance."""
     R = np.asarray(R, dtype=float)
-    if R.shape != (3, 3) or not np.all(np.isfinite(R)):
+    if R.shape != (3, 3):
         return False
-    x, y, z = R.tolist()
-    errors = [x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0, x[0] * y[0] + x[1] * y[1] + x[2] * y[2]]
-    errors += [y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0, y[0] * z[0] + y[1] * z[1] + y[2] * z[2]]
-    errors += [z[0] * z[0] + z[1] * z[1] + z[2] * z[2] - 1.0, z[0] * x[0] + z[1] * x[1] + z[2] * x[2]]
-    determinant = z[0] * (x[1] * y[2] - x[2] * y[1])
-    determinant += z[1] * (x[2] * y[0] - x[0] * y[2]) + z[2] * (x[0] * y[1] - x[1] * y[0])
-    return bool(max(map(abs, errors)) < tolerance and determinant > 0.0)
+    return _orthonormal(R.ravel().tolist(), tolerance)

@@ -97,7 +97,9 @@ class Chosen:
         """Read them back; `InputError` when they are not usable."""
         if not isinstance(data, dict) or not isinstance(data.get("key"), str):
             raise InputError(f"kind: expected a key and options, got {str(data)[:60]}")
-        return cls.of(kinds, data["key"], **data.get("options", {}))
+        key, options = data["key"], data.get("options", {})
+        renamed = {field.was: field.key for field in kinds[key].fields if field.was} if key in kinds else {}
+        return cls.of(kinds, key, **{renamed.get(name, name): value for name, value in options.items()})
 
 
 def _seen(kind: Kind, chosen: Chosen) -> dict[str, Field]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Literal
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen
 from armlab.session.curves_fastest import Asked
 from armlab.session.curves_knots import Knot, checked, inserted, without
@@ -186,7 +186,7 @@ class ChooseLaw(Command):
         drawn = _curve(state[Curves], self.i)
         if self.law == drawn.law.key:
             return state
-        return _with_curve(state, self.i, replace(drawn, law=Chosen.of(law_types(), self.law)))
+        return _with_curve(state, self.i, replace(drawn, law=Chosen.of(free_law_types(), self.law)))
 
 
 @dataclass(frozen=True)
@@ -206,7 +206,9 @@ class SetOption(Command):
             if self.of == "path":
                 changed = replace(drawn, path=drawn.path.with_option(kinds()[drawn.path.key], self.name, self.value))
             else:
-                changed = replace(drawn, law=drawn.law.with_option(law_types()[drawn.law.key], self.name, self.value))
+                changed = replace(
+                    drawn, law=drawn.law.with_option(free_law_types()[drawn.law.key], self.name, self.value)
+                )
         except InputError as refusal:
             raise InputError(in_knots(str(refusal))) from None
         return _with_curve(state, self.i, changed)

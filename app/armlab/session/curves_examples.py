@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen
 from armlab.session.curves_knots import Knot
 from armlab.session.curves_made import Drawn, Made, kinds
@@ -48,7 +48,7 @@ class Example:
         """The curves as the part holds them."""
         laws = (*self.laws, *["constant"] * (len(self.paths) - len(self.laws)))
         return tuple(
-            Drawn(i, Chosen.of(kinds(), key, **options), Chosen.of(law_types(), law))
+            Drawn(i, Chosen.of(kinds(), key, **options), Chosen.of(free_law_types(), law))
             for i, ((key, options), law) in enumerate(zip(self.paths, laws, strict=True))
         )
 

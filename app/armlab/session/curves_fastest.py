@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from armlab.errors import InputError
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.minimum_time import minimum_time_spline
 from armlab.session.curves_knots import SHORTEST, Knot, checked
 
@@ -78,5 +79,5 @@ class Fastest:
 
 def fastest(asked: Asked) -> Fastest:
     """Return the fastest intervals."""
-    found = minimum_time_spline([[q] for _, q in asked.knots], asked.v_max, asked.a_max, ends=asked.ends)
+    found = minimum_time_spline([[q] for _, q in asked.knots], Limits(asked.v_max, asked.a_max), ends=asked.ends)
     return Fastest(asked, tuple(found.intervals.tolist()), found.by_distance)

@@ -166,12 +166,16 @@ class Made:
         return float(np.abs(self.at(t)[0] - q).max())
 
     def beyond(self, v_max: float | None, a_max: float | None) -> list[Violation]:
-        """Return when limits are exceeded; times are counted from the first knot."""
+        """Return when limits are exceeded, that of acceleration also at jumps; times count from the first knot."""
         found = []
         for order, limit in ((1, v_max), (2, a_max)):
             if limit is not None:
                 (intervals,) = exceeding(self.series[order], np.array([limit]))
                 found += [Violation(1, QUANTITIES[order], start, end) for start, end in intervals]
+        if a_max is not None:
+            inside = [time for _, time in self.trajectory.jumps(1) if 0.0 < time < self.trajectory.duration]
+            over = [time for time in inside if not any(each.start <= time <= each.end for each in found)]
+            found += [Violation(1, "acceleration", time, time) for time in over]
         return found
 
 

@@ -18,7 +18,7 @@ from armlab.kin.convert import converted, remainders
 from armlab.kin.dh import CONVENTIONS, Kind, Row
 from armlab.kin.task_choice import default_task
 from armlab.session.parts.robot import RobotPart
-from armlab.session.sizes import ANGLES, LENGTHS, LONGEST, check_limits, check_size, check_sizes
+from armlab.session.sizes import ANGLES, LENGTHS, LONGEST, check_cell, check_limits, check_size, check_sizes
 from armlab.session.state import Command, State
 
 EXACT = 1e-12
@@ -66,7 +66,7 @@ class SetCell(Command):
         if getattr(row, self.field) == self.value:
             return state
         # Kept from becoming part of an arm before anything is computed with it.
-        check_size(f"row {self.row + 1}, {self.field}", self.value, self.field in ANGLES)
+        check_cell(self.row, self.field, self.value)
         rows = _replaced(arm.rows, self.row, replace(row, **cast(Any, {self.field: self.value})))
         return _edited(state, _changed(arm, rows=rows), _same(arm))
 
@@ -187,7 +187,7 @@ class SetEnd(Command):
         if np.array_equal(pose, getattr(arm, self.end)):
             return state
         for axis, value in zip("xyz", pose[:3, 3].tolist(), strict=True):
-            check_size(f"{self.end}, {axis}", value, False)
+            check_size(f"{self.end}, {axis}", value)
         return _edited(state, _changed(arm, **{self.end: pose}), _same(arm))
 
 

@@ -1,23 +1,28 @@
 """The work of a student as a file, and the verdicts on such a file: the same as on screen, without a browser.
 
-Nothing in the file is believed: answers are judged again, and every check looks again at what it saw when it was met.
+Answers are judged again, and every check looks again at what it saw when it was met: at the arm of the lesson with its
+own limits, at the joint values of the file, at a motion that is planned again from its waypoints. What no file proves,
+such as the time, is noted and called so.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from html.parser import HTMLParser
+from types import MappingProxyType
 
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson
-from armlab.content.observation import Observation
+from armlab.content.observation import same_table
 from armlab.content.typed_formula import typed_formula
 from armlab.errors import ArmlabError, InputError
-from armlab.session.lesson_progress import Progress, read, step_names, written
-from armlab.session.parts.lesson import LessonPart, same_table, signed
+from armlab.session.hand_in_prints import prints_of
+from armlab.session.lesson_progress import Progress, RightAnswer, read, step_names, written
+from armlab.session.parts.lesson import LessonPart, signed
+from armlab.session.seen_again import seen_again
 from armlab.session.state import Json, State
 from armlab.version import VERSION
 
@@ -78,10 +83,10 @@ class StepReport:
         Whether its check was met; None where there is none.
     right : bool or None
         Whether its question is answered rightly; None where there is none.
-    predicted : bool
-        Whether the question asks for a prediction: any answer passes the step.
-    answered : bool
-        Whether there is an answer, right or not.
+    passed : bool
+        Whether everything is done, as on screen: what was done once stays done, and of a prediction any answer counts.
+    noted : bool
+        Whether it rests on what no file proves, such as the time or that a film was played: that is noted, not judged.
     says : str
         What there is to say, as plain text.
     hints : int
@@ -91,8 +96,8 @@ class StepReport:
     title: str
     met: bool | None
     right: bool | None
-    predicted: bool
-    answered: bool
+    passed: bool
+    noted: bool
     says: str
     hints: int
 
@@ -100,11 +105,6 @@ class StepReport:
     def counts(self) -> bool:
         """Whether there was anything to do."""
         return self.met is not None or self.right is not None
-
-    @property
-    def passed(self) -> bool:
-        """Whether everything is done."""
-        return self.met is not False and (self.right is not False or (self.predicted and self.answered))
 
 
 @dataclass(frozen=True)
@@ -121,6 +121,8 @@ class Report:
         Whether the lesson's file has changed since.
     steps : tuple of StepReport
         All steps, also those with nothing to do.
+    prints : frozenset of str
+        What it has in common with another only when one is made of the other; see `prints_of`.
 
     Notes
     -----
@@ -133,6 +135,7 @@ class Report:
     variant: int
     changed: bool
     steps: tuple[StepReport, ...]
+    prints: frozenset[str] = frozenset()
 
     @property
     def passed(self) -> int:
@@ -161,6 +164,21 @@ def judge(text: str, key: str | None = None) -> Report:
     UnknownName, ContentError
         Its lesson is not there or cannot be used.
     """
+    data, found, progress = opened(text, key)
+    _, steps = judged_anew(found, progress)
+    student = printable(signed(data["student"]))
+    changed, prints = data["digest"] != found.digest, prints_of(data["progress"], data.get("parts"))
+    return Report(student, found.key, found.title, found.variant, changed, steps, prints)
+
+
+def opened(text: str, key: str | None = None) -> tuple[dict[str, Json], Lesson, Progress]:
+    """Return what is in the text of a hand-in: its data, the lesson in its variant, and the progress it claims.
+
+    Raises
+    ------
+    InputError, UnknownName, ContentError
+        As of `judge`.
+    """
     data = _loaded(text)
     if key is not None and data["lesson"] != key:
         raise InputError(f"this is work on the lesson {data['lesson'][:LONGEST_KEY]!r}, not {key!r}")
@@ -169,9 +187,7 @@ def judge(text: str, key: str | None = None) -> Report:
         progress = read(found, data["progress"])
     except (TypeError, KeyError, AttributeError, ValueError, OverflowError):
         raise InputError("the progress in this file is damaged") from None
-    steps = tuple(_step_report(found, i, progress) for i in range(len(found.steps)))
-    student = printable(signed(data["student"]))
-    return Report(student, found.key, found.title, found.variant, data["digest"] != found.digest, steps)
+    return data, found, progress
 
 
 def _loaded(text: str) -> dict[str, Json]:
@@ -190,44 +206,95 @@ def _loaded(text: str) -> dict[str, Json]:
     return data
 
 
-def _step_report(found: Lesson, i: int, progress: Progress) -> StepReport:
-    step, name = found.steps[i], step_names(found)[i]
-    met, seen = _check_again(found, step, progress.evidence.get(name))
-    right, answer = _answer_again(step, progress.answers.get(name))
-    return StepReport(
-        title=step.title,
-        met=met,
-        right=right,
-        predicted=step.question is not None and bool(step.question.hide),
-        answered=name in progress.answers,
-        says=printable(" ".join(filter(None, (seen, answer)))),
-        hints=max(0, progress.hints.get(name, 0)),
+def judged_anew(found: Lesson, progress: Progress, plans: bool = True) -> tuple[Progress, tuple[StepReport, ...]]:
+    """Return a progress that anyone may have changed with only what holds in it, and the verdicts on its steps.
+
+    Parameters
+    ----------
+    found : Lesson
+    progress : Progress
+    plans : bool
+        Whether motions are planned again, which may take seconds.
+    """
+    names = step_names(found)
+    checks, questions, noted = [], [], []
+    answers, met, right = dict(progress.answers), set(), {}
+    for name, step in zip(names, found.steps, strict=True):
+        checks.append(_check_again(found, step, progress.evidence.get(name), plans))
+        noted.append(step.check is not None and bool(step.check.noted))
+        if checks[-1][0] is not False:
+            met.add(name)
+        verdict, says, holds = _answer_again(step, answers.get(name), progress.right.get(name))
+        questions.append((verdict, says))
+        if holds is not None:
+            right[name] = holds
+        elif _is_no_prediction(step, answers.get(name)):
+            del answers[name]
+    kept = replace(
+        progress,
+        met=frozenset(met),
+        right=MappingProxyType(right),
+        answers=MappingProxyType(answers),
+        evidence=MappingProxyType({name: seen for name, seen in progress.evidence.items() if name in met}),
     )
+    passed = kept.passed(found)
+    steps = tuple(
+        StepReport(
+            title=found.steps[i].title,
+            met=checks[i][0],
+            right=questions[i][0],
+            passed=i in passed,
+            noted=noted[i],
+            says=printable(" ".join(filter(None, (checks[i][1], questions[i][1])))),
+            hints=max(0, progress.hints.get(name, 0)),
+        )
+        for i, name in enumerate(names)
+    )
+    return kept, steps
 
 
-def _check_again(found: Lesson, step: Step, evidence: Json) -> tuple[bool | None, str]:
+def _check_again(found: Lesson, step: Step, evidence: Json, plans: bool) -> tuple[bool | None, str]:
     """Return whether the check is met by what is said to have been seen, and what there is to say."""
     if step.check is None:
         return None, ""
     if evidence is None:
         return False, "Not done."
     try:
-        seen = Observation.from_json(evidence, found.robot_used)
+        seen = seen_again(evidence, found.robot_used, plans)
     except ArmlabError as error:
         return False, f"The evidence is not usable: {error}"
     if not step.check.of_table and not same_table(seen.arm, found.robot_used.arm):
         return False, "This was done with another arm."
     met, says = step.check.judge(seen)
-    return met, "" if met else plain(says)
+    if not met:
+        return False, plain(says)
+    noted = " and ".join(step.check.noted)
+    return True, f"Noted only, not judged: {noted}." if noted else ""
 
 
-def _answer_again(step: Step, typed: str | None) -> tuple[bool | None, str]:
+def _answer_again(
+    step: Step, typed: str | None, kept: RightAnswer | None
+) -> tuple[bool | None, str, RightAnswer | None]:
+    """Return whether the question is answered rightly, what there is to say, and the answer that is right."""
     if step.question is None:
-        return None, ""
-    if typed is None:
-        return False, "Not answered."
-    verdict = step.question.judge(typed)
-    return verdict.right, f"{typed!r}: {plain(verdict.says)}"
+        return None, "", None
+    if step.question.hide:
+        kept = None  # of a prediction the first answer counts
+    texts = list(dict.fromkeys(text for text in (kept.typed if kept else None, typed) if text is not None))
+    if not texts:
+        return False, "Not answered.", None
+    verdicts = [step.question.judge(text) for text in texts]
+    says = " Then ".join(f"{text!r}: {plain(verdict.says)}" for text, verdict in zip(texts, verdicts, strict=True))
+    if kept is not None and verdicts[0].right:
+        return True, says, kept
+    return verdicts[-1].right, says, RightAnswer(texts[-1]) if verdicts[-1].right else None
+
+
+def _is_no_prediction(step: Step, typed: str | None) -> bool:
+    """Return whether what stands as a prediction is none: on screen it is not taken."""
+    if typed is None or step.question is None or not step.question.hide:
+        return False
+    return step.question.judge(typed).name == "unreadable"
 
 
 def printable(text: str) -> str:

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from armlab.session.hand_in import Report, StepReport
 from armlab.session.state import Json
 
-DONE, NOT_DONE, NOTHING = "ok", "no", "-"
-"""Marks of a step in the table."""
+DONE, NOTED, NOT_DONE, NOTHING = "ok", "noted", "no", "-"
+"""Marks of a step in the table; one that is noted is done by what the file says, and no file proves that."""
 
 FORMULA = tuple("=+-@\t\r＝＋－＠")
 """What makes a spreadsheet take a text for a formula when a cell begins with it."""
 
-COLUMNS = ("file", "student", "lesson", "variant", "changed", "passed", "count", "score")
+COLUMNS = ("file", "student", "lesson", "variant", "changed", "passed", "count", "score", "same as")
 OF_STEP = ("passed", "hints", "says")
 
 
@@ -31,17 +31,32 @@ class Judged:
     report : Report or None
         None when it cannot be judged.
     problem : str
-        Why it cannot be judged.
+        Why it cannot be judged, or does not count: nothing of it is done then.
+    same_as : tuple of str
+        Files with which it agrees to the last digit.
     """
 
     file: str
     report: Report | None
     problem: str = ""
+    same_as: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
         """The student, or the file of work nobody has signed."""
         return (self.report.student if self.report else "") or self.file
+
+    @property
+    def passed(self) -> int:
+        """How many steps are done and count."""
+        return 0 if self.report is None or self.problem else self.report.passed
+
+    @property
+    def remark(self) -> str:
+        """What a teacher should know besides the verdicts."""
+        same = f"Agrees to the last digit with {', '.join(self.same_as)}." if self.same_as else ""
+        changed = "The lesson has changed since." if self.report is not None and self.report.changed else ""
+        return " ".join(filter(None, (self.problem, same, changed)))
 
 
 def table(judged: Sequence[Judged], details: bool = False) -> str:
@@ -53,7 +68,7 @@ def table(judged: Sequence[Judged], details: bool = False) -> str:
     lines = [["student", "variant", *(str(i + 1) for i in range(width)), "score", ""]]
     for one, report in found:
         marks = [_mark(step) for step in report.steps] + [""] * (width - len(report.steps))
-        lines.append([one.name, str(report.variant), *marks, _score(report), _remark(report)])
+        lines.append([one.name, str(report.variant), *marks, _score(one, report), one.remark])
     text = _aligned(lines)
     if details:
         text += "".join(f"\n{''.join(_details(one.name, report))}" for one, report in found)
@@ -64,14 +79,14 @@ def rows(judged: Sequence[Judged]) -> str:
     """Return comma-separated values, one row a file, that are safe to open in a spreadsheet.
 
     Columns: `COLUMNS` with the score in whole percent, then for each step `OF_STEP` (``passed`` is empty where there
-    is nothing to do), then ``problem``, why a file cannot be judged.
+    is nothing to do), then ``problem``, why a file cannot be judged or does not count.
     """
     width = max((len(one.report.steps) for one in judged if one.report), default=0)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([*COLUMNS, *(f"{i + 1} {name}" for i in range(width) for name in OF_STEP), "problem"])
     for one in judged:
-        cells = [one.file, *(_cells(one.report) if one.report else [])]
+        cells = [one.file, *(_cells(one, one.report) if one.report else [])]
         cells += [""] * (len(COLUMNS) + len(OF_STEP) * width - len(cells))
         writer.writerow([_safe(cell) for cell in (*cells, one.problem)])
     return out.getvalue()
@@ -82,19 +97,19 @@ def gradescope(judged: Judged) -> Json:
     report = judged.report
     if report is None:
         return {"score": 0.0, "output": judged.problem, "output_format": "text", "tests": []}
-    words = [f"{report.title}, variant {report.variant}: {_score(report)} steps.", _remark(report)]
+    words = [f"{report.title}, variant {report.variant}: {_score(judged, report)} steps.", judged.remark]
     return {
-        "score": float(report.passed),
+        "score": float(judged.passed),
         "output": " ".join(filter(None, words)),
         "output_format": "text",
         "tests": [
             {
                 "name": f"{i + 1} {step.title}",
-                "score": float(step.passed),
+                "score": float(step.passed and not judged.problem),
                 "max_score": 1.0,
                 "output": step.says,
                 "output_format": "text",
-                "status": "passed" if step.passed else "failed",
+                "status": "passed" if step.passed and not judged.problem else "failed",
             }
             for i, step in enumerate(report.steps)
             if step.counts
@@ -105,15 +120,13 @@ def gradescope(judged: Judged) -> Json:
 def _mark(step: StepReport) -> str:
     if not step.counts:
         return NOTHING
-    return DONE if step.passed else NOT_DONE
+    if not step.passed:
+        return NOT_DONE
+    return NOTED if step.noted else DONE
 
 
-def _score(report: Report) -> str:
-    return f"{report.passed} of {report.count}"
-
-
-def _remark(report: Report) -> str:
-    return "The lesson has changed since." if report.changed else ""
+def _score(one: Judged, report: Report) -> str:
+    return f"{one.passed} of {report.count}"
 
 
 def _details(name: str, report: Report) -> Iterator[str]:
@@ -134,11 +147,11 @@ def _aligned(lines: Sequence[Sequence[str]]) -> str:
     return "".join(f"{line.rstrip()}\n" for line in padded)
 
 
-def _cells(report: Report) -> list[str | int]:
-    score: str | int = round(100 * report.passed / report.count) if report.count else ""
+def _cells(one: Judged, report: Report) -> list[str | int]:
+    score: str | int = round(100 * one.passed / report.count) if report.count else ""
     changed = "yes" if report.changed else "no"
     cells: list[str | int] = [report.student, report.lesson, report.variant, changed]
-    cells += [report.passed, report.count, score]
+    cells += [one.passed, report.count, score, " ".join(one.same_as)]
     for step in report.steps:
         cells += [("yes" if step.passed else "no") if step.counts else "", step.hints, step.says]
     return cells

@@ -3,33 +3,68 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
+from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
+from armlab.session.weight import forget_derived, weight
 
 DEPTH = 200
 """Steps that are kept. States share their unchanged parts, so a step costs some hundred bytes."""
 
+HEAVIEST = 12 << 20
+"""Bytes that the steps may hold together: recorded motions and planned ones are large. The oldest steps go first."""
+
 PAUSE = 1.0
 """Seconds of rest after which moving the same slider again is a new step."""
+
+
+class Step(NamedTuple):
+    """A state that can be gone to.
+
+    Attributes
+    ----------
+    state : State
+    label : str
+        What is taken back, or brought back, by going there.
+    held : int
+        Bytes that this step alone holds: of the parts that were replaced.
+    """
+
+    state: State
+    label: str
+    held: int
 
 
 @dataclass
 class History:
     """The steps of one student."""
 
-    past: list[tuple[State, str]] = field(default_factory=list)
-    future: list[tuple[State, str]] = field(default_factory=list)
+    past: list[Step] = field(default_factory=list)
+    future: list[Step] = field(default_factory=list)
     _stroke: object = None
     _at: float = 0.0
 
-    def note(self, before: State, command: Command, at: float) -> None:
-        """Note that a command is about to replace a state; commands of one stroke are one step."""
+    def note(self, before: State, after: State, command: Command, at: float) -> None:
+        """Note that a command has replaced a state; commands of one stroke are one step."""
         goes_on = command.stroke is not None and command.stroke == self._stroke
         if not goes_on or (command.rests and at - self._at > PAUSE):
-            self.past.append((before, command.label))
+            self.past.append(Step(before, command.label, _lightened(before, after)))
             del self.past[:-DEPTH]
+            while len(self.past) > 1 and self.held > HEAVIEST:
+                del self.past[0]
         self.future.clear()
         self._stroke, self._at = command.stroke, at
+
+    @property
+    def held(self) -> int:
+        """Bytes that all steps hold, roughly."""
+        return sum(step.held for step in (*self.past, *self.future))
+
+    def forget_half(self) -> None:
+        """Forget the older half of the steps back, and all steps forward."""
+        self.future.clear()
+        del self.past[: (len(self.past) + 1) // 2]
 
     def undo(self, present: State) -> State:
         """Return the state one step back, or the present one."""
@@ -39,24 +74,34 @@ class History:
         """Return the state one step forward, or the present one."""
         return self._step(present, self.future, self.past)
 
-    def _step(self, present: State, source: list[tuple[State, str]], other: list[tuple[State, str]]) -> State:
-        if not source:
+    def _step(self, present: State, source: list[Step], other: list[Step]) -> State:
+        try:
+            step = source.pop()
+        except IndexError:  # none left, or just forgotten by another thread
             return present
-        state, label = source.pop()
-        other.append((present, label))
+        other.append(Step(present, step.label, _lightened(present, step.state)))
         self._stroke = None
-        return state
+        return step.state
 
     def only(self, label: str) -> bool:
         """Return whether every step there is bears this label."""
-        return all(each == label for _, each in self.past)
+        return all(step.label == label for step in self.past)
 
     @property
     def undo_label(self) -> str | None:
         """What an undo would take back."""
-        return self.past[-1][1] if self.past else None
+        return self.past[-1].label if self.past else None
 
     @property
     def redo_label(self) -> str | None:
         """What a redo would bring back."""
-        return self.future[-1][1] if self.future else None
+        return self.future[-1].label if self.future else None
+
+
+def _lightened(kept: State, shown: State) -> int:
+    """Have a state that is kept forget what can be computed again; return the bytes that it alone holds."""
+    kept.forget_derived()
+    replaced = [part for part in kept if shown[type(part)] is not part]
+    for part in replaced:
+        forget_derived(part)
+    return weight(replaced, (shown[RobotPart].robot.arm, shown[RobotPart].robot))

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from armlab.errors import InputError
-from armlab.kin.motion import LawBounds, PathType, law_bounds, path_types
+from armlab.kin.motion import LawBounds, Limits, PathType, law_bounds, path_types
 from armlab.kin.motion.field import Field
 from armlab.session.chosen import Chosen
 from armlab.session.laws_timing import LARGEST, SMALLEST
@@ -142,7 +142,7 @@ def _found(bounded: Bounded) -> LawBounds:
     kind = joint_paths()[bounded.path.key]
     with np.errstate(all="ignore"):
         path = kind.path(bounded.knots, **bounded.path.options)
-        bounds = law_bounds(path, bounded.v_max, bounded.a_max or math.inf, bounded.speed)
+        bounds = law_bounds(path, Limits(bounded.v_max, bounded.a_max or math.inf), bounded.speed)
     if not SMALLEST**2 <= bounds.V <= LARGEST**2 or not np.isfinite(bounds.M_a).all():
         raise InputError("knots: these are too far apart, or too near, for a bound that could be used")
     return bounds

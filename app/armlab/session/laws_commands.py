@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.motion import law_type, law_types
-from armlab.kin.motion.law_types import SMOOTH_ENOUGH
+from armlab.kin.motion import free_law_types, law_type
+from armlab.kin.motion.breaks import SMOOTH_ENOUGH
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.scaling import Scaling, optimal_scaling
 from armlab.session.chosen import Chosen
 from armlab.session.laws_bounds import joint_paths
@@ -30,7 +31,7 @@ class AddLaw(Command):
             raise InputError(f"at most {MOST_LAWS} laws are shown at once: remove one first")
         there = {entry.chosen.key for entry in part.entries}
         colour = min(set(range(MOST_LAWS)) - {entry.colour for entry in part.entries})
-        for key in (key for key in law_types() if key not in there):
+        for key in (key for key in free_law_types() if key not in there):
             try:
                 return _with(state, entries=(*part.entries, Entry(Chosen(key), colour=colour)))
             except InputError:
@@ -70,7 +71,7 @@ class ChooseLaw(Command):
         entry = _entry(state[Laws], self.place)
         if entry.chosen.key == self.key:
             return state
-        return _with_entry(state, self.place, Entry(Chosen.of(law_types(), self.key), colour=entry.colour))
+        return _with_entry(state, self.place, Entry(Chosen.of(free_law_types(), self.key), colour=entry.colour))
 
 
 @dataclass(frozen=True)
@@ -282,7 +283,7 @@ def optimal(part: Laws) -> Scaling:
     )
     if not any(held):
         raise InputError("V, A, J: none is given that holds this law back, so no k is the optimal one")
-    return optimal_scaling(law.peak_speed, law.peak_acceleration, limits[0], limits[1], jerk, limits[2])
+    return optimal_scaling(Limits(*limits), law.peak_speed, law.peak_acceleration, jerk)
 
 
 def _entry(part: Laws, place: int) -> Entry:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import BANG_COAST_BANG, PLUS_MINUS_ONE
 from armlab.session.chosen import Chosen
 from armlab.session.examples import example_of
@@ -49,7 +49,7 @@ class Example:
         entries = []
         for colour, (key, given) in enumerate(self.laws):
             options = {name: value for name, value in given.items() if name != "as_typed"}
-            chosen = Chosen.of(law_types(), key, **options)
+            chosen = Chosen.of(free_law_types(), key, **options)
             entries.append(Entry(chosen, bool(given.get("as_typed")), colour))
         return Laws(
             tuple(entries),
@@ -135,7 +135,7 @@ EXAMPLES: dict[str, Example] = {
         Example(
             "end_speeds",
             "End speeds that are not zero",
-            (("trapezoidal", {"v_start": 0.3, "v_end": 0.6}), ("double_s", {"v_start": 0.3, "v_end": 0.6})),
+            (("trapezoidal", {"sdot_start": 0.3, "sdot_end": 0.6}), ("double_s", {"sdot_start": 0.3, "sdot_end": 0.6})),
             Timing(True, 2.0, 1.5, 1.0, 2.0, 10.0),
             "Both laws begin at 0.3 and end at 0.6 1/s, as pieces of a longer motion do; the areas under ṡ are 1.5 all "
             "the same.",

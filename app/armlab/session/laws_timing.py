@@ -12,10 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from armlab.errors import InputError
+from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.extremes import exceeding
 from armlab.kin.motion.field import Field
 from armlab.kin.motion.law import Law
-from armlab.kin.motion.law_types import SMOOTH_ENOUGH, law_type
+from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.series import series_of
 from armlab.kin.timing.table import acceleration_law
 from armlab.session.chosen import Chosen
@@ -44,7 +46,7 @@ LIMITS = ("speed", "acceleration", "jerk")
 AS_TYPED: Mapping[str, Callable[..., Law]] = MappingProxyType({"table": acceleration_law})
 """Laws that say all by themselves, time and distance too: what makes them from their options."""
 
-END_SPEEDS = ("v_start", "v_end")
+END_SPEEDS = ("sdot_start", "sdot_end", "sdot_first")
 """Options of laws that do not begin or end at rest on purpose."""
 
 
@@ -151,7 +153,8 @@ def _made(entry: Entry, timing: Timing, options: dict[str, Any]) -> Law:
         return AS_TYPED[kind.key](**{**defaults, **options})
     if not timing.fastest:
         return kind.law(timing.duration, timing.distance, **options)
-    return kind.within(timing.limit(1), timing.limit(2), timing.limit(3), timing.distance, **options)
+    # A limit that it cannot keep in any time is told beside it; see `excesses`.
+    return kind.shaped(Limits(timing.limit(1), timing.limit(2), timing.limit(3)), timing.distance, **options)
 
 
 class Excess(NamedTuple):

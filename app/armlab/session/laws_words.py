@@ -10,7 +10,6 @@ from typing import NamedTuple
 from armlab.errors import InputError
 from armlab.kin.motion import Law, LawBounds
 from armlab.kin.motion.breaks import class_text
-from armlab.kin.motion.law_types import JERK_REMARK
 from armlab.kin.timing.table import PLUS_MINUS_ONE
 from armlab.session.iteration_1d import signed
 from armlab.session.laws_bounds import Bounded
@@ -107,11 +106,6 @@ def _fastest_text(found: Phases, timing: Timing) -> str:
     )
 
 
-def remarks(part: Laws, i: int) -> tuple[str, ...]:
-    """Return the remarks of a law, but for what `excess_text` says with numbers."""
-    return tuple(text for text in part.laws[i].remarks if text != JERK_REMARK)
-
-
 def excess_text(excess: Excess) -> str:
     """Return in words how a limit is not kept.
 
@@ -205,8 +199,8 @@ def joint_rows(bounded: Bounded) -> tuple[JointRow, ...]:
     rows = []
     for j in range(bounded.joints):
         M_v, M_a = float(found.M_v[j]), float(found.M_a[j])
-        V = float(found.v_max[j]) / M_v if M_v else math.inf
-        A = (float(found.a_max[j]) - found.V**2 * M_a) / M_v if M_v else math.inf
+        V = float(found.limits.velocity[j]) / M_v if M_v else math.inf
+        A = (float(found.limits.acceleration[j]) - found.V**2 * M_a) / M_v if M_v else math.inf
         decides = (found.V_joint == j + 1, bool(bounded.a_max) and found.A_joint == j + 1)
         rows.append(JointRow(j + 1, M_v, float(found.M_v_at[j]), M_a, V, A, *decides))
     return tuple(rows)

@@ -13,7 +13,7 @@ from armlab.content.lessons import lessons
 from armlab.errors import InputError
 from armlab.kin.ik.target import feasible
 from armlab.session.bench import with_example
-from armlab.session.lesson_progress import MOST_TYPED, Progress, step_names
+from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
@@ -51,7 +51,7 @@ class OpenLesson(Command):
         if part.open == place and not self.anew:
             return state
         opened = replace(part, open=place, set_up=part.set_up + 1)
-        kept = Progress() if self.anew else replace(opened.progress, since=None, films=frozenset())
+        kept = Progress() if self.anew else opened.progress.anew()
         lesson = at_place(place)
         return _set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept))
 
@@ -157,7 +157,7 @@ class GoToStep(Command):
             raise InputError(f"step: expected 1 to {len(lesson.steps)}, got {self.step + 1}")
         if self.step == part.index:
             return state
-        shown = replace(part.progress, step=step_names(lesson)[self.step], since=None, films=frozenset())
+        shown = replace(part.progress, step=step_names(lesson)[self.step]).anew()
         gone = state.replace(part.with_progress(shown))
         before, (stage, example) = _stage(lesson, part.index), _stage(lesson, self.step)
         if not example or before == (stage, example):
@@ -208,11 +208,13 @@ class Answer(Command):
         if step.question.hide and verdict.name == "unreadable":
             raise InputError("This cannot be read as an answer; your prediction is still open.")
         answers = {other: text for other, text in progress.answers.items() if other != name}
-        right = progress.right
+        right = dict(progress.right)
         if typed:
             answers[name] = typed
-            right = right | {name} if verdict.right else right
-        return state.replace(part.with_progress(replace(progress, right=right, answers=MappingProxyType(answers))))
+            if verdict.right:
+                right.setdefault(name, RightAnswer(typed))
+        kept = replace(progress, right=MappingProxyType(right), answers=MappingProxyType(answers))
+        return state.replace(part.with_progress(kept))
 
 
 def _lesson(state: State) -> Lesson:
@@ -235,7 +237,9 @@ def _set_up(state: State, lesson: Lesson, i: int) -> State:
     if robot is not state[RobotPart].robot:
         state = state.with_robot(robot)
     joints = _held(Joints.initial(robot).moved_to(lesson.start), lesson, True)
-    on = {**state[Display].switches, **dict.fromkeys(lesson.overlays, True)}
+    # What the lesson before has switched on would be in the way; what is on besides is a matter of this one.
+    off = {name: False for name, on in state[Display].switches.items() if not on}
+    on = {**off, **state[Display].of_screen(), **dict.fromkeys(lesson.overlays, True)}
     plan = state[Plan]
     if any(step.check is not None and step.check.of_motion for step in lesson.steps):
         plan = Plan.initial(robot)  # not what the student has planned before

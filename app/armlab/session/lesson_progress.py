@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -20,6 +21,21 @@ def _empty() -> Mapping[str, Json]:
 
 
 @dataclass(frozen=True)
+class RightAnswer:
+    """An answer that was right.
+
+    Attributes
+    ----------
+    typed : str
+    seconds : float
+        Since the step was shown.
+    """
+
+    typed: str
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
 class Progress:
     """How far a student has come in one lesson.
 
@@ -29,8 +45,8 @@ class Progress:
         Name of the step that is shown; empty for the first.
     met : frozenset of str
         Steps whose check was met once, or that have been shown and have none.
-    right : frozenset of str
-        Steps whose question was answered rightly once.
+    right : mapping of str to RightAnswer
+        By the step: what was typed when its question was first answered rightly. Like evidence, it can be judged again.
     answers : mapping of str to str
         What was typed last at each question; at a prediction, what was typed first.
     hints : mapping of str to int
@@ -41,21 +57,32 @@ class Progress:
         When the step was first shown, in seconds of the session's clock; not saved.
     films : frozenset of str
         Clips that were played to their end since then; not saved.
+    tried : bool
+        Whether anything of what the check looks at has been changed since then; not saved.
     """
 
     step: str = ""
     met: frozenset[str] = frozenset()
-    right: frozenset[str] = frozenset()
+    right: Mapping[str, RightAnswer] = field(default_factory=_empty)
     answers: Mapping[str, str] = field(default_factory=_empty)
     hints: Mapping[str, int] = field(default_factory=_empty)
     evidence: Mapping[str, Json] = field(default_factory=_empty)
     since: float | None = None
     films: frozenset[str] = frozenset()
+    tried: bool = False
+
+    def anew(self) -> Progress:
+        """Return it as it is when the step is shown anew: nothing has been done yet, and no time has passed."""
+        return replace(self, since=None, films=frozenset(), tried=False)
 
     def shown(self, lesson: Lesson) -> int:
         """Return the number of the step that is shown, from 0."""
         names = step_names(lesson)
         return names.index(self.step) if self.step in names else 0
+
+    def seconds(self, now: float) -> float:
+        """Return for how long the step has been shown; ``now`` is a time of the session's clock."""
+        return 0.0 if self.since is None else max(0.0, now - self.since)
 
     def committed(self, lesson: Lesson, i: int) -> bool:
         """Return whether step i asks for a prediction and has got it."""
@@ -67,7 +94,10 @@ class Progress:
         return lesson.steps[i].question is None or self.committed(lesson, i) or step_names(lesson)[i] in self.right
 
     def passed(self, lesson: Lesson) -> frozenset[int]:
-        """Return the steps, from 0, of which everything is done; what was done once stays done."""
+        """Return the steps, from 0, of which everything is done; what was done once stays done.
+
+        This alone decides, on screen and for a hand-in; of a hand-in the progress is judged anew before.
+        """
         names = step_names(lesson)
         return frozenset(i for i, name in enumerate(names) if name in self.met and self.answered(lesson, i))
 
@@ -88,7 +118,7 @@ def written(progress: Progress) -> Json:
     return {
         "step": progress.step,
         "met": sorted(progress.met),
-        "right": sorted(progress.right),
+        "right": {name: [answer.typed, answer.seconds] for name, answer in sorted(progress.right.items())},
         "answers": dict(sorted(progress.answers.items())),
         "hints": dict(sorted(progress.hints.items())),
         "evidence": dict(sorted(progress.evidence.items())),
@@ -101,13 +131,22 @@ def read(lesson: Lesson, data: Json) -> Progress:
     asked = {name for name, step in zip(names, lesson.steps, strict=True) if step.question is not None}
     checked = {name for name, step in zip(names, lesson.steps, strict=True) if step.check is not None}
     hints = {name: len(step.hints) for name, step in zip(names, lesson.steps, strict=True)}
+    answers = {n: str(text)[:MOST_TYPED] for n, text in data["answers"].items() if n in asked}
     return Progress(
         step=data["step"] if data["step"] in names else "",
         met=frozenset(data["met"]) & frozenset(names),
-        right=frozenset(data["right"]) & asked,
-        answers=MappingProxyType({n: str(text)[:MOST_TYPED] for n, text in data["answers"].items() if n in asked}),
+        right=MappingProxyType(_right(data["right"], answers, asked)),
+        answers=MappingProxyType(answers),
         hints=MappingProxyType(
             {name: min(int(count), hints[name]) for name, count in data.get("hints", {}).items() if name in hints}
         ),
         evidence=MappingProxyType({n: seen for n, seen in data.get("evidence", {}).items() if n in checked}),
     )
+
+
+def _right(data: Json, answers: Mapping[str, str], asked: set[str]) -> dict[str, RightAnswer]:
+    """Return the right answers; where only names were kept, what was typed last has to do."""
+    if isinstance(data, list):
+        return {name: RightAnswer(answers[name]) for name in data if name in answers}
+    right = {name: RightAnswer(str(typed)[:MOST_TYPED], float(at)) for name, (typed, at) in data.items()}
+    return {name: answer for name, answer in right.items() if name in asked and math.isfinite(answer.seconds)}

@@ -162,7 +162,7 @@ class Place(NamedTuple):
 def places(arm: Arm, home: tuple[float, ...]) -> tuple[Place, ...]:
     """Return singular configurations that one joint reaches from the home pose: of each kind the nearest."""
     task, found = ScaledTask(arm), dict[tuple[str, bool, str, int], Place]()
-    poses = sorted(singular_poses(task, np.array(home)), key=lambda pose: abs(pose.away / task.joint_units[pose.joint]))
+    poses = sorted(singular_poses(task, np.array(home)), key=lambda pose: abs(pose.away / task.joint_units[pose.place]))
     for pose in poses:
         why = singularities(arm, pose.q)
         if not why:
@@ -172,6 +172,6 @@ def places(arm: Arm, home: tuple[float, ...]) -> tuple[Place, ...]:
         name = f"{first.kind.capitalize()}, {shape}" if shape else first.kind.capitalize()
         if first.kind == "dependent":
             name = "Dependent joints"
-        key = (first.kind, first.boundary, shape, pose.joint if first.kind == "dependent" else -1)
+        key = (first.kind, first.boundary, shape, pose.place if first.kind == "dependent" else -1)
         found.setdefault(key, Place(name, pose, " ".join(each.says for each in why)))
-    return tuple(sorted(found.values(), key=lambda place: place.pose.joint))[:MOST_PLACES]
+    return tuple(sorted(found.values(), key=lambda place: place.pose.place))[:MOST_PLACES]

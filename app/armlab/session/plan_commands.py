@@ -133,8 +133,9 @@ class SetMove(PlanCommand):
             path = Chosen.of(path_types(), self.path)
             if move.space not in path_types()[path.key].spaces:
                 raise InputError(f"path: {path_types()[path.key].title} is none in {move.space} space")
-            # A path that has its own time keeps it: the parameter runs evenly.
-            own = "duration" in {field.key for field in path_types()[path.key].fields}
+            # A path that has its own time, and rests at its ends, keeps it: the parameter runs evenly.
+            kind = path_types()[path.key]
+            own = kind.rests and "duration" in {field.key for field in kind.fields}
             move = replace(move, path=path, law=Chosen("constant") if own else resting(move.law))
         if self.law is not None and self.law != move.law.key:
             move = replace(move, law=Chosen.of(law_types(), self.law))

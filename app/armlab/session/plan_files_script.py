@@ -14,7 +14,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.motion import law_types
 from armlab.session.parts.robot import RobotPart
 from armlab.session.plan_files import column_names, refuse_long
-from armlab.session.plan_laws import RAMPS
+from armlab.session.plan_laws import RAMPS, how, unkept
 from armlab.session.plan_moves import EULER_AXES
 from armlab.session.plan_paths import joint_scales, places
 from armlab.session.plan_question import Leg, Planned, Question
@@ -45,6 +45,7 @@ np.savetxt("{file}", table, fmt="%.12f", delimiter=",", header=header, comments=
 """
 
 NAMES = (
+    "Limits",
     "Sequential",
     "Through",
     "ToolPath",
@@ -153,8 +154,8 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
         yield f"law = {_call('law_type', law.key)}.law({_options({'duration': motion.duration, **move.law.options})})"
         yield "legs.append(Trajectory(path, law))"
     else:
-        yield f"law = {_call('law_type', law.key)}.within({_options({**_bounds(question, leg), **move.law.options})})"
-        yield "# As fast as the limits of joints and tool allow: the bounds of the law are safe, and not sharp."
+        yield f"law = {_call('law_type', law.key)}.along(path, {_how(question, leg)})"
+        yield "# In the time of the plan: that within the limits of joints and tool, or the one that was asked for."
         yield f"legs.append(Trajectory(path, law.stretched({motion.duration!r} / law.duration)))"
 
 
@@ -162,15 +163,11 @@ def _apart(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
     """Yield a straight move in which each joint goes by itself; see `armlab.session.plan_laws.independent_motion`."""
     assert leg.stretch is not None
     assert leg.motion is not None
-    law, limits = leg.stretch.move.law, question.limits
-    jerk = limits.jerk("jerk" in law_types()[law.key].needs)
-    bounds = {"v_max": list(limits.velocity), "a_max": list(limits.acceleration)}
-    if np.isfinite(jerk).all():
-        bounds["jerk_max"] = jerk.tolist()
+    law = leg.stretch.move.law
     yield "# Each joint by itself, as fast as its limits allow."
     yield f"start = {_array(q)}"
     yield f"end = {_array(question.waypoints[leg.stretch.last].q)}"
-    yield f'apart = independent(start, end, "{law.key}", {_options({**bounds, **law.options})})'
+    yield f'apart = independent(start, end, "{law.key}", {_how(question, leg)})'
     yield f"legs.append(scaled(apart, {leg.motion.duration!r} / apart.duration))"
 
 
@@ -219,15 +216,15 @@ def _orientation(arm: Arm, leg: Leg, at: Floats | None) -> str:
     return "about_one_axis(R[0], R[1])" if at is None else f"Through(R, {_list(at)})"
 
 
-def _bounds(question: Question, leg: Leg) -> dict[str, float]:
-    """Return the bounds of the law the plan has used."""
+def _how(question: Question, leg: Leg) -> str:
+    """Return the limits and options of a law as arguments, as `armlab.session.plan_laws.fastest` gives them."""
     assert leg.stretch is not None
-    assert leg.bounds is not None
-    needed = "jerk" in law_types()[leg.stretch.move.law.key].needs
-    moving = leg.bounds.M_v > 0.0
-    jerk = float((question.limits.jerk(needed)[moving] / leg.bounds.M_v[moving]).min())
-    bounds = {"speed": float(leg.bounds.V), "acceleration": float(leg.bounds.A), "jerk": jerk}
-    return {name: value for name, value in bounds.items() if np.isfinite(value)}
+    held, given = question.limits.of_joints(), how(question, leg.stretch)
+    shape, jumps = given.pop("shape"), given.pop("jumps")
+    more = {"shape": shape} if shape.bounded != held.bounded else {}
+    # Only where something jumps: the library refuses what cannot be kept, the lab tells it.
+    told = {"jumps": jumps} if leg.motion is not None and unkept(question, leg.motion) else {}
+    return ", ".join(filter(None, (repr(held), _options({**more, **told, **given}))))
 
 
 def _recorded(question: Question, duration: float) -> str:

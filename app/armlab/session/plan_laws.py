@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,7 +20,7 @@ from armlab.kin.motion import (
     law_types,
     scaled,
 )
-from armlab.kin.motion.law_types import SMOOTH_ENOUGH
+from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.session.plan_moves import Stretch
 from armlab.session.plan_question import Limits, Question
 from armlab.session.plan_samples import fastest_tool
@@ -30,19 +32,11 @@ RAMPS = {"ramp", "rounding"}
 
 JERK_JUMPS = "the acceleration jumps, so the limit of jerk cannot be kept"
 SPEED_JUMPS = "the speed jumps where it begins or ends: no motor can do that. Take a law that rests there"
+CORNERS = "the velocity jumps at a corner: no motor can do that. Fly over it, or take the time-optimal law, which stops"
 
 
-def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajectory, LawBounds]:
+def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:
     """Return a path in joint space run through as fast as its law can be within the limits.
-
-    The bounds of section 6.1.1 give the law its shape; they are safe and not sharp, so that the motion is then scaled
-    to meet one limit exactly.
-
-    Returns
-    -------
-    trajectory : Trajectory
-    bounds : LawBounds
-        Those used: with the speed lowered where no acceleration was left at the largest one.
 
     Raises
     ------
@@ -51,26 +45,37 @@ def fastest(question: Question, stretch: Stretch, path: Path) -> tuple[Trajector
     """
     limits, kind = question.limits, law_types()[stretch.move.law.key]
     try:
-        bounds = law_bounds(path, limits.velocity, limits.acceleration)
-        if not bounds.possible:
-            bounds = bounds.lowered()
-        needed = "jerk" in kind.needs
-        jerk = _jerk_bound(path, limits.jerk(needed), bounds)
-        law = kind.within(bounds.V, bounds.A, jerk, **stretch.move.law.options)
-        trajectory = Trajectory(path, law)
+        law = kind.along(path, limits.of_joints(), **how(question, stretch))
     except InputError as refusal:
         raise InputError(f"move {stretch.title}: {refusal}") from None
-    smooth = trajectory.continuity_from_rest >= SMOOTH_ENOUGH
-    asked = limits.jerk_time is not None
-    jerks = limits.jerk() if asked and smooth else np.inf
-    motion, _ = as_fast_as_allowed(trajectory, limits.velocity, limits.acceleration, jerks)
-    motion = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
-    assert isinstance(motion, Trajectory)
-    return motion, bounds
+    motion = Trajectory(path, law)
+    slower = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
+    assert isinstance(slower, Trajectory)
+    return slower
+
+
+def bounds_of(question: Question, stretch: Stretch, path: Path) -> LawBounds | None:
+    """Return what the limits leave to the law of a stretch; None where its shape does not come from that."""
+    kind = law_types()[stretch.move.law.key]
+    if stretch.move.independent or kind.on_path is not None:
+        return None
+    return law_bounds(path, how(question, stretch)["shape"]).usable
+
+
+def how(question: Question, stretch: Stretch) -> dict[str, Any]:
+    """Return the options with which the law of a stretch is made along its path.
+
+    What jumps is told, not refused, and a law that needs a limit of jerk takes a usual one for its shape.
+    """
+    law = stretch.move.law
+    shape = question.limits.of_joints("jerk" in law_types()[law.key].needs)
+    return {"shape": shape, "jumps": True, **law.options}
 
 
 def unkept(question: Question, motion: Motion) -> tuple[str, ...]:
     """Return the limits that a motion cannot keep in any time, in words."""
+    if motion.continuity < 1.0:
+        return (CORNERS,)
     if motion.continuity_from_rest < 1.0:
         return (SPEED_JUMPS,)
     jumps = motion.continuity_from_rest < SMOOTH_ENOUGH
@@ -85,11 +90,10 @@ def independent_motion(question: Question, stretch: Stretch, start: Floats, end:
     InputError
         The law does not fit; the text names the move.
     """
-    limits, law = question.limits, stretch.move.law
-    jerk = limits.jerk("jerk" in law_types()[law.key].needs)
-    bounds = {"v_max": limits.velocity, "a_max": limits.acceleration, "jerk_max": jerk}
     try:
-        motion: Motion = independent(start, end, law.key, **bounds, **law.options)
+        motion: Motion = independent(
+            start, end, stretch.move.law.key, question.limits.of_joints(), **how(question, stretch)
+        )
     except InputError as refusal:
         raise InputError(f"move {stretch.title}: {refusal}") from None
     return scaled(motion, max(1.0, slack(question, motion)))
@@ -114,15 +118,8 @@ def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Mo
 def slack(question: Question, motion: Motion) -> float:
     """Return the factor for the time of a motion at which one limit is met; below 1 it may be faster."""
     limits = question.limits
-    smooth = limits.jerk_time is not None and motion.continuity_from_rest >= SMOOTH_ENOUGH
-    _, scaling = as_fast_as_allowed(motion, limits.velocity, limits.acceleration, limits.jerk() if smooth else np.inf)
+    _, scaling = as_fast_as_allowed(motion, limits.of_joints(), jumps=True)
     return max(scaling.k, _too_fast(question.arm, motion, limits))
-
-
-def _jerk_bound(path: Path, jerk: Floats, bounds: LawBounds) -> float:
-    """Return a bound of the third derivative of s for the shape of the law: of the straight part of q''' alone."""
-    moving = bounds.M_v > 0.0
-    return float((jerk[moving] / bounds.M_v[moving]).min())
 
 
 def _too_fast(arm: Arm, motion: Motion, limits: Limits) -> float:

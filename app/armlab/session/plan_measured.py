@@ -33,7 +33,7 @@ def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
 
 
 def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
-    """Return the largest values of what can be run of a plan, None when that is nothing; pause behind each leg."""
+    """Return the largest values of what can be run of a plan, None for nothing; pause behind each quantity."""
     samples, limits = plan.samples, plan.question.limits
     if plan.motion is None or samples is None:
         return None
@@ -47,6 +47,7 @@ def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
             found = peaks(leg.motion, order)
             peaks_of[order].append(found.peak)
             times_of[order].append(leg.start + found.peak_at)
+            yield
         met.append((leg.motion.duration, _met(plan, leg.start, leg.motion, peaks_of[1][-1], peaks_of[2][-1])))
         yield
     velocity, velocity_at = _largest(np.array(peaks_of[1]), np.array(times_of[1]))

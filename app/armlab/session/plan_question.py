@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.motion import Followed, LawBounds, Motion, Path, ToolPath, Trajectory, Violation
+from armlab.kin.motion import Limits as JointLimits
 from armlab.session.plan_figures import Figures, Overrun
 from armlab.session.plan_moves import Move, Stretch, Waypoint, stretches
 
@@ -44,6 +45,10 @@ class Limits(NamedTuple):
     acceleration: tuple[float, ...]
     jerk_time: float | None = None
     tool_speed: float | None = None
+
+    def of_joints(self, needed: bool = False) -> JointLimits:
+        """Return those of the joints; ``needed``: with a usual limit of jerk where none is set, for a law's shape."""
+        return JointLimits(self.velocity, self.acceleration, self.jerk(needed))
 
     def jerk(self, needed: bool = False) -> Floats:
         """Return the limits of jerk, infinite where there are none and none is needed."""

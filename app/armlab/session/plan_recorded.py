@@ -13,11 +13,9 @@ from armlab.kin.arm import Arm
 from armlab.kin.motion import Motion, Trajectory, Violation, law_type, path_type, scaled
 from armlab.session.plan_laws import slack
 from armlab.session.plan_question import Leg, Planned, Question, Recorded
-from armlab.session.plan_samples import drawn_leg, exceeded, sampled, spans_of, too_fast
+from armlab.session.plan_samples import ROUNDING, drawn_leg, exceeded, sampled, spans_of, too_fast
 
 Floats = NDArray[np.float64]
-
-ROUNDING = 1.0 + 1e-6
 
 
 def recorded_plan(question: Question) -> Iterator[Planned | None]:

@@ -9,10 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
-from armlab.kin.motion import Motion, Violation, violations
+from armlab.kin.motion import Limits, Motion, Violation, violations
 from armlab.session.plan_question import Feasible, Leg, Question, Samples
 
 Floats = NDArray[np.float64]
+
+ROUNDING = 1.0 + 1e-6
+"""Times a limit: what exceeds it by less keeps it."""
 
 DRAWN = 161
 """Points of the way of a leg in the scene."""
@@ -35,17 +38,10 @@ STANDS = 1e-6
 
 def exceeded(question: Question, motion: Motion) -> tuple[Violation, ...]:
     """Return when which limit is exceeded by more than rounding."""
-    limits, slack = question.limits, 1.0 + 1e-6
-    jerk = None if limits.jerk_time is None else limits.jerk() * slack
-    return tuple(
-        violations(
-            motion,
-            positions=question.arm.limits,
-            velocity=np.array(limits.velocity) * slack,
-            acceleration=np.array(limits.acceleration) * slack,
-            jerk=jerk,
-        )
-    )
+    held = Limits(*(ROUNDING * values for values in question.limits.of_joints().each))
+    # What was recorded may begin with a speed, and a spline through it does so by rounding.
+    from_rest = question.recorded is None
+    return tuple(violations(motion, held, positions=question.arm.limits, from_rest=from_rest))
 
 
 def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED) -> Samples:

@@ -20,7 +20,7 @@ from armlab.kin.motion import (
     ToolPath,
     follow,
 )
-from armlab.session.plan_laws import fastest, independent_motion, lasting, unkept
+from armlab.session.plan_laws import bounds_of, fastest, independent_motion, lasting, unkept
 from armlab.session.plan_moves import Stretch
 from armlab.session.plan_paths import joint_path, shortfall, tool_path
 from armlab.session.plan_question import LONGEST, Feasible, Leg, Planned, Question
@@ -68,12 +68,13 @@ def _timed(question: Question, leg: Leg) -> Leg:
     """Return a leg run through as fast as the limits allow."""
     if leg.path is None or leg.stretch is None or leg.trouble:
         return leg
-    bounds, motion = None, None
+    motion: Motion
     try:
         if leg.stretch.move.independent:
             motion = independent_motion(question, leg.stretch, leg.path.at(0.0), leg.path.at(1.0))
         else:
-            motion, bounds = fastest(question, leg.stretch, leg.path)
+            motion = fastest(question, leg.stretch, leg.path)
+        bounds = bounds_of(question, leg.stretch, leg.path)
     except InputError as refusal:
         return replace(leg, trouble=str(refusal))
     if motion.duration > LONGEST:

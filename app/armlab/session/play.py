@@ -14,6 +14,7 @@ from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.looked_at import LookedAt
 from armlab.content.checks.target_at import TargetAt
+from armlab.content.joint_limits import outside
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lesson as find_lesson
 from armlab.content.observation import Observation
@@ -220,7 +221,7 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
         raise InputError(f"step: nothing is checked in step {step} of {key!r}; steps with a check: {checked or 'none'}")
     values = finite_floats(q, "q", (arm.n,), f"{arm.n} joint values in radians and metres")
     if not arm.within_limits(values):
-        raise InputError(f"q: outside the joint limits of {lesson.robot_used.name}")
+        raise InputError(f"q: outside the joint limits of {lesson.robot_used.name}: {outside(arm, values)}")
     met, says = check.judge(_seen_at(_at_start(lesson), values))
     return met, plain(says)
 

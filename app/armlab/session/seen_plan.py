@@ -11,13 +11,17 @@ import numpy as np
 from armlab.content.lesson import Lesson, Step
 from armlab.content.live import OF_MOTION
 from armlab.content.seen_motion import SeenMotion, SeenMove
-from armlab.session.parts.plan import CLIP_KEY, Plan, planned, question
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.plan import CLIP_KEY, Plan, default_limits, planned, question
 from armlab.session.parts.timeline import Timeline
 from armlab.session.plan_question import Planned
 from armlab.session.state import State
 
 KEPT = 64
 """Plans whose facts are kept; a class at work asks for those of the same few plans again and again."""
+
+ROUNDING = 1e-9
+"""By which a limit may be higher and still be the same: typed in degrees it is rounded a few times."""
 
 
 def asks_for_motion(lesson: Lesson, step: Step, met: bool) -> bool:
@@ -49,7 +53,19 @@ def seen_plan(state: State, played: bool) -> SeenMotion:
         moves=tuple(SeenMove(move.space, move.path.key, move.law.key) for move in moves),
         played=played,
         time=timeline.time if timeline.clip == CLIP_KEY else None,
+        raised=_raised(state),
     )
+
+
+def _raised(state: State) -> str:
+    """Return which limit of a joint is set higher than the arm's own; empty when none is."""
+    part = state[Plan]
+    own = default_limits(state[Joints].arm)
+    for name, values, most in zip(("velocity", "acceleration"), (part.velocity, part.acceleration), own, strict=True):
+        for j, (value, limit) in enumerate(zip(values, most, strict=True)):
+            if value > limit * (1.0 + ROUNDING):
+                return f"The limit of {name} of joint {j + 1} was raised."
+    return ""
 
 
 @lru_cache(maxsize=KEPT)

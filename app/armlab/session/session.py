@@ -11,8 +11,8 @@ from typing import ClassVar
 import numpy as np
 
 from armlab.content.robots import Robot
-from armlab.errors import ArmlabError, InputError
-from armlab.session.history import History
+from armlab.errors import ArmlabError, InputError, in_one_line
+from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
@@ -20,6 +20,9 @@ from armlab.session.parts.shelf import Shelf
 from armlab.session.state import Command, State, apply, guard
 
 log = logging.getLogger(__name__)
+
+LONGEST_NOTICE = 600
+"""Characters."""
 
 VARIANTS = 1000
 """Variants of lessons that students are given by themselves: 0 to 999."""
@@ -129,8 +132,10 @@ class Session:
                     self.state = after
         except ArmlabError as refusal:
             self.tell(str(refusal))
-        except Exception:
-            log.exception("%s failed", command)
+        except Exception as error:
+            # In one line: strangers send commands, too. The trace is for debugging.
+            log.error("%s failed: %s", type(command).__name__, in_one_line(error))
+            log.debug("%s failed", type(command).__name__, exc_info=error)
             self.tell(f"{type(command).__name__} failed inside the lab; nothing was changed.")
         if self.state is before or isinstance(command, (Undo, Redo, StartFresh)):
             self.untaken += 1
@@ -141,10 +146,12 @@ class Session:
         if (here.place, here.shared) != (there.place, there.shared):
             if not here.shared:
                 self._elsewhere[here.place] = self.history
+                while len(self._elsewhere) > 1 and sum(each.held for each in self._elsewhere.values()) > HEAVIEST:
+                    del self._elsewhere[next(iter(self._elsewhere))]
             self.history = self._elsewhere.pop(there.place, History())
             before = here.parked.get(there.place, before)
         if command.undoable:
-            self.history.note(before, command, at)
+            self.history.note(before, after, command, at)
 
     def _stepped(self, step: Callable[[State], State], back: Callable[[State], State]) -> State:
         """Return the state after an undo or a redo; a refused one stays in the history."""
@@ -159,6 +166,7 @@ class Session:
 
     def tell(self, text: str) -> None:
         """Leave a notice for the student."""
+        text = text if len(text) <= LONGEST_NOTICE else f"{text[: LONGEST_NOTICE - 3]}..."
         self.notice = Notice(1 if self.notice is None else self.notice.number + 1, text)
 
 

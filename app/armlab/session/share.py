@@ -12,7 +12,7 @@ import numpy as np
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
-from armlab.session.parts.display import Display
+from armlab.session.parts.display import OF_THE_SCREEN, Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.parts.target import FARTHEST, Target
@@ -31,9 +31,6 @@ MOST_BYTES = 64 << 10
 
 STAYS = ("lesson", "shelf")
 """Keys of the parts that never travel: progress and answers, the student's name, and what the student has put aside."""
-
-OF_THE_SCREEN = ("dark", "shadows")
-"""Switches that fit a room and a computer, not what is shown: everybody keeps their own."""
 
 DECIMALS = 9
 """Of metres and radians outside the table: nothing on screen shows a thousandth of that."""

@@ -6,7 +6,7 @@ import math
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.dh import Row
+from armlab.kin.dh import LARGEST_ANGLE, Row
 
 LENGTHS, ANGLES = ("a", "d"), ("alpha", "theta")
 LONGEST = 100.0
@@ -23,16 +23,21 @@ def check_sizes(arm: Arm) -> None:
     """Refuse an arm with sizes that cannot be meant."""
     for i, row in enumerate(arm.rows):
         for field in LENGTHS + ANGLES:
-            check_size(f"row {i + 1}, {field}", getattr(row, field), field in ANGLES)
+            check_cell(i, field, getattr(row, field))
         check_limits(i, row, *arm.limits[i].tolist())
     for end, pose in (("base", arm.base), ("tool", arm.tool)):
         for axis, value in zip("xyz", pose[:3, 3].tolist(), strict=True):
-            check_size(f"{end}, {axis}", value, False)
+            check_size(f"{end}, {axis}", value)
 
 
-def check_size(where: str, value: float, turns: bool) -> None:
-    """Refuse an angle in radians or a length in metres that cannot be meant."""
-    most = MOST_TURNED if turns else LONGEST
+def check_cell(i: int, field: str, value: float) -> None:
+    """Refuse a cell of row i (0-based) of the table: an angle beyond a full turn, or a length that cannot be meant."""
+    check_size(f"row {i + 1}, {field}", value, LARGEST_ANGLE if field in ANGLES else None)
+
+
+def check_size(where: str, value: float, turned: float | None = None) -> None:
+    """Refuse a length in metres that cannot be meant, or an angle of more than ``turned`` radians."""
+    most, turns = LONGEST if turned is None else turned, turned is not None
     if not abs(value) <= most:
         raise InputError(f"{where}: expected at most {_said(most, turns)}, got {_said(value, turns)}")
 
@@ -41,7 +46,7 @@ def check_limits(i: int, row: Row, low: float, high: float) -> None:
     """Refuse limits of joint i (0-based) that a slider cannot show."""
     where, turns = f"limits of joint {i + 1}", row.revolute
     for value in (low, high):
-        check_size(where, value, turns)
+        check_size(where, value, MOST_TURNED if turns else None)
     got = f"got {_said(low, turns)} to {_said(high, turns)}"
     if low > high:
         raise InputError(f"{where}: the smaller comes first, {got}")

@@ -9,7 +9,7 @@ import numpy as np
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin.euler import SEQUENCES
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.kin.motion.trajectory import times_at
 from armlab.session.chosen import Chosen
 from armlab.session.parts.joints import Joints
@@ -170,7 +170,7 @@ class SetOption(Command):
         if self.of == "curve":
             kind = kinds()[part.curve.key]
             return _curve(state, curve=part.curve.with_option(kind, self.name, self.value))
-        return _curve(state, law=part.law.with_option(law_types()[part.law.key], self.name, self.value))
+        return _curve(state, law=part.law.with_option(free_law_types()[part.law.key], self.name, self.value))
 
 
 @dataclass(frozen=True)
@@ -196,7 +196,7 @@ class ChooseLaw(Command):
         """Return the state with the law."""
         if self.key == state[SpaceCurve].law.key:
             return state
-        return _curve(state, law=Chosen.of(law_types(), self.key))
+        return _curve(state, law=Chosen.of(free_law_types(), self.key))
 
 
 @dataclass(frozen=True)
@@ -222,7 +222,7 @@ class OwnTimes(Command):
         duration = state.derived(curve_of).given.duration
         if duration is None:
             raise InputError("T: this curve has no times of its own")
-        return _curve(state, law=Chosen.of(law_types(), "constant"), duration=duration)
+        return _curve(state, law=Chosen.of(free_law_types(), "constant"), duration=duration)
 
 
 @dataclass(frozen=True)

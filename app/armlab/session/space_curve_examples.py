@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.session.chosen import Chosen
 from armlab.session.examples import example_of
 from armlab.session.parts.space_curve import CLIP_KEY, SpaceCurve, check
@@ -230,6 +230,6 @@ def example_part(key: str) -> SpaceCurve:
     if key in OWN_TIMES:
         duration = made_curve(part.question).duration
         assert duration is not None
-        part = replace(part, duration=duration, law=Chosen.of(law_types(), "constant"))
+        part = replace(part, duration=duration, law=Chosen.of(free_law_types(), "constant"))
     check(part)
     return part

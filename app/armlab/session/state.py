@@ -143,10 +143,15 @@ class State:
 
     def derived(self, compute: Callable[[State], T]) -> T:
         """Return ``compute(state)``, computed at most once for this state."""
-        if compute not in self._derived:
-            self._derived[compute] = compute(self)
-        value: T = self._derived[compute]
+        known = self._derived  # another thread may have all of it forgotten meanwhile
+        if compute not in known:
+            known[compute] = compute(self)
+        value: T = known[compute]
         return value
+
+    def forget_derived(self) -> None:
+        """Forget what was computed with `derived`; it is computed again where it is asked for."""
+        self._derived = {}
 
     def to_json(self) -> Json:
         """Return the whole state written down, part by part."""

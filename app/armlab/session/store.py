@@ -8,6 +8,8 @@ import logging
 import os
 import tempfile
 import threading
+import time
+from collections.abc import Collection
 from pathlib import Path
 
 from armlab.content.robots import Robot
@@ -18,6 +20,18 @@ from armlab.session.state import Json, State
 log = logging.getLogger(__name__)
 
 FORMAT = 1
+
+IDLE = 120.0
+"""Seconds after the last visit of a student before their session may be let go of."""
+
+MOST_IDLE = 200
+"""Sessions without a page that are held; others are read again from their files."""
+
+MOST_HELD = 256 << 20
+"""Bytes that the steps of undo of all students may hold together."""
+
+MOST_FILES = 20_000
+"""Students whose work is kept, those who came last; by their number and not by a date, for a clock may be wrong."""
 
 
 class Store:
@@ -34,18 +48,42 @@ class Store:
     def __init__(self, folder: Path | None, opening: Robot) -> None:
         self._folder, self.opening = folder, opening
         self._live: dict[str, Session] = {}
+        self._visited: dict[str, float] = {}  # longest ago first
         self._saved: dict[str, State] = {}
         self._failing: dict[str, str] = {}
         self._lock, self._saving = threading.Lock(), threading.Lock()
         if folder is not None:
             folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+            _clear_up(folder)
 
     def get(self, token: str) -> Session:
         """Return the session of a browser: live, from disk, or fresh."""
         with self._lock:
+            self._visited.pop(token, None)
+            self._visited[token] = time.monotonic()
             if token not in self._live:
                 self._live[token] = self._load(token)
             return self._live[token]
+
+    def let_go(self, watched: Collection[str], now: float) -> None:
+        """Hold no more than may be held: of sessions without a page, and of steps of undo.
+
+        Parameters
+        ----------
+        watched : collection of str
+            Tokens of the students who have a page open.
+        now : float
+            Seconds of the monotonic clock.
+        """
+        with self._lock:
+            idle = [token for token, at in self._visited.items() if token not in watched and now - at > IDLE]
+            for token in idle[: max(0, len(idle) - MOST_IDLE)]:
+                if self._folder is None or self._saved.get(token) is self._live[token].state:
+                    del self._live[token], self._visited[token]
+                    self._saved.pop(token, None)
+            histories = [session.history for session in self._live.values()]
+        while sum(history.held for history in histories) > MOST_HELD:
+            max(histories, key=lambda history: history.held).forget_half()
 
     def save(self) -> int:
         """Write the sessions whose state has changed since the last time; return how many were written.
@@ -113,3 +151,13 @@ def state_from_text(text: str) -> State:
     if data["format"] != FORMAT:
         raise ValueError(f"format {data['format']}, expected {FORMAT}")
     return state_of_parts(data["parts"])
+
+
+def _clear_up(folder: Path) -> None:
+    """Remove what a lab that was killed was writing, and the oldest files where there are too many."""
+    kept = sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime)
+    for path in (*folder.glob(".writing-*"), *kept[: max(0, len(kept) - MOST_FILES)]):
+        try:
+            path.unlink()
+        except OSError as error:
+            log.warning("%s cannot be cleared up: %s", path.name, error.strerror)

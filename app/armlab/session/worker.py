@@ -13,6 +13,11 @@ from armlab.session.state import Command
 
 log = logging.getLogger(__name__)
 
+TURN = 0.02
+"""Seconds after which it is the next student's turn, when the command at hand is done."""
+
+TOO_MANY = "More was asked for than the lab can do at a time; what came last was not done."
+
 
 @dataclass
 class Counts:
@@ -24,7 +29,7 @@ class Counts:
 
 
 class Worker(threading.Thread):
-    """Serves students in turn: all waiting commands of one, then of the next.
+    """Serves students in turn: the waiting commands of one, but not for longer than `TURN`, then those of the next.
 
     Parameters
     ----------
@@ -42,7 +47,8 @@ class Worker(threading.Thread):
 
     def post(self, session: Session, command: Command) -> None:
         """Hand in a command; returns at once, from any thread."""
-        session.mailbox.post(command)
+        if not session.mailbox.post(command):
+            session.tell(TOO_MANY)
         with self._lock:
             self._waiting[session.token] = session
             self.counts.posted += 1
@@ -68,10 +74,15 @@ class Worker(threading.Thread):
             return self._waiting.pop(next(iter(self._waiting)))
 
     def _serve(self, session: Session) -> None:
-        commands = session.mailbox.take()
-        for command in commands:
+        end = time.monotonic() + TURN
+        while (command := session.mailbox.take()) is not None:
             session.apply(command, time.monotonic())
-        self.counts.applied += len(commands)
+            self.counts.applied += 1
+            if time.monotonic() > end:
+                break
+        if len(session.mailbox):
+            with self._lock:
+                self._waiting[session.token] = session
         self.counts.runs += 1
         try:
             self._publish(session)

@@ -9,6 +9,7 @@ import asyncio
 import contextlib
 import io
 import logging
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -17,7 +18,8 @@ import viser
 from numpy.typing import NDArray
 from viser import _messages
 
-from armlab.errors import ArmlabError
+from armlab.errors import ArmlabError, in_one_line
+from armlab.ui.gate import Gate
 
 log = logging.getLogger(__name__)
 
@@ -28,16 +30,45 @@ ORIGIN_HEADER = "X-Armlab-Origin"
 
 
 def make_server(port: int) -> viser.ViserServer:
-    """Return a viser server on loopback, silent, with the public-share messages switched off.
+    """Return a viser server on loopback, silent, that takes from its pages only what the lab's own page sends.
 
     viser prints a banner with its own address even when told to be quiet; people must see the front's address only.
+    What is shared by all pages has no controls: viser's handlers for it, public tunnels and forms that are passed on to
+    everybody among them, are taken away.
     """
     logging.getLogger("websockets.server").setLevel(logging.CRITICAL)
+    # Each text would be kept for ever, so that it is shown once: a stranger may send as many as he likes.
+    warnings.filterwarnings("ignore", message=r"\[viser\] .* does not match annotation", category=UserWarning)
     with contextlib.redirect_stdout(io.StringIO()):
         server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
-    for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
-        server._websock_server.unregister_handler(message)
+    server._websock_server._incoming_handlers.clear()
+    server._websock_server.on_client_connect(lambda connection: _guard(server, connection))
     return server
+
+
+def _guard(server: viser.ViserServer, connection: Any) -> None:
+    """Put a gate before everything a connection sends."""
+    gate, handle = Gate(), connection._handle_incoming_message
+
+    async def guarded(client_id: Any, message: Any) -> None:
+        if not gate.passes(type(message).__name__, vars(message), _value_now(server, client_id, message)):
+            return
+        try:
+            await handle(client_id, message)
+        except Exception as error:
+            # Callbacks of ours never raise (see `on_event`): viser could not make sense of it.
+            gate.drop(f"{type(message).__name__} led to {error!r}")
+
+    connection._handle_incoming_message = guarded
+
+
+def _value_now(server: viser.ViserServer, client_id: Any, message: Any) -> Any:
+    """Return the value of the control that an update is for; None for other messages and controls that are gone."""
+    client = server._connected_clients.get(client_id)
+    if client is None or not isinstance(message, _messages.GuiUpdateMessage):
+        return None
+    control = client.gui._gui_input_handle_from_uuid.get(message.uuid) if isinstance(message.uuid, str) else None
+    return None if control is None else control._impl.value
 
 
 def stop_server(server: viser.ViserServer) -> None:
@@ -56,13 +87,6 @@ def origin_of(client: viser.ClientHandle) -> str:
     """Return the address under which a page knows the lab, such as ``http://lab:8080``; empty when it is gone."""
     headers = request_headers(client._viser_server, client) or {}
     return next((value for name, value in headers.items() if name.lower() == ORIGIN_HEADER.lower()), "")
-
-
-def refuse_uploads(client: viser.ClientHandle) -> None:
-    """Take no files from a page: viser would keep parts of any size, for any control, in memory."""
-    interface = client.gui._websock_interface
-    for message in (_messages.FileTransferStartUpload, _messages.FileTransferPart):
-        interface.unregister_handler(message)
 
 
 def gui_id(handle: Any) -> str:
@@ -130,9 +154,9 @@ def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> Non
             callback(event)
         except ArmlabError as refusal:
             # Only a page that is not ours sends what cannot even become a command.
-            log.warning("an event was refused: %s", refusal)
-        except Exception:
-            log.exception("an event failed")
+            log.warning("an event was refused: %s", str(refusal)[:200])
+        except Exception as error:
+            _note_failure("an event", error)
 
     getattr(handle, register)(forward)
 
@@ -147,12 +171,18 @@ def on_scene_click(client: Any, callback: Callable[[Any], None]) -> Callable[[],
         try:
             callback(event)
         except ArmlabError as refusal:
-            log.warning("a click was refused: %s", refusal)
-        except Exception:
-            log.exception("a click failed")
+            log.warning("a click was refused: %s", str(refusal)[:200])
+        except Exception as error:
+            _note_failure("a click", error)
 
     client.scene.on_click()(forward)
     return lambda: client.scene.remove_click_callback(forward)
+
+
+def _note_failure(what: str, error: Exception) -> None:
+    """Note in one line what a message has led to, since strangers send messages, too; the trace is for debugging."""
+    log.error("%s failed: %s", what, in_one_line(error))
+    log.debug("%s failed", what, exc_info=error)
 
 
 async def picture_of(client: Any, seconds: float = 20.0) -> NDArray[np.uint8]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import threading
+import time
 from pathlib import Path
 
 import viser
@@ -116,7 +117,6 @@ class Lab:
         if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
             log.warning("refused a connection that did not come through the front")
             return
-        adapter.refuse_uploads(client)
         # They are still being read when the lab has just opened: meanwhile the first pages load.
         await self.loop.run_in_executor(None, lessons)
         session = self.store.get(token)
@@ -199,6 +199,7 @@ class Lab:
     def _keep_saving(self) -> None:
         while not self._stopped.wait(SAVE_INTERVAL):
             self.store.save()
+            self.store.let_go(frozenset(self._of_session), time.monotonic())
 
     def _keep_looking(self) -> None:
         said, known = "", lessons()

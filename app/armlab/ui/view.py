@@ -53,6 +53,10 @@ LINGER = 0.15
 """Seconds for which the bodies of an arm stay after it was edited: the page takes as long to unpack the new ones."""
 
 
+ELSEWHERE = 3.0
+"""Seconds after which what happens is not what the person at this page did last."""
+
+
 class View:
     """One browser.
 
@@ -72,10 +76,11 @@ class View:
         pace: Pace,
         on_panels: Callable[[], None] = lambda: None,
     ) -> None:
-        self.client, self.session, self.post, self._on_panels = client, session, post, on_panels
+        self.client, self.session, self._post, self._on_panels = client, session, post, on_panels
         self.camera = Camera(client, lambda: session.state[Joints].q, self._around)
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
+        self._acted = self._loop.time()
         self._canvas: Canvas | None = None
         self._canvases = 0
         self._drawings: list[Drawing] = []
@@ -91,15 +96,20 @@ class View:
         self._seen: frozenset[str] = frozenset((panels()[first].tab or first,))
         with client.atomic():
             self._theme(session.state)
-            self._overlay = Overlay(client, post, self._tabs_seen)
-            self._timeline = TimelineBar(client, post)
+            self._overlay = Overlay(client, self.post, self._tabs_seen)
+            self._timeline = TimelineBar(client, self.post)
             self._dock()
-            self._lesson = LessonDock(client, self._gui, post)
+            self._lesson = LessonDock(client, self._gui, self.post)
             commands.register(self)
         (seen,) = self._seen
         self._tabs[seen].turn_to(first)
         self._overlay.open_tab(panels()[seen].title)
         self.show()
+
+    def post(self, command: Command) -> None:
+        """Pass on what the person at this page wants."""
+        self._acted = self._loop.time()
+        self._post(command)
 
     def _dock(self) -> None:
         dock = self.client.gui.add_panel()
@@ -200,6 +210,10 @@ class View:
     def _lesson_changed(self, state: State) -> None:
         """Make room in the picture, and bring the bench of the lesson to the front."""
         lesson = state[LessonPart].lesson
+        if self._shown is not None and self._loop.time() - self._acted > ELSEWHERE:
+            now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"
+            text = f"Another tab of this browser {now}. All of them show the same work."
+            self.client.add_notification("Another tab", text, color="blue", auto_close_seconds=12.0)
         self.camera.make_room(lesson is not None, None if lesson is None else lesson.camera)
         if lesson is not None and (front := self._front_of(state[LessonPart].bench, state)):
             self.open_tab(front)

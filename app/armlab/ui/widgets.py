@@ -26,6 +26,10 @@ LINGER = 2.0
 """Seconds for which fields that were made anew still take what was on its way to them."""
 
 
+LARGEST_NUMBER = 2**53
+"""Numbers of messages below it are exact in a page."""
+
+
 class Control:
     """A control with a value.
 
@@ -101,17 +105,18 @@ class Fields:
         self.channel = gui.add_text("channel", "", visible=False)
         self.html = gui.add_html("")
         self._on_input = on_input
-        self._revision = self._shown_revision = 0
+        self._revision = self._shown_revision = self._heard = 0
         self._mistake: tuple[str, str, str] | None = None
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
 
     def _receive(self) -> None:
         try:
-            cell, text, _ = json.loads(self.channel.value)
-        except (ValueError, TypeError):
+            cell, text, number = json.loads(self.channel.value)
+        except (ValueError, TypeError, RecursionError):
             log.warning("a page that is not ours wrote into a field")
             return
         self._mistake = None
+        self._heard = number if isinstance(number, int) and abs(number) < LARGEST_NUMBER else 0
         self._revision += 1  # so that the next `show` also replaces a text that was not taken
         self._on_input(_whole(str(cell)), _whole(str(text)))
 
@@ -155,7 +160,9 @@ class Fields:
         self._shown_revision = self._revision
         if self._mistake is not None:
             content += f'<p class="no" role="alert">✕ {escaped(self._mistake[2])}</p>'
-        adapter.set_content(self.html, f'<div class="al" data-revision="{self._revision}">{content}</div>')
+        # The page numbers what it sends: fields whose text is not in here yet keep it.
+        marks = f'data-revision="{self._revision}" data-heard="{self._heard}"'
+        adapter.set_content(self.html, f'<div class="al" {marks}>{content}</div>')
 
 
 def _whole(text: str) -> str:

@@ -197,3 +197,30 @@ def test_the_flow_goes_on_from_where_it_is(rng):
 def test_nonsense_is_refused(call, says):
     with pytest.raises(InputError, match=says):
         call()
+
+
+@pytest.mark.parametrize("A", [[[-1000.0]], [[-1000.0, 0.0], [5.0, -2000.0]], [[0.0, 1.0], [-1e6, -2001.0]]])
+def test_a_system_that_decays_fast_is_not_too_large(A):
+    """Against the sum over eigenvectors; the condition of the last, 1e3, costs as many digits."""
+    values, T = np.linalg.eig(np.array(A))
+    for t in (0.0, 1e-4, 1e-3, 0.01, 1.0, 100.0):
+        expected = (T * np.exp(values * t)) @ np.linalg.inv(T)
+        np.testing.assert_allclose(by_scipy(A, t), expected, rtol=0, atol=1e-9 * max(1.0, np.abs(A).max() * 1e-3))
+        np.testing.assert_allclose(by_eigenvectors(A, t), expected, rtol=0, atol=1e-9 * np.abs(A).max())
+    assert np.abs(flow(A, np.ones(len(A)), 1.0)).max() < 1e-100
+
+
+def test_what_decays_forwards_grows_backwards():
+    with pytest.raises(InputError, match=r"real parts of eigenvalues up to 300, got 1000: e\^\(A t\) is too large"):
+        by_scipy([[-1000.0]], -1.0)
+    with pytest.raises(InputError, match=r"column sums of moduli up to 1e\+09"):
+        by_scipy([[-1e10]], 1.0)
+
+
+def test_the_series_of_a_system_that_decays_fast_has_numbers_or_says_why_not():
+    sums = partial_sums([[-1000.0]], 1.0, 120)
+    assert np.isfinite(sums).all()
+    assert remainder_bound([[-1000.0]], 1.0, 400) == np.inf
+    assert remainder_bound([[-1000.0]], 1.0, 1000) == np.inf
+    with pytest.raises(InputError, match="terms of the series are too large for 400 of them"):
+        partial_sums([[-1e4]], 1.0, 400)

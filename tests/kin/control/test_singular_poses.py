@@ -20,7 +20,7 @@ def inverse_condition(task, q):
 def test_the_2r_is_singular_stretched_and_folded():
     task = ScaledTask(catalogue()["planar_2r"].arm)
     found = singular_poses(task, [0.3, 1.0])
-    assert {pose.joint for pose in found} == {1}
+    assert {pose.place for pose in found} == {1}
     at = sorted(float(pose.q[1]) for pose in found)
     np.testing.assert_allclose(at, [-math.pi, 0.0, math.pi], rtol=0, atol=1e-8)
     assert all(pose.q[0] == 0.3 and pose.away == pytest.approx(pose.q[1] - 1.0) for pose in found)
@@ -31,7 +31,7 @@ def test_the_nearest_of_the_2r(q2):
     task = ScaledTask(catalogue()["planar_2r"].arm)
     found = nearest_singular_pose(task, [0.3, q2])
     there = 0.0 if abs(q2) < 1.0 else math.copysign(math.pi, q2)
-    assert found.joint == 1
+    assert found.place == 1
     assert found.q[1] == pytest.approx(there, abs=1e-8)
     assert found.away == pytest.approx(there - q2, abs=1e-8)
 
@@ -48,8 +48,8 @@ def test_the_wrist_and_the_elbow_of_the_puma():
     task, q = ScaledTask(robot.arm), robot.home.copy()
     q[4] = math.radians(4.0)
     found = nearest_singular_pose(task, q)
-    assert (found.joint, found.away) == (4, pytest.approx(-math.radians(4.0), abs=1e-8))
-    assert {pose.joint for pose in singular_poses(task, robot.home)} >= {2, 4}
+    assert (found.place, found.away) == (4, pytest.approx(-math.radians(4.0), abs=1e-8))
+    assert {pose.place for pose in singular_poses(task, robot.home)} >= {2, 4}
 
 
 def test_all_that_is_found_is_singular_and_inside_the_limits(robot, rng):
@@ -58,18 +58,18 @@ def test_all_that_is_found_is_singular_and_inside_the_limits(robot, rng):
         for pose in singular_poses(task, q):
             assert inverse_condition(task, pose.q) <= SINGULAR
             assert arm.within_limits(pose.q)
-            others = np.arange(arm.n) != pose.joint
+            others = np.arange(arm.n) != pose.place
             np.testing.assert_array_equal(pose.q[others], q[others])
             # From beside it, what is near is found again, or something nearer.
             beside = pose.q.copy()
-            step = 0.02 * task.joint_units[pose.joint]
-            beside[pose.joint] += step if beside[pose.joint] + step <= arm.limits[pose.joint, 1] else -step
+            step = 0.02 * task.joint_units[pose.place]
+            beside[pose.place] += step if beside[pose.place] + step <= arm.limits[pose.place, 1] else -step
             near = nearest_singular_pose(task, beside)
             if near is not None:
-                assert abs(near.away) / task.joint_units[near.joint] <= 0.02 + 1e-6
+                assert abs(near.away) / task.joint_units[near.place] <= 0.02 + 1e-6
                 assert inverse_condition(task, near.q) <= SINGULAR
             elif inverse_condition(task, beside) > 0.0:
-                raise AssertionError(f"{robot.key}: nothing found beside joint {pose.joint + 1}")
+                raise AssertionError(f"{robot.key}: nothing found beside joint {pose.place + 1}")
 
 
 def test_nonsense_is_refused():
@@ -85,8 +85,8 @@ def test_what_is_near_is_near(robot, rng):
     for q in rng.uniform(robot.arm.limits[:, 0], robot.arm.limits[:, 1], (6, robot.arm.n)):
         found = nearest_singular_pose(task, q)
         if found is not None:
-            assert abs(found.away) <= FAR * task.joint_units[found.joint] * (1.0 + 1e-12)
-            assert found.q[found.joint] - q[found.joint] == pytest.approx(found.away, abs=1e-12)
+            assert abs(found.away) <= FAR * task.joint_units[found.place] * (1.0 + 1e-12)
+            assert found.q[found.place] - q[found.place] == pytest.approx(found.away, abs=1e-12)
 
 
 SAMPLED = 2.0 * FAR / 1200
@@ -138,7 +138,7 @@ def test_no_joint_alone_finds_one_that_is_nearer(key, rng):
             assert sampled_distance(task, q, FAR) > FAR - SAMPLED, q.tolist()
             continue
         assert inverse_condition(task, found.q) <= SINGULAR
-        away = abs(found.away) / task.joint_units[found.joint]
+        away = abs(found.away) / task.joint_units[found.place]
         # Only what is nearer would be wrong: beyond, a few samples are enough to see a dip from both of its sides.
         sampled = sampled_distance(task, q, min(away + 3 * SAMPLED, FAR))
         assert away <= sampled + SAMPLED, q.tolist()
@@ -157,7 +157,7 @@ def test_no_joint_alone_finds_one_that_is_nearer(key, rng):
 def test_one_that_the_slope_at_the_start_does_not_lead_to(key, q, joint, degrees):
     """The singular value bends on the way, or another singularity lies a little beyond the nearest."""
     found = nearest_singular_pose(ScaledTask(catalogue()[key].arm), q)
-    assert found.joint == joint - 1
+    assert found.place == joint - 1
     assert abs(math.degrees(found.away)) == pytest.approx(degrees, abs=0.05)
 
 
@@ -166,7 +166,7 @@ def test_of_two_that_are_close_to_each_other_the_nearer_one_is_found():
     task = ScaledTask(catalogue()["ur5e"].arm)
     q = np.array([4.7987, -0.325, -3.1806, -2.6124, -0.9815, -2.4196])
     found = nearest_singular_pose(task, q)
-    assert (found.joint, found.away) == (2, pytest.approx(-math.pi - q[2], abs=1e-8))
+    assert (found.place, found.away) == (2, pytest.approx(-math.pi - q[2], abs=1e-8))
 
 
 @pytest.mark.parametrize("key", ["planar_2r", "planar_2r_unequal"])
@@ -185,5 +185,5 @@ def test_metres_of_a_sliding_joint_count_as_their_share_of_the_length_scale(q2, 
     task = ScaledTask(Arm.from_dh(rows, limits=[(-3, 3)] * 3))
     assert task.joint_units.tolist() == [1.0, 1.0, 1.5]
     found = nearest_singular_pose(task, [0.3, q2, d3])
-    assert found.joint == joint
+    assert found.place == joint
     assert found.away == pytest.approx(-(q2, d3)[joint - 1], abs=1e-8)

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.law_types import free_law_types
 from armlab.kin.motion.path_types import path_types
 
 
@@ -66,13 +66,13 @@ LAWS = {
     "cubic": [({}, 3, 1)],
     "quintic": [({}, 3, 2)],
     "septic": [({}, 3, 3)],
-    "trapezoidal": [({}, 1, 1), ({"ramp": 0.5}, 1, 1), ({"ramp": 0.1, "v_start": 0.2, "v_end": 0.4}, 1, 0)],
+    "trapezoidal": [({}, 1, 1), ({"ramp": 0.5}, 1, 1), ({"ramp": 0.1, "sdot_start": 0.2, "sdot_end": 0.4}, 1, 0)],
     "bang_bang": [({}, 1, 1)],
-    "double_s": [({}, 2, 2), ({"rounding": 0.5, "ramp": 0.5}, 2, 2), ({"v_start": 0.3, "v_end": 0.1}, 2, 0)],
+    "double_s": [({}, 2, 2), ({"rounding": 0.5, "ramp": 0.5}, 2, 2), ({"sdot_start": 0.3, "sdot_end": 0.1}, 2, 0)],
     "cosine": [({}, 3, 1)],
     "table": [({}, 1, 1), ({"rows": [[0, 1, 2], [1, 3, -0.5], [3, 4, 0], [4, 5, -1]]}, 1, 1)],
 }
-"""Options, the class inside, and the class from and to rest; at least one of each law in the folder."""
+"""Options, the class inside, and the class from and to rest; at least one of each law that needs no path."""
 
 
 def waypoints(example, rng):
@@ -89,9 +89,9 @@ def path_case(request, rng):
     return path_types()[key], example, knots, path_types()[key].path(knots, **example.options)
 
 
-@pytest.fixture(params=[(key, k) for key in law_types() for k in range(len(LAWS.get(key, [None])))], ids=str)
+@pytest.fixture(params=[(key, k) for key in free_law_types() for k in range(len(LAWS.get(key, [None])))], ids=str)
 def law_case(request):
     """Kind, options, class inside and class from rest, for each example of each kind found."""
     key, k = request.param
     assert key in LAWS, f"{key}: add an example to this file"
-    return law_types()[key], *LAWS[key][k]
+    return free_law_types()[key], *LAWS[key][k]

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from armlab.errors import InputError
-from armlab.kin.motion.law_types import law_type, law_types
+from armlab.kin.motion.law_types import free_law_types, law_type
+from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path_types import path_type, path_types
 
 NAN = float("nan")
@@ -177,7 +178,7 @@ def test_unknown_paths_and_laws_are_told_with_those_that_exist():
         law_type("quintc")
 
 
-@pytest.mark.parametrize("key", list(law_types()))
+@pytest.mark.parametrize("key", list(free_law_types()))
 @pytest.mark.parametrize("value", [0.0, -1.0, NAN, np.inf, "long", None])
 def test_a_duration_that_is_not_positive_is_refused(key, value):
     with pytest.raises(InputError, match="duration: expected a positive number"):
@@ -186,16 +187,29 @@ def test_a_duration_that_is_not_positive_is_refused(key, value):
         law_type(key).law(1.0, value)
 
 
-@pytest.mark.parametrize("key", list(law_types()))
-@pytest.mark.parametrize("value", [0.0, -1.0, NAN, "fast"])
-def test_a_limit_that_is_not_positive_is_refused(key, value):
-    for name in ("speed", "acceleration", "jerk"):
-        with pytest.raises(InputError, match=f"limit of {name}: expected a positive number"):
-            law_type(key).within(**({"speed": 1.0, "acceleration": 1.0, "jerk": 1.0} | {name: value}))
+@pytest.mark.parametrize("value", [0.0, -1.0, NAN, "fast", [[1.0]], [1.0, 0.0], 1e-200, 1e200])
+@pytest.mark.parametrize("name", ["velocity", "acceleration", "jerk"])
+def test_a_limit_that_is_not_a_usable_positive_number_is_refused(name, value):
+    with pytest.raises(InputError, match=f"limit of {name}.*: expected a (positive )?number"):
+        Limits(**{name: value})
+
+
+def test_limits_of_another_number_of_joints_are_refused():
+    with pytest.raises(InputError, match=r"limit of acceleration: expected one number, or 3: one for each joint"):
+        Limits(1.0, [1.0, 2.0]).for_joints(3)
+    with pytest.raises(
+        InputError, match=r"limits: expected Limits\(velocity=..., acceleration=..., jerk=...\) or an arm"
+    ):
+        limits_of(2.0, 3)
 
 
 def test_a_law_without_the_limit_it_needs():
     with pytest.raises(InputError, match=r"limit of jerk: Double S .* needs one"):
-        law_type("double_s").within(1.0, 1.0)
+        law_type("double_s").within(Limits(1.0, 1.0))
     with pytest.raises(InputError, match="limits: at least one"):
-        law_type("quintic").within()
+        law_type("quintic").within(Limits())
+
+
+def test_a_limit_within_which_a_law_would_take_ages_is_refused():
+    with pytest.raises(InputError, match=r"limits: the time within them: expected a number from 1e-30 to 1e\+30"):
+        law_type("trapezoidal").within(Limits(1e-59, 1.0))

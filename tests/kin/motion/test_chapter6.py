@@ -10,6 +10,7 @@ from armlab.kin.motion.bounds import law_bounds
 from armlab.kin.motion.coordinated import coordinated
 from armlab.kin.motion.geometry import ArcLength, curvature, frenet
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.path_types import path_type
 from armlab.kin.motion.peaks import peaks
 from armlab.kin.motion.scaling import as_fast_as_allowed, optimal_scaling, scaled
@@ -95,7 +96,7 @@ def test_path_derivatives_in_time(truth):
     """A law with s = 0.5, s' = 0.4, s'' = -0.2 at one moment."""
     case = truth["C6.1-path-derivs"]
     given = case["inputs"]
-    law = law_type("table").law(2.0, rows=[[0, 2, given["sddot"]]], v_start=0.7)
+    law = law_type("table").law(2.0, rows=[[0, 2, given["sddot"]]], sdot_first=0.7)
     scale = float(acceleration_law([[0, 2, given["sddot"]]], 0.7).at(2.0))
     t = np.interp(given["s"], law.at(np.linspace(0, 2, 200001)), np.linspace(0, 2, 200001))
     s = [float(law.at(t, k)) for k in range(3)]
@@ -112,7 +113,7 @@ def test_path_derivatives_in_time(truth):
 
 def test_the_velocity_bound_of_the_example_is_one_half():
     """The maxima are at s = 1, an end, where no second derivative vanishes (6.24)."""
-    bounds = law_bounds(example_6_34(), [3, 2])
+    bounds = law_bounds(example_6_34(), Limits([3, 2]))
     np.testing.assert_allclose(bounds.M_v, [4, 4], rtol=0, atol=1e-12)
     np.testing.assert_allclose(bounds.M_v_at, [1, 1], rtol=0, atol=1e-12)
     assert pytest.approx(0.5, abs=1e-12) == bounds.V
@@ -122,7 +123,7 @@ def test_the_velocity_bound_of_the_example_is_one_half():
 def test_the_acceleration_bound_that_is_negative(truth):
     case = truth["C6.1.1-accel-bound-infeasible"]
     given, expected = case["inputs"], case["expected"]
-    bounds = law_bounds(example_6_34(), [3, 2], given["a_max"])
+    bounds = law_bounds(example_6_34(), Limits([3, 2], given["a_max"]))
     each = (np.array(given["a_max"]) - given["V"] ** 2 * bounds.M_a) / bounds.M_v
     np.testing.assert_allclose(each, expected["bounds"], rtol=0, atol=case["tol"])
     assert pytest.approx(min(expected["bounds"]), abs=case["tol"]) == bounds.A
@@ -245,7 +246,7 @@ def test_trapezoid(truth, name):
         "C6.3.1-trapezoid-tri": truth["C6.3.1-trapezoid-tri"],
     }[name]
     given, expected = case["inputs"], case["expected"]
-    law = law_type("trapezoidal").within(given["v_max"], given["a_max"], distance=given["L"])
+    law = law_type("trapezoidal").within(Limits(given["v_max"], given["a_max"]), distance=given["L"])
     assert law.duration == pytest.approx(expected["T"], abs=case["tol"])
     assert law.pieces[0] == pytest.approx(expected["T_s"], abs=case["tol"])
     assert law.peak_speed == pytest.approx(expected["v_peak"], abs=case["tol"])
@@ -326,12 +327,12 @@ def test_the_optimal_scaling(truth, name):
     motion = coordinated([0.0, 0.0], given["dq"], "quintic", duration=given["T"])
     close(peaks(motion, 1).peak, case, "v_peak")
     close(peaks(motion, 2).peak, case, "a_peak")
-    found, scaling = as_fast_as_allowed(motion, given["v_max"], given["a_max"])
+    found, scaling = as_fast_as_allowed(motion, Limits(given["v_max"], given["a_max"]))
     assert scaling.k == pytest.approx(expected["k"], abs=case["tol"])
     assert found.duration == pytest.approx(expected["T_s"], abs=case["tol"])
     assert (scaling.joint, scaling.quantity) == (1, "velocity")
-    assert optimal_scaling(expected["v_peak"], expected["a_peak"], given["v_max"], given["a_max"]).k == pytest.approx(
-        scaling.k
-    )
+    assert optimal_scaling(
+        Limits(given["v_max"], given["a_max"]), expected["v_peak"], expected["a_peak"]
+    ).k == pytest.approx(scaling.k)
     assert peaks(found, 1).peak[0] == pytest.approx(given["v_max"][0], abs=1e-12)
     assert scaled(found, 2.0).duration == pytest.approx(2.0 * found.duration)

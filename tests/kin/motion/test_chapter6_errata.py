@@ -11,6 +11,7 @@ from armlab.kin.motion.bounds import law_bounds
 from armlab.kin.motion.coordinated import coordinated
 from armlab.kin.motion.geometry import curvature, frenet
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.path_types import path_type
 from armlab.kin.motion.sequence import Slowed
 from armlab.kin.motion.trajectory import Motion
@@ -53,12 +54,12 @@ def ends_of_6_24():
     path = example_6_34()
     inner = np.abs(path.at(np.linspace(0, 1, 101), 2)).min(axis=0)
     assert inner.min() > 0.0
-    return None, np.abs(law_bounds(path, 1.0).M_v - 4).max()
+    return None, np.abs(law_bounds(path, Limits(1.0)).M_v - 4).max()
 
 
 def bound_of_6_33():
     path = example_6_34()
-    return law_bounds(path, [3, 2], [1, 1]).A, law_bounds(path, [3, 2], [1, 1], 0.25).A
+    return law_bounds(path, Limits([3, 2], [1, 1])).A, law_bounds(path, Limits([3, 2], [1, 1]), 0.25).A
 
 
 def hermite_of_6_54():
@@ -124,7 +125,7 @@ def cubics_of_6_91():
 
 
 def triangle_of_6_112():
-    law = law_type("trapezoidal").within(1.0, 1.0, distance=0.5)
+    law = law_type("trapezoidal").within(Limits(1.0, 1.0), distance=0.5)
     printed = abs(0.5 * 1.0**2 - (0.5 - 0.5 * (1.0 - 1.5) ** 2))
     top = law.pieces[0]
     return printed, abs(float(law.at(top) - law.derivatives(top, (0,), before=True)[0]))

@@ -5,6 +5,7 @@ import pytest
 
 from armlab.errors import InputError
 from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.limits import NAMES, Limits
 
 STEP = 1e-5
 
@@ -29,7 +30,7 @@ def test_it_goes_from_0_to_its_distance_and_never_back(law_case, duration, dista
 
 def scaled(options, duration, distance):
     """Return end speeds that mean the same on another distance and time."""
-    return {k: v * distance / duration if k in ("v_start", "v_end") else v for k, v in options.items()}
+    return {k: v * distance / duration if k in ("sdot_start", "sdot_end") else v for k, v in options.items()}
 
 
 def test_before_and_after_it_stands_still(law_case):
@@ -90,17 +91,20 @@ def test_exact_peaks_are_those_of_dense_samples(law_case):
 def test_as_fast_as_allowed_meets_a_bound_and_exceeds_none(law_case, limits, distance):
     kind, *_ = law_case
     if kind.key == "constant" and np.isinf(limits[0]):
-        with pytest.raises(InputError, match="limit of speed: Constant speed needs one"):
-            kind.within(*limits, distance=distance)
+        with pytest.raises(InputError, match="limit of velocity: Constant speed needs one"):
+            kind.shaped(Limits(*limits), distance=distance)
         return
-    law = kind.within(*limits, distance=distance)
-    peaks = [law.peak_speed, law.peak_acceleration, law.peak_jerk]
-    used = [peak / limit for peak, limit in zip(peaks, limits, strict=True)]
-    # Where the acceleration jumps no limit of jerk can be kept, and it is said.
-    smooth = law.continuity_from_rest >= 2
-    assert max(used if smooth else used[:2]) == pytest.approx(1.0, rel=1e-9)
-    assert any("limit of jerk is not kept" in remark for remark in law.remarks) != smooth
+    law = kind.shaped(Limits(*limits), distance=distance)
+    used = np.array([law.peak_speed, law.peak_acceleration, law.peak_jerk]) / limits
+    # What jumps keeps no limit of the next derivative in any time, and is refused where it has to.
+    count = int(min(law.continuity_from_rest, 2)) + 1
+    assert max(used[:count]) == pytest.approx(1.0, rel=1e-9)
     assert law.distance == pytest.approx(distance, rel=1e-10)
+    if count == 3:
+        assert kind.within(Limits(*limits), distance=distance).duration == law.duration
+    else:
+        with pytest.raises(InputError, match=f"limit of {NAMES[count]}: .* so no time keeps it"):
+            kind.within(Limits(*limits), distance=distance)
 
 
 @pytest.mark.parametrize("k", [0.25, 3.0])

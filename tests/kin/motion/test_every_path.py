@@ -15,9 +15,8 @@ def away_from(places, rng, count=200):
     return s[~near]
 
 
-def rounding(path):
-    """A polynomial of degree 15 has coefficients of 1e5, which cancel near 1."""
-    return 1e-10 if path.degree is not None and path.degree > 11 else 1e-12
+ROUNDING = 1e-12
+"""Relative: no path adds up terms more than a thousand times as large as their sum."""
 
 
 def test_it_meets_its_waypoints(path_case):
@@ -25,7 +24,7 @@ def test_it_meets_its_waypoints(path_case):
     scale = np.abs(knots).max() + 1.0
     np.testing.assert_allclose(path.at(0.0), knots[0], rtol=0, atol=1e-12 * scale)
     if example.meets != "first":
-        np.testing.assert_allclose(path.at(1.0), knots[-1], rtol=0, atol=rounding(path) * scale)
+        np.testing.assert_allclose(path.at(1.0), knots[-1], rtol=0, atol=ROUNDING * scale)
     if example.meets == "all" and example.knots > 2:
         s = np.concatenate([path.pieces, np.linspace(0.0, 1.0, 20001)])
         near = np.linalg.norm(path.at(s)[:, None] - knots, axis=2).min(axis=0)
@@ -86,7 +85,7 @@ def test_batches_have_the_shape_of_s(path_case):
         assert values.shape == (2, 3, path.m)
         one_by_one = [[path.at(float(x), order) for x in row] for row in s]
         size = np.abs(values).max() + 1.0
-        np.testing.assert_allclose(values, one_by_one, rtol=0, atol=rounding(path) * size)
+        np.testing.assert_allclose(values, one_by_one, rtol=0, atol=ROUNDING * size)
 
 
 def test_many_sorted_samples_are_those_in_any_order(path_case, rng):
@@ -96,9 +95,7 @@ def test_many_sorted_samples_are_those_in_any_order(path_case, rng):
     shuffled = rng.permutation(3000)
     for order in range(4):
         sorted_values, size = path.at(s, order), np.abs(path.at(s, order)).max() + 1.0
-        np.testing.assert_allclose(
-            path.at(s[shuffled], order), sorted_values[shuffled], rtol=0, atol=rounding(path) * size
-        )
+        np.testing.assert_allclose(path.at(s[shuffled], order), sorted_values[shuffled], rtol=0, atol=ROUNDING * size)
 
 
 def test_exact_peaks_are_those_of_dense_samples_and_never_less(path_case):
@@ -131,3 +128,9 @@ def test_every_path_says_what_it_is():
         for field in kind.fields:
             assert field.title or field.symbol
             field.checked(field.default)
+
+
+def test_paths_with_their_own_time_say_whether_they_rest(path_case):
+    kind, example, *_ = path_case
+    if "duration" in {field.key for field in kind.fields} and not example.options:
+        assert kind.rests == (example.rest > 0)

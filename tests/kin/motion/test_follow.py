@@ -8,6 +8,7 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.motion.follow import follow
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.orientation import about_one_axis, held
 from armlab.kin.motion.path_types import path_type
 from armlab.kin.motion.scaling import as_fast_as_allowed
@@ -261,7 +262,9 @@ def test_travel_times_of_the_line_in_joint_space_and_in_space(arm, q_a, q_b, sam
     in_space = follow(arm, between(arm, q_a, q_b), q_a, 201)
     assert in_space.whole, in_space.reason
     paths = path_type("line").path([in_space.q[0], in_space.q[-1]]), in_space.joint_path()
-    joint, space = (as_fast_as_allowed(Trajectory(path, law_type("quintic").law()), 1.0, 2.0)[0] for path in paths)
+    joint, space = (
+        as_fast_as_allowed(Trajectory(path, law_type("quintic").law()), Limits(1.0, 2.0))[0] for path in paths
+    )
     if same:
         assert joint.duration == pytest.approx(space.duration, rel=1e-6)
     else:

@@ -5,6 +5,7 @@ import pytest
 
 from armlab.errors import InputError
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits
 from armlab.kin.timing.table import BANG_COAST_BANG, PLUS_MINUS_ONE, acceleration_law
 
 
@@ -23,7 +24,7 @@ def feasible(rng, jerk):
 def test_every_trapezoid_keeps_its_limits_and_its_ends(rng):
     for _ in range(200):
         V, A, v_0, v_1, L = feasible(rng, None)
-        law = law_type("trapezoidal").within(V, A, distance=L, v_start=v_0, v_end=v_1)
+        law = law_type("trapezoidal").within(Limits(V, A), distance=L, sdot_start=v_0, sdot_end=v_1)
         assert law.distance == pytest.approx(L, rel=1e-9)
         np.testing.assert_allclose(law.derivatives(0.0, (1,))[0], v_0, rtol=0, atol=1e-9 * V)
         np.testing.assert_allclose(law.derivatives(law.duration, (1,), before=True)[0], v_1, rtol=0, atol=1e-7 * V)
@@ -36,7 +37,7 @@ def test_every_double_s_keeps_its_limits_and_its_ends(rng):
     for _ in range(200):
         J = 10 ** rng.uniform(-1, 2)
         V, A, v_0, v_1, L = feasible(rng, J)
-        law = law_type("double_s").within(V, A, J, distance=L, v_start=v_0, v_end=v_1)
+        law = law_type("double_s").within(Limits(V, A, J), distance=L, sdot_start=v_0, sdot_end=v_1)
         assert law.distance == pytest.approx(L, rel=1e-9)
         end = [float(values) for values in law.derivatives(law.duration, (1, 2), before=True)]
         assert end[0] == pytest.approx(v_1, abs=1e-7 * V)
@@ -51,8 +52,8 @@ def test_every_double_s_keeps_its_limits_and_its_ends(rng):
 def test_a_double_s_with_much_jerk_is_a_trapezoid(rng):
     for _ in range(50):
         V, A, v_0, v_1, L = feasible(rng, None)
-        trapezoid = law_type("trapezoidal").within(V, A, distance=L, v_start=v_0, v_end=v_1)
-        law = law_type("double_s").within(V, A, 1e9, distance=L * (1 + 1e-6), v_start=v_0, v_end=v_1)
+        trapezoid = law_type("trapezoidal").within(Limits(V, A), distance=L, sdot_start=v_0, sdot_end=v_1)
+        law = law_type("double_s").within(Limits(V, A, 1e9), distance=L * (1 + 1e-6), sdot_start=v_0, sdot_end=v_1)
         assert law.duration == pytest.approx(trapezoid.duration, rel=1e-4, abs=1e-5)
 
 
@@ -60,33 +61,35 @@ def test_the_fastest_trapezoid_is_fastest(rng):
     """No profile of the same kind with a lower peak, and no other ramps within the limits, is faster."""
     for _ in range(12):
         V, A = rng.uniform(0.5, 2.0, 2)
-        law = law_type("trapezoidal").within(V, A)
+        law = law_type("trapezoidal").within(Limits(V, A))
         for ramp in np.linspace(0.01, 0.5, 25):
             other = law_type("trapezoidal").law(1.0, ramp=ramp)
             k = max(other.peak_speed / V, np.sqrt(other.peak_acceleration / A))
             assert law.duration <= k * (1 + 1e-12)
 
 
-def test_braking_may_be_harder_than_speeding_up():
-    law = law_type("trapezoidal").within(2.0, 1.0, distance=10.0, deceleration=4.0)
-    # 2 s up over 2 m, half a second down over 0.5 m, 7.5 m at 2 m/s between.
-    np.testing.assert_allclose(law.edges, [0.0, 2.0, 5.75, 6.25], rtol=0, atol=1e-12)
-    assert law.at(6.0, 2) == -4.0
+def test_braking_may_be_softer_than_speeding_up_and_not_harder_than_the_limit():
+    law = law_type("trapezoidal").within(Limits(2.0, 4.0), distance=10.0, sddot_down=1.0)
+    # Half a second up over 0.5 m, 2 s down over 2 m, 7.5 m at 2 m/s between.
+    np.testing.assert_allclose(law.edges, [0.0, 0.5, 4.25, 6.25], rtol=0, atol=1e-12)
+    assert law.at(6.0, 2) == -1.0
+    with pytest.raises(InputError, match="sddot_down: expected at most the limit of acceleration 4, got 5"):
+        law_type("trapezoidal").within(Limits(2.0, 4.0), distance=10.0, sddot_down=5.0)
 
 
 @pytest.mark.parametrize("law", ["trapezoidal", "double_s"])
 def test_a_way_too_short_for_its_end_speeds_is_refused_with_the_least(law):
-    limits = {"speed": 3.0, "acceleration": 1.0, "jerk": 1e6}
+    limits = Limits(3.0, 1.0, 1e6 if law == "double_s" else np.inf)
     with pytest.raises(InputError, match=r"distance: to get from speed 2 to 0 within the limits takes at least 2"):
-        law_type(law).within(**limits, distance=1.0, v_start=2.0)
-    with pytest.raises(InputError, match="v_end: expected at most the speed limit 3, got 4"):
-        law_type(law).within(**limits, distance=100.0, v_end=4.0)
+        law_type(law).within(limits, distance=1.0, sdot_start=2.0)
+    with pytest.raises(InputError, match="sdot_end: expected at most the speed limit 3, got 4"):
+        law_type(law).within(limits, distance=100.0, sdot_end=4.0)
 
 
 @pytest.mark.parametrize("law", ["trapezoidal", "double_s"])
 def test_end_speeds_too_large_for_the_time_are_refused(law):
-    with pytest.raises(InputError, match="v_start and v_end"):
-        law_type(law).law(10.0, v_start=1.0, v_end=1.0)
+    with pytest.raises(InputError, match="sdot_start and sdot_end"):
+        law_type(law).law(10.0, sdot_start=1.0, sdot_end=1.0)
 
 
 def test_a_table_is_integrated_exactly(rng):

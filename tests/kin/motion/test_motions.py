@@ -9,6 +9,7 @@ from armlab.errors import InputError
 from armlab.kin.motion.bounds import law_bounds
 from armlab.kin.motion.coordinated import coordinated, independent
 from armlab.kin.motion.law_types import law_type, law_types
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.minimum_time import minimum_time_spline
 from armlab.kin.motion.path_types import path_type
 from armlab.kin.motion.peaks import peaks, violations
@@ -31,7 +32,7 @@ def motions(rng):
         "spline": spline,
         "corners": Sequential(corners),
         "circle": circle,
-        "separate": independent(q[0], q[1], "double_s", v_max=V, a_max=A, jerk_max=30.0),
+        "separate": independent(q[0], q[1], "double_s", Limits(V, A, 30.0)),
         "slowed": Slowed(spline, 1.7),
         "overfly": Trajectory(path_type("overfly").path(q), law_type("trapezoidal").law(3.0)),
         "table": Trajectory(path_type("lts_434").path(q[:4]), wobbling),
@@ -76,7 +77,7 @@ def test_violations_are_where_samples_exceed_and_nowhere_else(motion):
     limits = {"velocity": 0.6 * peaks(motion, 1).peak + 1e-9, "acceleration": 0.6 * peaks(motion, 2).peak + 1e-9}
     low, high = peaks(motion, 0).lowest, peaks(motion, 0).highest
     positions = np.column_stack([low + 0.2 * (high - low), high + 1.0])
-    found = violations(motion, positions=positions, **limits)
+    found = violations(motion, Limits(**limits), positions=positions)
     t = np.linspace(0, motion.duration, 20001)
     for quantity, order in (("position", 0), ("velocity", 1), ("acceleration", 2)):
         values = motion.at(t, order)
@@ -92,12 +93,12 @@ def test_violations_are_where_samples_exceed_and_nowhere_else(motion):
                 inside |= (t >= a) & (t <= b)
                 near |= (np.abs(t - a) < 1e-4) | (np.abs(t - b) < 1e-4)
             assert np.array_equal(inside | near, outside | near), (quantity, j)
-    assert violations(motion, velocity=1.001 * peaks(motion, 1).peak + 1e-9) == []
+    assert violations(motion, Limits(1.001 * peaks(motion, 1).peak + 1e-9)) == []
 
 
 def test_limits_kept_exactly_are_not_violated(motion):
-    fast, scaling = as_fast_as_allowed(motion, V[: motion.m], A[: motion.m])
-    assert violations(fast, velocity=V[: motion.m], acceleration=A[: motion.m]) == []
+    fast, scaling = as_fast_as_allowed(motion, Limits(V[: motion.m], A[: motion.m]))
+    assert violations(fast, Limits(V[: motion.m], A[: motion.m])) == []
     used = np.concatenate([peaks(fast, 1).peak / V, peaks(fast, 2).peak / A])
     assert used.max() == pytest.approx(1.0, rel=1e-9)
     assert fast.duration == pytest.approx(motion.duration * scaling.k)
@@ -170,12 +171,14 @@ def test_samples():
 
 @pytest.mark.parametrize("law", list(law_types()))
 def test_coordinated_joints_start_and_end_together_within_their_limits(law, rng):
+    held = {"constant": Limits(V), "quintic": Limits(V, A, 50.0), "septic": Limits(V, A, 50.0)}
+    held["double_s"] = held["quintic"]
     for _ in range(5):
         q_i, q_f = rng.normal(size=(2, 3))
-        found = coordinated(q_i, q_f, law, v_max=V, a_max=A, jerk_max=50.0)
+        limits = held.get(law, Limits(V, A))
+        found = coordinated(q_i, q_f, law, limits)
         np.testing.assert_allclose(found.at([0.0, found.duration]), [q_i, q_f], rtol=0, atol=1e-10)
-        assert np.all(peaks(found, 1).peak <= V * (1 + 1e-9))
-        assert np.all(peaks(found, 2).peak <= A * (1 + 1e-9))
+        assert violations(found, limits) == []
         ratio = (found.at(0.37 * found.duration) - q_i) / (q_f - q_i)
         np.testing.assert_allclose(ratio, ratio[0], rtol=0, atol=1e-12)
 
@@ -183,8 +186,8 @@ def test_coordinated_joints_start_and_end_together_within_their_limits(law, rng)
 def test_alone_each_joint_is_at_least_as_fast(rng):
     for _ in range(10):
         q_i, q_f = rng.normal(size=(2, 3))
-        together = coordinated(q_i, q_f, v_max=V, a_max=A)
-        apart = independent(q_i, q_f, v_max=V, a_max=A)
+        together = coordinated(q_i, q_f, limits=Limits(V, A))
+        apart = independent(q_i, q_f, limits=Limits(V, A))
         assert apart.duration <= together.duration * (1 + 1e-12)
         assert isinstance(apart, Separate)
         np.testing.assert_allclose(apart.at(apart.duration), q_f, rtol=0, atol=1e-12)
@@ -193,7 +196,7 @@ def test_alone_each_joint_is_at_least_as_fast(rng):
 
 
 def test_a_joint_that_does_not_move_stays():
-    found = independent([0.0, 1.0], [2.0, 1.0], v_max=1.0, a_max=1.0)
+    found = independent([0.0, 1.0], [2.0, 1.0], limits=Limits(1.0, 1.0))
     assert np.all(found.at(np.linspace(0, found.duration, 11))[:, 1] == 1.0)
     with pytest.raises(InputError, match="end: the same as the start"):
         coordinated([1.0], [1.0], duration=1.0)
@@ -202,80 +205,68 @@ def test_a_joint_that_does_not_move_stays():
 def test_a_law_within_the_bounds_keeps_every_joint_within_its_limits(rng):
     for _ in range(10):
         path = path_type("spline").path(rng.normal(size=(6, 3)))
-        bounds = law_bounds(path, V, A)
+        bounds = law_bounds(path, Limits(V, A))
         bounds = bounds if bounds.possible else bounds.lowered()
         assert bounds.possible
-        trajectory = Trajectory(path, law_type("double_s").within(bounds.V, bounds.A, 1e3))
+        trajectory = Trajectory(path, law_type("double_s").within(Limits(bounds.V, bounds.A, 1e3)))
         assert np.all(peaks(trajectory, 1).peak <= V * (1 + 1e-9))
         assert np.all(peaks(trajectory, 2).peak <= A * (1 + 1e-9))
 
 
 def test_without_a_limit_of_speed_the_bends_alone_bound_it():
     path = path_type("circle").path([[1, 0], [0, 1], [-1, 0]])
-    bounds = law_bounds(path, np.inf, 1.0)
+    bounds = law_bounds(path, Limits(acceleration=1.0))
     assert not bounds.possible
     assert "Without a limit" in bounds.explanation
     lowered = bounds.lowered()
     assert lowered.possible
     assert lowered.V < bounds.V_bend == pytest.approx(1 / np.pi)
-    assert law_bounds(path_type("line").path([[0.0], [2.0]]), np.inf, 1.0).A == 0.5
-    assert np.inf == law_bounds(path, 1.0).A
+    assert law_bounds(path_type("line").path([[0.0], [2.0]]), Limits(acceleration=1.0)).A == 0.5
+    assert np.inf == law_bounds(path, Limits(1.0)).A
 
 
 def test_a_limit_of_jerk_cannot_be_kept_where_the_acceleration_jumps():
     smooth, rough = (coordinated([0.0], [1.0], law, duration=1.0) for law in ("quintic", "cubic"))
-    found, scaling = as_fast_as_allowed(smooth, 10.0, 50.0, 0.06)
+    found, scaling = as_fast_as_allowed(smooth, Limits(10.0, 50.0, 0.06))
     assert (scaling.quantity, scaling.k) == ("jerk", pytest.approx(10.0))
     assert peaks(found, 3).peak[0] == pytest.approx(0.06)
-    with pytest.raises(InputError, match="jerk_max: the acceleration of this motion jumps"):
-        as_fast_as_allowed(rough, 10.0, 50.0, 0.06)
+    with pytest.raises(InputError, match="limit of jerk: the acceleration of joint 1 jumps at 0 s"):
+        as_fast_as_allowed(rough, Limits(10.0, 50.0, 0.06))
 
 
 def test_a_chosen_speed_below_the_largest():
     line = path_type("line").path([[0.0], [2.0]])
-    bounds = law_bounds(line, 1.0, 3.0, 0.25)
+    bounds = law_bounds(line, Limits(1.0, 3.0), 0.25)
     assert (bounds.V, bounds.A) == (0.25, 1.5)
     assert "no joint exceeds its limits" in bounds.explanation
     with pytest.raises(InputError, match=r"speed: expected more than 0 and at most V = 0.5, got 0.6"):
-        law_bounds(line, 1.0, 3.0, 0.6)
+        law_bounds(line, Limits(1.0, 3.0), 0.6)
 
 
 @pytest.mark.parametrize("count", [2, 3, 7])
 def test_optimised_intervals_are_faster_and_keep_the_limits(count, rng):
-    found = minimum_time_spline(rng.normal(size=(count, 3)), V, A)
+    found = minimum_time_spline(rng.normal(size=(count, 3)), Limits(V, A))
     assert found.duration <= found.by_distance * (1 + 1e-12)
     assert count < 7 or found.duration < 0.97 * found.by_distance
     assert found.intervals.sum() == pytest.approx(found.duration)
     assert found.intervals.shape == (count - 1,)
-    assert violations(found.trajectory, velocity=V, acceleration=A) == []
+    assert violations(found.trajectory, Limits(V, A)) == []
     assert found.trajectory.continuity_from_rest == 1
     assert max((peaks(found.trajectory, 1).peak / V).max(), (peaks(found.trajectory, 2).peak / A).max()) > 1 - 1e-9
 
 
 def test_optimised_intervals_also_with_virtual_knots(rng):
-    found = minimum_time_spline(rng.normal(size=(4, 3)), V, A, ends="both")
+    found = minimum_time_spline(rng.normal(size=(4, 3)), Limits(V, A), ends="both")
     assert found.trajectory.continuity_from_rest == 2
     assert found.intervals.shape == (3,)
     with pytest.raises(InputError, match="v_start: expected zero"):
-        minimum_time_spline(rng.normal(size=(4, 3)), V, A, v_start=[1.0, 0.0, 0.0])
-
-
-@pytest.mark.parametrize("limit", [0.0, -1.0, float("nan"), [1.0, 0.0, 1.0]])
-def test_a_limit_that_is_not_positive_is_refused_with_its_joint(limit, rng):
-    told = f"of joint {2 if isinstance(limit, list) else 1}: expected a positive number"
-    motion = motions(rng)["spline"]
-    with pytest.raises(InputError, match=told):
-        violations(motion, velocity=limit)
-    with pytest.raises(InputError, match=told):
-        as_fast_as_allowed(motion, limit)
-    with pytest.raises(InputError, match=told):
-        law_bounds(motion.path, limit)
-    with pytest.raises(InputError, match=told):
-        coordinated([0, 0, 0], [1, 1, 1], v_max=limit)
+        minimum_time_spline(rng.normal(size=(4, 3)), Limits(V, A), v_start=[1.0, 0.0, 0.0])
 
 
 def test_nothing_that_holds_back_is_said():
-    with pytest.raises(InputError, match="no limit holds this motion back"):
-        optimal_scaling([1.0], [1.0], np.inf)
-    with pytest.raises(InputError, match="at least one of speed, acceleration and jerk must be finite"):
+    with pytest.raises(InputError, match="none of them holds this motion back"):
+        optimal_scaling(Limits(), [1.0], [1.0])
+    with pytest.raises(
+        InputError, match=r"limits: give Limits\(velocity=..., acceleration=...\), an arm, or a duration"
+    ):
         coordinated([0.0], [1.0])

@@ -26,6 +26,11 @@ class AllOf:
         """Whether one of them is about the planned motion."""
         return any(getattr(check, "of_motion", False) for check in self.checks)
 
+    @property
+    def noted(self) -> tuple[str, ...]:
+        """What of them no file proves."""
+        return tuple(name for check in self.checks for name in getattr(check, "noted", ()))
+
     def is_met(self, observation: Observation) -> bool:
         """Whether all are met."""
         return all(check.is_met(observation) for check in self.checks)

@@ -18,6 +18,16 @@ class LookedAt:
     panel: str = ""
     film: str = ""
 
+    @property
+    def noted(self) -> tuple[str, ...]:
+        """What no file proves."""
+        told = (
+            (self.panel, "that a panel was open"),
+            (self.switch, "that a switch was on"),
+            (self.film, "that a film was played"),
+        )
+        return tuple(words for name, words in told if name)
+
     def is_met(self, observation: Observation) -> bool:
         """Whether all of it is so."""
         return not self._missing(observation)

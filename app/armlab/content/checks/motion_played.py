@@ -17,6 +17,7 @@ class MotionPlayed:
     """As it is planned at the moment: a change of the plan asks for another playback."""
 
     of_motion: ClassVar[bool] = True
+    noted: ClassVar[tuple[str, ...]] = ("that the motion was played",)
 
     def is_met(self, observation: Observation) -> bool:
         """Whether it runs to its end and was played so far."""

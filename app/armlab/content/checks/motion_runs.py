@@ -51,6 +51,8 @@ class MotionRuns:
             return NOT_PLANNED
         if not motion.whole:
             return f"The motion cannot be run to its end{f': {motion.trouble}' if motion.trouble else ''}."
+        if motion.raised:
+            return f"{motion.raised} The lesson counts with the limits of the arm itself."
         if not motion.within:
             return f"The motion exceeds a limit; within all limits it takes at least {seconds(motion.fastest)}."
         if motion.waypoints < self.waypoints:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from armlab.content.check import PLAIN, CheckType, Words, tolerance
 from armlab.content.observation import Observation
@@ -13,6 +14,8 @@ from armlab.content.robots import Robot
 @dataclass(frozen=True)
 class WithinSeconds:
     """At most so many seconds."""
+
+    noted: ClassVar[tuple[str, ...]] = ("the time",)
 
     most: float
 

@@ -46,11 +46,12 @@ class ChoiceQuestion:
     several: bool
     mistakes: tuple[WrongChoice, ...] = ()
     hide: tuple[str, ...] = ()
+    fixed: bool = False
 
     @property
     def form(self) -> Choices:
         """The options."""
-        return Choices(self.options, self.several)
+        return Choices(self.options, self.several, self.fixed)
 
     @property
     def right_answer(self) -> str:
@@ -91,7 +92,7 @@ def _typed(options: Iterable[int]) -> str:
 
 
 def read(table: Table, asked: Asked, to_html: ToHtml) -> ChoiceQuestion:
-    """Read ``options``, ``answer`` (a number from 1, or a list where several may be chosen) and ``wrong``."""
+    """Read ``options``, ``answer`` (from 1, or a list where several may be chosen), ``fixed`` and ``wrong``."""
     written = table.value("options")
     if not isinstance(written, list) or not all(isinstance(option, str) and option.strip() for option in written):
         raise table.fail("options", f"expected a list of texts, got {shown(written)}")
@@ -99,6 +100,9 @@ def read(table: Table, asked: Asked, to_html: ToHtml) -> ChoiceQuestion:
         raise table.fail("options", f"expected {FEWEST} to {MOST} different options, got {len(written)}")
     options = tuple(to_html(option, f"{table.where}.options[{i}]") for i, option in enumerate(written, start=1))
     several = isinstance(table.value("answer"), list)
+    fixed = table.value("fixed", False)
+    if not isinstance(fixed, bool):
+        raise table.fail("fixed", f"expected true or false, got {shown(fixed)}")
     answer = _options(table, len(options))
     wrong = []
     for entry in table.tables("wrong"):
@@ -110,7 +114,7 @@ def read(table: Table, asked: Asked, to_html: ToHtml) -> ChoiceQuestion:
             raise entry.fail("answer", f"expected one option, got {_typed(given)}")
         wrong.append(WrongChoice(said, exact=given) if whole else WrongChoice(said, option=min(given)))
         entry.done()
-    return ChoiceQuestion(asked.html, options, answer, several, tuple(wrong), asked.hide)
+    return ChoiceQuestion(asked.html, options, answer, several, tuple(wrong), asked.hide, fixed)
 
 
 def _options(table: Table, count: int) -> frozenset[int]:

@@ -25,7 +25,7 @@
   const send = (element, value) => {
     const { chan, cell } = element.dataset;
     window.__viserMutable?.sendMessage({
-      type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify([cell, value, Date.now()]) },
+      type: 'GuiUpdateMessage', uuid: chan, updates: { value: JSON.stringify([cell, value, window.armlabNumber(element, value)]) },
     });
   };
   window.armlabSend = send;
@@ -167,7 +167,7 @@
     }
   };
 
-  // The lab replaces the markup around a field; the cursor goes on in the field of the same name.
+  // Where the lab has to replace a field as well, the cursor goes on in the field of the same name.
   document.addEventListener('focusin', event => {
     last = event.target.matches?.('[data-chan]') ? event.target : null;
   });

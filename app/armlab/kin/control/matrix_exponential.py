@@ -23,7 +23,14 @@ MOST_ROWS = 12
 MOST_TERMS = 400
 
 LARGEST = 300.0
-"""Of the sum of the moduli in a column of A t: beyond about 700 the exponential is no number any more."""
+"""Of the real part of an eigenvalue times t: beyond about 700 the exponential is no number any more."""
+
+LARGEST_SIZE = 1e9
+"""Of the sum of the moduli in a column of A t: beyond it the rounding of A t alone changes the result's seventh digit,
+also where everything decays."""
+
+LARGEST_LOGARITHM = 700.0
+"""Of a term of the series."""
 
 POOR, NONE = 1e3, 1e7
 """Condition of T above which digits are lost that one would miss, and from which there is no basis of eigenvectors.
@@ -96,7 +103,9 @@ def by_scipy(A: ArrayLike, t: ArrayLike = 1.0) -> Array:
     Raises
     ------
     InputError
-        Not a square matrix of at most `MOST_ROWS` rows, not finite, or so large that the result may be no number.
+        Not a square matrix of at most `MOST_ROWS` rows, not finite, or so large that the result may be no number: an
+        eigenvalue whose real part times t is above `LARGEST`, or moduli above `LARGEST_SIZE`. What decays is not too
+        large.
 
     References
     ----------
@@ -117,13 +126,18 @@ def partial_sums(A: ArrayLike, t: float, terms: int) -> Array:
     Raises
     ------
     InputError
-        As of `by_scipy`, or not 1 to `MOST_TERMS` terms.
+        As of `by_scipy`, not 1 to `MOST_TERMS` terms, or a term that is no number any more.
     """
     matrix, times = _checked(A, finite_floats(t, "t", (), "one number"))
     count = whole_number(terms, "terms", 1)
     if count > MOST_TERMS:
         raise wrong("terms", f"at most {MOST_TERMS}", terms)
     scaled = matrix * times
+    if _logarithm_of_largest_term(_size(scaled), count) > LARGEST_LOGARITHM:
+        raise InputError(
+            f"A t: terms of the series are too large for {count} of them, with column sums of moduli up to "
+            f"{_size(scaled):.4g}; take fewer terms or a smaller t"
+        )
     sums = np.empty((count, *scaled.shape))
     term = np.eye(len(scaled))
     total = np.zeros_like(term)
@@ -147,7 +161,14 @@ def remainder_bound(A: ArrayLike, t: float, terms: int) -> float:
         return 0.0
     if count + 1 <= x:
         return math.inf
-    return math.exp(count * math.log(x) - math.lgamma(count + 1)) / (1.0 - x / (count + 1))
+    logarithm = count * math.log(x) - math.lgamma(count + 1)
+    return math.exp(logarithm) / (1.0 - x / (count + 1)) if logarithm <= LARGEST_LOGARITHM else math.inf
+
+
+def _logarithm_of_largest_term(x: float, terms: int) -> float:
+    """Return the logarithm of the largest x^k / k! of so many terms; they grow up to k = x."""
+    k = min(terms, math.floor(x))
+    return k * math.log(x) - math.lgamma(k + 1) if k else 0.0
 
 
 def diagonalised(A: ArrayLike) -> Diagonalisation:
@@ -258,8 +279,16 @@ def _checked(A: ArrayLike, t: ArrayLike) -> tuple[Array, Array]:
         raise InputError("A t: expected finite numbers")
     with np.errstate(over="ignore"):
         size = _size(matrix) * float(np.abs(times).max(initial=0.0))
-    if size > LARGEST:
-        raise InputError(f"A t: expected column sums of moduli up to {LARGEST:g}, got {size:.4g}: e^(A t) is too large")
+    if size > LARGEST_SIZE:
+        raise InputError(
+            f"A t: expected column sums of moduli up to {LARGEST_SIZE:g}, got {size:.4g}: A t is too large for e^(A t) "
+            "to have right digits"
+        )
+    grown = float(np.multiply.outer(np.linalg.eigvals(matrix).real, times).max(initial=0.0))
+    if grown > LARGEST:
+        raise InputError(
+            f"A t: expected real parts of eigenvalues up to {LARGEST:g}, got {grown:.4g}: e^(A t) is too large"
+        )
     return matrix, times
 
 

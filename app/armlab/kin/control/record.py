@@ -98,7 +98,7 @@ class Run:
         return np.asarray(self.t[np.abs(self.qdot).argmax(axis=0)])
 
     def left_range(self) -> tuple[int, float] | None:
-        """Return the joint, 0-based, that is first beyond its limits, and when, seconds; None while all are within.
+        """Return which joint is first beyond its limits, as a place in q from 0, and when, seconds; None for none.
 
         A turning joint is within its limits where it is so but for whole turns.
         """

@@ -59,14 +59,14 @@ class SingularPose(NamedTuple):
     ----------
     q : ndarray, shape (n,)
         rad or m.
-    joint : int
-        0-based: the only one that differs from where it was looked for.
+    place : int
+        Of the joint in q, from 0: the only one that differs from where it was looked for.
     away : float
         Its value there minus its value before, rad or m.
     """
 
     q: Floats
-    joint: int
+    place: int
     away: float
 
 
@@ -182,7 +182,7 @@ def singular_poses(task: ScaledTask, q: ArrayLike) -> tuple[SingularPose, ...]:
         same = 0.5 * (high - low) / (SAMPLES - 1)
         for at in grid[dips].tolist():
             pose = _along(task, _with(values, k, at), k)
-            if pose is None or any(one.joint == k and abs(one.q[k] - pose.q[k]) < same for one in found):
+            if pose is None or any(one.place == k and abs(one.q[k] - pose.q[k]) < same for one in found):
                 continue
             found.append(SingularPose(pose.q, k, float(pose.q[k] - values[k])))
     return tuple(found)
@@ -238,4 +238,4 @@ def _with(q: Floats, k: int, value: float) -> Floats:
 
 
 def _distance(task: ScaledTask, pose: SingularPose) -> float:
-    return abs(pose.away) / float(task.joint_units[pose.joint])
+    return abs(pose.away) / float(task.joint_units[pose.place])

@@ -34,6 +34,10 @@ class Kernel:
         """A function of ``inputs`` floats that returns a tuple of floats."""
         return compile_scalar(self.graph, self.outputs, self.inputs)
 
+    def __getstate__(self) -> dict[str, object]:
+        """Leave out what is compiled: functions made here are unknown elsewhere."""
+        return {name: value for name, value in vars(self).items() if name != "scalar"} | {"_tapes": {}}
+
     def batch(self, x: NDArray[np.floating], out: NDArray[np.floating]) -> None:
         """Evaluate rows: ``x`` (N, inputs) to ``out`` (N, outputs), in the precision of ``out``."""
         tape = self._tapes.get(out.dtype)

@@ -21,6 +21,9 @@ TOLERANCE = 1e-8
 """Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. Asking for less inside the
 loop costs solutions near singularities, where the last digits converge slowly."""
 
+CLOSE = 1e-8
+"""Squared scaled error from which one step of a method that converges quadratically arrives."""
+
 STILL = 1e-9
 """Gain, relative to the squared error, below which a step is not worth taking: the arm then rests exactly where it is,
 however often the same target comes again."""
@@ -74,22 +77,26 @@ def descend(
     ``path`` where there is one.
     """
     # Behind every solution and every restart: numbers as they come, without an object for each step.
-    q, n, largest = list(q0), problem.arm.n, _largest_steps(problem)
-    step_at, per_square = problem.numbers(target, problem.gain, free), problem.per_square
-    numbers = step_at(q)
+    q, n, per_square = list(q0), problem.arm.n, problem.per_square
+    largest, step_at, squares = _largest_steps(problem), problem.numbers(target, problem.gain, free), 2 * n + 1
     for iteration in range(limit):
-        if numbers[n] * per_square + numbers[n + 1] <= TOLERANCE**2:
-            errors = problem.errors(numbers[n:])
+        numbers = step_at(q)
+        square = numbers[squares] * per_square + numbers[squares + 1]
+        if square <= TOLERANCE**2:
+            errors = problem.errors(numbers[squares:])
             if arrived(errors):
                 return Descent(q, errors, iteration)
-        q = [
-            value + (dq if -most < dq < most else _clip(dq, most))
-            for value, dq, most in zip(q, numbers, largest, strict=False)
-        ]
+        if numbers[2 * n] < MAX_STEP**2:
+            q = list(numbers[:n])
+        else:
+            q = [value + _clip(dq, most) for value, dq, most in zip(q, numbers[n:], largest, strict=False)]
         if path is not None:
             path.append(q)
-        numbers = step_at(q)
-    return Descent(q, problem.errors(numbers[n:]), limit)
+        if square < CLOSE:
+            errors = problem.errors_at(q, target)
+            if arrived(errors):
+                return Descent(q, errors, iteration + 1)
+    return Descent(q, problem.errors_at(q, target), limit)
 
 
 def descend_inside(
@@ -231,6 +238,8 @@ def turns_inside(value: float, near: float, low: float, high: float) -> float:
 
     Where no turn leads inside it is brought below the upper limit.
     """
+    if low <= value <= high and abs(near - value) < math.pi:
+        return 0.0
     turns = math.floor((near - value) / math.tau + 0.5)
     # The slack of `Arm.within_limits`: rounding at a limit must not cost a turn.
     least, most = math.ceil((low - AT - value) / math.tau), math.floor((high + AT - value) / math.tau)

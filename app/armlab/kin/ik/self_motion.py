@@ -35,6 +35,9 @@ LEAST_STEP = 1e-3
 MOST_STEPS = 2000
 """In each direction: about 300 rad of travel."""
 
+MOST_ON_SURFACE = 200
+"""The same where there is more than one direction to go: such a line need never close."""
+
 EXACT = 1e-12
 """Scaled error of a point on the curve; Newton steps leave a much smaller one."""
 
@@ -64,7 +67,8 @@ class SelfMotion:
         Dimension of the null space at the start: 1 for a curve, more for a surface of which this is one curve, 0 for
         an isolated solution.
     stops : tuple of int
-        0-based joints whose limits stop it at its first and last point; -1 where it ends for another reason.
+        Places in q, from 0, of the joints whose limits stop it at its first and last point; -1 where it ends for
+        another reason.
     bounds : ndarray, shape (2, n)
         Least and greatest joint values it was followed to.
     """
@@ -141,6 +145,8 @@ def trace_self_motion(arm: Arm, q: Vector, T: Vector, *, limits: bool = True, st
     bounds = np.array([tracer.low, tracer.high])
     if freedom == 0:
         return SelfMotion(q[None], T, False, 0, (-1, -1), bounds)
+    if freedom > 1:
+        steps = min(steps, MOST_ON_SURFACE)
     direction = _canonical(start)
     ahead, closed, last = tracer.follow(q, direction, steps)
     if closed:
@@ -184,9 +190,9 @@ class _Tracer:
         n, values = self.arm.n, q.tolist()
         for _ in range(8):
             numbers = self.step(values)
-            if numbers[n] * self.task.per_square + numbers[n + 1] <= EXACT**2:
+            if numbers[2 * n + 1] * self.task.per_square + numbers[2 * n + 2] <= EXACT**2:
                 return np.array(values), self.task.at(values, self.target)[0]
-            values = [value + dq for value, dq in zip(values, numbers, strict=False)]
+            values = numbers[:n]
         return None
 
     def _solved(self, J: Vector, e: Vector) -> Vector:

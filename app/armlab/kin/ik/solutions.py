@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Literal
@@ -25,6 +26,9 @@ HALF_TURN = 1e-13
 @dataclass(frozen=True, eq=False)
 class IkSolutions:
     """What `armlab.kin.ik.solve_all.solve_all` found.
+
+    A sequence of configurations: ``len(found)``, ``for q in found`` and ``found[k]`` go by the rows of ``q``, and what
+    selects rows of an array selects them here, such as ``found[found.within_limits]``.
 
     Attributes
     ----------
@@ -63,6 +67,12 @@ class IkSolutions:
 
     def __len__(self) -> int:
         return len(self.q)
+
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        return iter(self.q)
+
+    def __getitem__(self, rows: int | slice | NDArray[np.bool_] | NDArray[np.intp]) -> NDArray[np.float64]:
+        return np.asarray(self.q[rows])
 
     @property
     def how_far_out(self) -> tuple[str, ...]:

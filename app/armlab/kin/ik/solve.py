@@ -1,4 +1,4 @@
-"""One solution of the inverse kinematics: descents from the given and from random starts, inside the limits.
+"""One solution of the inverse kinematics: descents from a given start, samples near the target, and random starts.
 
 Where all fail, the list of all solutions has the last word for arms that have one: a solution, or the proof that there
 is none. What then is left is the closest configuration downhill of the start.
@@ -66,8 +66,9 @@ class IkResult:
     proven : bool
         Whether it is certain that no configuration inside the limits reaches the target.
     trace : Trace or None
-        Where asked for, the record of the descent that succeeded, else of the last one of the search, which may have
-        ended outside the limits. The angles of its end may be whole turns from those of ``q``.
+        Where asked for, the record of the last descent of the search that knows no limits. It may have ended outside
+        them; the solution then comes from a descent inside them, or from the list of all solutions. The angles of its
+        end may be whole turns from those of ``q``.
     """
 
     success: bool
@@ -102,8 +103,8 @@ def solve(
     T : array_like, shape (4, 4)
         Wanted pose of the tool in the world. Components outside the task are ignored.
     q0 : array_like, shape (n,), optional
-        First start; random when left out. Angles of the solution are those nearest to it, whole turns apart, inside the
-        limits; in (-pi, pi], where the limits allow, when left out.
+        First start; when left out, of random configurations the one whose tool is nearest. Angles of the solution are
+        those nearest to it, whole turns apart, inside the limits; in (-pi, pi], where the limits allow, when left out.
     method : str
         Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
         parameters, some hundred times slower). Of ``"gradient"`` and ``"gauss_newton"``, which are both, it is the
@@ -182,8 +183,9 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     """Return the outcome for checked arguments; `InputError` when joints are locked without a start."""
     if start is None and how.locked is not None and any(how.locked):
         raise InputError("locked: give q0, the values the locked joints keep")
-    target = task_error_of(arm).target(T)
-    distance = math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates))
+    task = task_error_of(arm)
+    target = task.target(T)
+    distance = task.distance(target)
     beyond = distance > arm.reach + REACHED_M + SURELY * distance
     pointless = beyond or (how.locked is not None and all(how.locked))
     begin = Begin(arm, start, how.locked, how.seed, 1 if pointless else how.searches)

@@ -34,7 +34,7 @@ class Verdict:
     position_error, rotation_error : float
         Metres and radians, in the components the task controls.
     limits : tuple of int
-        0-based joints at a limit that the error pushes outwards.
+        Places in q, from 0, of joints at a limit that the error pushes outwards; `reason` has their numbers, from 1.
     """
 
     status: Status

@@ -1,7 +1,8 @@
 """Motions: a path with a timing law, and what can be known and done with them (chapter 6 of the notes).
 
 A path q(s) comes from `path_type`, a law s(t) from `law_type`; together they are a `Trajectory`. `coordinated` and
-`independent` go from one configuration to another; `follow` solves the inverse kinematics along a `ToolPath`.
+`independent` go from one configuration to another; `follow` solves the inverse kinematics along a `ToolPath`. How fast
+joints may be is said by `Limits`, or by an arm that has limits of its own; `run_along` keeps them.
 
 >>> from armlab.kin.motion import Trajectory, law_type, path_type
 >>> path = path_type("spline").path([[0.0, 0.0], [1.0, 0.5], [2.0, 0.0]])
@@ -16,12 +17,14 @@ from armlab.kin.motion.follow import follow
 from armlab.kin.motion.followed import Followed, Stop
 from armlab.kin.motion.geometry import ArcLength, ByLength, Frenet, curvature, frenet, standstills, torsion
 from armlab.kin.motion.law import Law
-from armlab.kin.motion.law_types import LawType, law_type, law_types
+from armlab.kin.motion.law_types import LawType, free_law_types, law_type, law_types
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.minimum_time import MinimumTime, minimum_time_spline
 from armlab.kin.motion.orientation import Orientation, Through, about_one_axis, by_euler_angles, held, swept, wandering
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import PathType, path_type, path_types
 from armlab.kin.motion.peaks import Violation, peaks, violations
+from armlab.kin.motion.run_along import run_along
 from armlab.kin.motion.scaling import Scaling, as_fast_as_allowed, optimal_scaling, scaled
 from armlab.kin.motion.sequence import Separate, Sequential, Slowed
 from armlab.kin.motion.tool_path import ToolPath
@@ -35,6 +38,7 @@ __all__ = [
     "Law",
     "LawBounds",
     "LawType",
+    "Limits",
     "MinimumTime",
     "Motion",
     "Orientation",
@@ -56,6 +60,7 @@ __all__ = [
     "coordinated",
     "curvature",
     "follow",
+    "free_law_types",
     "frenet",
     "held",
     "independent",
@@ -67,6 +72,7 @@ __all__ = [
     "path_type",
     "path_types",
     "peaks",
+    "run_along",
     "scaled",
     "standstills",
     "swept",

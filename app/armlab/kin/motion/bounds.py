@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.kin.motion.extremes import extremes
-from armlab.kin.motion.field import positive_bounds
+from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path import Path
 
 Floats = NDArray[np.float64]
@@ -31,10 +31,10 @@ class LawBounds:
         Largest |dq_i/ds| and |d²q_i/ds²| on [0, 1], end points included.
     M_v_at, M_a_at : ndarray, shape (m,)
         Where they are.
-    v_max, a_max : ndarray, shape (m,)
-        Limits of the joints.
+    limits : Limits
+        Of the joints, a number for each.
     V : float
-        Largest |s'|: the smallest v_max,i / M_v,i, or what the caller chose below it.
+        Largest |s'|: the smallest v_i / M_v,i, or what the caller chose below it.
     V_joint : int
         The joint (1-based) that sets it; 0 when none does.
     A : float
@@ -51,8 +51,7 @@ class LawBounds:
     M_a: Floats
     M_v_at: Floats
     M_a_at: Floats
-    v_max: Floats
-    a_max: Floats
+    limits: Limits
     V: float
     V_joint: int
     A: float
@@ -65,27 +64,38 @@ class LawBounds:
         """Whether a law can use V and A: A is positive."""
         return self.A > 0.0
 
+    @property
+    def jerk(self) -> float:
+        """A bound of the third derivative of s with M_v alone: it shapes a law, and keeps no limit by itself."""
+        moving = self.M_v > 0.0
+        return float((self.limits.jerk[moving] / self.M_v[moving]).min())
+
+    @property
+    def usable(self) -> LawBounds:
+        """Itself where a law can use it, and otherwise with V lowered."""
+        return self if self.possible else self.lowered()
+
     def lowered(self) -> LawBounds:
         """Return the bounds with V lowered so that some A is left: to sqrt(1/2) of V_bend, if that is less than V."""
         return _bounds(self, min(self.V, BALANCED * self.V_bend))
 
 
-def law_bounds(path: Path, v_max: Any, a_max: Any = math.inf, speed: float | None = None) -> LawBounds:
+def law_bounds(path: Path, limits: Limits | Arm, speed: float | None = None) -> LawBounds:
     """Return how fast a timing law may be on a path.
 
     Parameters
     ----------
     path : Path
         In joint space.
-    v_max, a_max : array_like, shape (m,) or ()
-        Limits of |qdot_i| and |qddot_i|, positive, infinite where there is none.
+    limits : Limits or Arm
+        Of the joints; an arm stands for its own limits.
     speed : float, optional
         A V to work with that is smaller than the largest.
 
     Raises
     ------
     InputError
-        A limit that is not positive (the text names the joint), or a speed above the largest.
+        Limits of another number of joints, or a speed above the largest.
 
     Notes
     -----
@@ -97,14 +107,14 @@ def law_bounds(path: Path, v_max: Any, a_max: Any = math.inf, speed: float | Non
     Notes 6.20-6.44. Two corrections: the maxima may be at the ends of [0, 1], where the next derivative is not zero (in
     the example 6.34 both are); and the bound 6.33 may be zero or negative, which means that V must be lowered first.
     """
-    v, a = positive_bounds(v_max, "v_max", path.m), positive_bounds(a_max, "a_max", path.m)
+    held = limits_of(limits, path.m)
     degree = path.degree
     first = extremes(lambda s: path.at(s, 1), path.edges, degree and max(degree - 1, 0))
     second = extremes(lambda s: path.at(s, 2), path.edges, degree and max(degree - 2, 0))
     if not first.peak.any():
         raise InputError("path: it does not move, so no law is bounded by it")
-    raw = LawBounds(first.peak, second.peak, first.peak_at, second.peak_at, v, a, 0.0, 0, 0.0, 0, 0.0, "")
-    largest, _ = _smallest(v, first.peak)
+    raw = LawBounds(first.peak, second.peak, first.peak_at, second.peak_at, held, 0.0, 0, 0.0, 0, 0.0, "")
+    largest, _ = _smallest(held.velocity, first.peak)
     if speed is None:
         return _bounds(raw, largest)
     if not 0.0 < speed <= largest * (1.0 + 1e-12):
@@ -113,25 +123,21 @@ def law_bounds(path: Path, v_max: Any, a_max: Any = math.inf, speed: float | Non
 
 
 def _bounds(raw: LawBounds, V: float) -> LawBounds:
-    largest, V_joint = _smallest(raw.v_max, raw.M_v)
+    v_max, a_max = raw.limits.velocity, raw.limits.acceleration
+    largest, V_joint = _smallest(v_max, raw.M_v)
     with np.errstate(divide="ignore", invalid="ignore"):
-        V_bend = float(np.sqrt(np.where(raw.M_a > 0.0, raw.a_max / raw.M_a, np.inf)).min())
+        V_bend = float(np.sqrt(np.where(raw.M_a > 0.0, a_max / raw.M_a, np.inf)).min())
     used = np.where(raw.M_a > 0.0, V * V * np.where(raw.M_a > 0.0, raw.M_a, 1.0), 0.0)
-    bounded = np.isfinite(raw.a_max)
-    A, A_joint = _smallest(np.where(bounded, np.where(bounded, raw.a_max, 0.0) - used, np.inf), raw.M_v)
-    return LawBounds(
-        raw.M_v,
-        raw.M_a,
-        raw.M_v_at,
-        raw.M_a_at,
-        raw.v_max,
-        raw.a_max,
-        V,
-        0 if largest > V else V_joint,
-        A,
-        A_joint,
-        V_bend,
-        _explained(V, A, A_joint, V_bend),
+    bounded = np.isfinite(a_max)
+    A, A_joint = _smallest(np.where(bounded, np.where(bounded, a_max, 0.0) - used, np.inf), raw.M_v)
+    return replace(
+        raw,
+        V=V,
+        V_joint=0 if largest > V else V_joint,
+        A=A,
+        A_joint=A_joint,
+        V_bend=V_bend,
+        explanation=_explained(V, A, A_joint, V_bend),
     )
 
 

@@ -15,6 +15,9 @@ ORDERS = (0, 1, 2, 3)
 SMOOTH = 3.0
 """The class of a place where none of the derivatives offered jumps: C3 or smoother."""
 
+SMOOTH_ENOUGH = 2
+"""The class from and to rest for which the jerk is finite everywhere."""
+
 JUMP = 1e-8
 """A jump below this part of the largest value of its derivative is rounding."""
 
@@ -33,13 +36,20 @@ def classes(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) 
         Of the shorter neighbouring piece.
     """
     found = np.full(len(lengths), SMOOTH)
+    for order, jumping in reversed(list(enumerate(jumps(before, after, lengths)))):
+        found = np.where(jumping.any(axis=1), float(order - 1), found)
+    return found
+
+
+def jumps(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) -> list[NDArray[np.bool_]]:
+    """Return for each order which components jump at which places, each (k, m); arguments as of `classes`."""
     sizes = [max(_largest(a), _largest(b)) for a, b in zip(before, after, strict=True)]
-    for order in reversed(range(len(before))):
-        jump = np.abs(after[order] - before[order]).max(axis=1, initial=0.0)
+    found = []
+    for order, (left, right) in enumerate(zip(before, after, strict=True)):
         floor = np.full(len(lengths), JUMP * sizes[order])
         for lower in range(order):
             floor = np.maximum(floor, NOISE * sizes[lower] / lengths ** (order - lower))
-        found = np.where(jump > floor, float(order - 1), found)
+        found.append(np.abs(right - left) > floor[:, None])
     return found
 
 

@@ -2,54 +2,32 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats, wrong
-from armlab.kin.motion.field import positive, positive_bounds
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path_types import path_type
+from armlab.kin.motion.run_along import run_along
 from armlab.kin.motion.sequence import Separate
 from armlab.kin.motion.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class JointLimits:
-    """Limits of the rates of m joints, infinite where there are none.
-
-    Attributes
-    ----------
-    velocity, acceleration, jerk : ndarray, shape (m,)
-    """
-
-    velocity: Floats
-    acceleration: Floats
-    jerk: Floats
-
-    @classmethod
-    def of(cls, m: int, velocity: Any = math.inf, acceleration: Any = math.inf, jerk: Any = math.inf) -> JointLimits:
-        """Return checked limits; one number stands for all joints. `InputError` names the joint."""
-        given = (("v_max", velocity), ("a_max", acceleration), ("jerk_max", jerk))
-        return cls(*(positive_bounds(values, where, m) for where, values in given))
-
-
 def coordinated(
     start: ArrayLike,
     end: ArrayLike,
     law: str = "trapezoidal",
+    limits: Limits | Arm | None = None,
     *,
     duration: float | None = None,
-    v_max: Any = math.inf,
-    a_max: Any = math.inf,
-    jerk_max: Any = math.inf,
     **options: Any,
 ) -> Trajectory:
     """Return the straight line in joint space: all joints start and end together.
@@ -58,49 +36,47 @@ def coordinated(
     ----------
     start, end : array_like, shape (m,)
         Rad or m.
-    law : str
-        Key of a timing law.
-    duration : float, optional
-        Seconds; left out: as fast as the limits allow, the limits of s being the smallest v_i / |Delta q_i| and so on.
-    v_max, a_max, jerk_max : array_like, shape (m,) or ()
-    **options
-        Of the law.
+    law, limits, duration, **options
+        As of `armlab.kin.motion.run_along.run_along`: as fast as the limits allow, or in a duration that keeps them.
 
     References
     ----------
     Notes, the list before section 6.1, and 6.25: on a line M_v,i = |Delta q_i| and M_a,i = 0.
+
+    Examples
+    --------
+    >>> round(coordinated([0.0, 0.0], [1.0, 0.5], "quintic", Limits(velocity=1.5)).duration, 9)
+    1.25
     """
-    q_i, q_f = _ends(start, end)
-    path, kind = path_type("line").path(np.stack([q_i, q_f])), law_type(law)
-    if duration is not None:
-        return Trajectory(path, kind.law(positive(duration, "duration"), **options))
-    limits = JointLimits.of(len(q_i), v_max, a_max, jerk_max)
-    way = np.abs(q_f - q_i)
-    moving = way > 0.0
-    rates = ((each[moving] / way[moving]).min() for each in (limits.velocity, limits.acceleration, limits.jerk))
-    return Trajectory(path, kind.within(*map(float, rates), **options))
+    path = path_type("line").path(np.stack(_ends(start, end)))
+    return run_along(path, law, limits, duration=duration, **options)
 
 
 def independent(
     start: ArrayLike,
     end: ArrayLike,
     law: str = "trapezoidal",
+    limits: Limits | Arm | None = None,
     *,
-    v_max: Any = math.inf,
-    a_max: Any = math.inf,
-    jerk_max: Any = math.inf,
+    shape: Limits | None = None,
+    jumps: bool = False,
     **options: Any,
 ) -> Separate:
     """Return the motion with each joint as fast as it can: all start together, each ends by itself.
 
     The time is the same as when coordinated only if one joint is the slowest in every respect; the way in joint space
-    is not straight. Parameters as of `coordinated`.
+    is not straight. Parameters as of `coordinated`, and as of `armlab.kin.motion.law_types.LawType.along`.
     """
     q_i, q_f = _ends(start, end)
-    limits, kind = JointLimits.of(len(q_i), v_max, a_max, jerk_max), law_type(law)
+    if limits is None:
+        raise InputError("limits: give Limits(velocity=..., acceleration=...) or an arm")
+    held, kind = limits_of(limits, len(q_i)), law_type(law)
+    forms = held if shape is None else shape.for_joints(len(q_i))
     laws: list[Law | None] = []
-    for way, v, a, j in zip(np.abs(q_f - q_i), limits.velocity, limits.acceleration, limits.jerk, strict=True):
-        laws.append(kind.within(float(v / way), float(a / way), float(j / way), **options) if way > 0.0 else None)
+    for j, (a, b) in enumerate(zip(q_i, q_f, strict=True)):
+        line = None if a == b else path_type("line").path([[a], [b]])
+        one, form = held.of_joint(j), forms.of_joint(j)
+        laws.append(None if line is None else kind.along(line, one, shape=form, jumps=jumps, **options))
     return Separate(q_i, q_f, laws)
 
 

@@ -21,6 +21,10 @@ BETWEEN = 1.0 / math.cos(math.pi / (2.0 * FINER))
 """A polynomial of degree d is at most so many times as large as on d * `FINER` + 1 Chebyshev points (Ehlich and Zeller
 1964): what makes the search certain."""
 
+MANY, FINEST = 8, 64
+"""Pieces that may hold an extreme of which more than so many are looked at on grids 8 times as fine, and again, before
+any roots are found: of a motion that is at its limit all the time nearly every piece may."""
+
 GAIN = 1e-15
 """Relative gain below which a better extreme is not looked for."""
 
@@ -93,6 +97,17 @@ def _highest(
     best, best_at = float(top[piece]), float(places[piece, point])
     bound = 0.5 * (top + bottom) + 0.5 * (top - bottom) * BETWEEN
     candidates = np.flatnonzero(bound > best + GAIN * (abs(best) + np.abs(bound)))
+    for factor in (8, FINEST):
+        if len(candidates) > MANY:
+            finer, top, bottom = _finer(series, j, candidates, factor)
+            top, bottom = (top, bottom) if sign > 0.0 else (-bottom, -top)
+            k = int(np.argmax(top))
+            if top[k] > best:
+                point = int(np.argmax(sign * finer[k]))
+                best = float(top[k])
+                best_at = float(series.grid(finer.shape[1])[candidates[k], point])
+            bound[candidates] = 0.5 * (top + bottom) + 0.5 * (top - bottom) * _between(factor)
+            candidates = candidates[bound[candidates] > best + GAIN * (abs(best) + np.abs(bound[candidates]))]
     for i in candidates[np.argsort(-bound[candidates], kind="stable")]:
         if bound[i] <= best:
             break
@@ -102,6 +117,19 @@ def _highest(
             if value > best:
                 best, best_at = float(value), _place(series.edges[i], float(u))
     return best, best_at
+
+
+def _finer(series: Series, j: int, pieces: NDArray[np.int_], factor: int) -> tuple[Floats, Floats, Floats]:
+    """Return component j of some pieces on a finer grid, (P, count), and its largest and smallest values, (P,)."""
+    degree = max(series.coefficients.shape[1] - 1, 1)
+    some = Series(series.edges[pieces], series.coefficients[pieces, :, j : j + 1])
+    values = some.on_grid(FINER * factor * degree + 1)[:, :, 0]
+    return values, values.max(axis=1), values.min(axis=1)
+
+
+def _between(factor: int) -> float:
+    """Return what `BETWEEN` is on a grid so many times as fine."""
+    return 1.0 / math.cos(math.pi / (2.0 * FINER * factor))
 
 
 def _place(edges: Floats, u: float) -> float:
@@ -140,7 +168,13 @@ def _above(series: Series, j: int, limit: float) -> list[tuple[float, float]]:
     spread = 0.5 * (top - bottom) * BETWEEN
     middle = 0.5 * (top + bottom)
     intervals: list[tuple[float, float]] = []
-    for i in np.flatnonzero(np.abs(middle) + spread > limit):
+    candidates = np.flatnonzero(np.abs(middle) + spread > limit)
+    for factor in (8, FINEST):
+        if len(candidates) > MANY:
+            _, top, bottom = _finer(series, j, candidates, factor)
+            reach = 0.5 * np.abs(top + bottom) + 0.5 * (top - bottom) * _between(factor)
+            candidates = candidates[reach > limit]
+    for i in candidates:
         terms = series.coefficients[i, :, j]
         cuts = np.concatenate([[-1.0, 1.0], _crossings(terms, limit), _crossings(terms, -limit)])
         cuts = np.unique(cuts)

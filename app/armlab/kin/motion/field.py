@@ -41,6 +41,8 @@ class Field:
         Options this one depends on, and their values with which it can be used, None: left out; empty: always.
     by : tuple of (str, str, str, str)
         Option, value, symbol, unit: symbol and unit are these while the option has the value, and else as above.
+    was : str
+        Key by which works that were saved before may call it.
     """
 
     key: str
@@ -55,6 +57,7 @@ class Field:
     choices: tuple[tuple[str, str], ...] = ()
     only: tuple[tuple[str, tuple[str | None, ...]], ...] = ()
     by: tuple[tuple[str, str, str, str], ...] = ()
+    was: str = ""
 
     @property
     def converted(self) -> bool:

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import positive_bounds
+from armlab.kin.arm import Arm
 from armlab.kin.motion.knots import checked_knots
 from armlab.kin.motion.law_types import law_type
+from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import path_type
 from armlab.kin.motion.scaling import as_fast_as_allowed
@@ -57,15 +58,15 @@ class MinimumTime:
         return self.trajectory.duration
 
 
-def minimum_time_spline(knots: ArrayLike, v_max: Any, a_max: Any, **ends: Any) -> MinimumTime:
+def minimum_time_spline(knots: ArrayLike, limits: Limits | Arm, **ends: Any) -> MinimumTime:
     """Return the spline through waypoints whose intervals take the least time.
 
     Parameters
     ----------
     knots : array_like, shape (N, m)
         2 to `MOST_KNOTS`.
-    v_max, a_max : array_like, shape (m,) or ()
-        Finite and positive.
+    limits : Limits or Arm
+        Finite ones of velocity and acceleration; an arm stands for its own.
     **ends
         Options of the spline that are zero or choices (``ends="natural"``): rest to rest when left out.
 
@@ -86,9 +87,12 @@ def minimum_time_spline(knots: ArrayLike, v_max: Any, a_max: Any, **ends: Any) -
     """
     points = checked_knots(knots, "a spline of least time", 2, MOST_KNOTS, True)
     m = points.shape[1]
-    v, a = positive_bounds(v_max, "v_max", m), positive_bounds(a_max, "a_max", m)
+    held = limits_of(limits, m)
+    v, a = held.velocity, held.acceleration
     if not (np.isfinite(v).all() and np.isfinite(a).all()):
-        raise InputError("v_max, a_max: expected finite limits")
+        raise InputError("limits: expected finite ones of velocity and acceleration, for all joints")
+    if held.bounded[2]:
+        raise InputError("limit of jerk: the acceleration of a spline jumps at its ends, so no time keeps it")
     for key in ("v_start", "v_end", "a_start", "a_end"):
         if ends.get(key) is not None and np.any(np.asarray(ends[key], dtype=float)):
             raise InputError(f"{key}: expected zero, as the time is not known beforehand")
@@ -117,7 +121,8 @@ def _spline(points: Floats, h: Floats, ends: dict[str, Any]) -> Path:
 def _fastest(points: Floats, h: Floats, v: Floats, a: Floats, ends: dict[str, Any]) -> Trajectory:
     path = _spline(points, h, ends)
     at_first = Trajectory(path, law_type("constant").law(float(np.sum(h))))
-    found, _ = as_fast_as_allowed(at_first, v, a)
+    # With natural ends it begins and ends with a speed.
+    found, _ = as_fast_as_allowed(at_first, Limits(v, a), jumps=True)
     if not isinstance(found, Trajectory):
         raise TypeError("scaling a trajectory gives a trajectory")
     return found

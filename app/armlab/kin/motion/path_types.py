@@ -45,6 +45,8 @@ class PathType:
         Allowed numbers of coordinates; empty for any.
     apart : bool
         Whether neighbouring waypoints must differ.
+    rests : bool
+        Whether it begins and ends at rest where s runs evenly, as its options come; of paths that have their own time.
     formula : str
         LaTeX, with X for what runs along it.
     says : str
@@ -61,6 +63,7 @@ class PathType:
     fields: tuple[Field, ...] = ()
     dimensions: tuple[int, ...] = ()
     apart: bool = True
+    rests: bool = True
     formula: str = ""
     says: str = ""
 

@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats
 from armlab.kin.motion.extremes import Extremes, exceeding, extremes_of_series, outside
-from armlab.kin.motion.field import positive_bounds
+from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.series import Series, series_of
 from armlab.kin.motion.trajectory import Motion
 
@@ -39,7 +40,7 @@ class Violation:
     quantity : str
         ``"position"``, ``"velocity"``, ``"acceleration"`` or ``"jerk"``.
     start, end : float
-        Seconds.
+        Seconds; the same where a jump exceeds it.
     """
 
     joint: int
@@ -71,38 +72,51 @@ def peaks(motion: Motion, order: int) -> Extremes:
 
 
 def violations(
-    motion: Motion,
-    *,
-    positions: Any = None,
-    velocity: Any = None,
-    acceleration: Any = None,
-    jerk: Any = None,
+    motion: Motion, limits: Limits | Arm | None = None, *, positions: Any = None, from_rest: bool = True
 ) -> list[Violation]:
     """Return when which limit is exceeded, in the order of time.
+
+    A derivative that jumps exceeds every limit of the next one for an instant.
 
     Parameters
     ----------
     motion : Motion
+    limits : Limits or Arm, optional
+        Of the absolute values of the rates; an arm stands for its own.
     positions : array_like, shape (m, 2), optional
-        Smallest and largest value of each coordinate.
-    velocity, acceleration, jerk : array_like, shape (m,) or (), optional
-        Of the absolute values; positive, infinite where there is none.
+        Smallest and largest value of each coordinate; those of an arm when left out.
+    from_rest : bool
+        Whether all stands still before and after the motion, so that a velocity at its ends is a jump.
 
     Raises
     ------
     InputError
-        A limit that is not positive (the text names the joint), or a wrong shape.
+        Limits of another number of joints.
     """
+    if positions is None and isinstance(limits, Arm):
+        positions = limits.limits
     found: list[Violation] = []
     if positions is not None:
         low, high = _position_limits(positions, motion.m)
         found += _named("position", outside(motion_series(motion, 0), low, high, LIMIT_SLACK))
-    for order, limits in ((1, velocity), (2, acceleration), (3, jerk)):
-        if limits is not None:
-            bounds = positive_bounds(limits, f"limit of {QUANTITIES[order]}", motion.m)
-            if np.isfinite(bounds).any():
-                found += _named(QUANTITIES[order], exceeding(motion_series(motion, order), bounds))
+    held = Limits() if limits is None else limits_of(limits, motion.m)
+    for order, (bounds, finite) in enumerate(zip(held.for_joints(motion.m).each, held.bounded, strict=True), start=1):
+        if finite:
+            between = _named(QUANTITIES[order], exceeding(motion_series(motion, order), bounds))
+            found += [*between, *_jumping(motion, order, bounds, between, from_rest)]
     return sorted(found, key=lambda violation: (violation.start, violation.joint, violation.quantity))
+
+
+def _jumping(motion: Motion, order: int, bounds: Floats, known: list[Violation], from_rest: bool) -> list[Violation]:
+    """Return the instants at which a lower derivative jumps, but for those at which the limit is exceeded anyway."""
+    found = set()
+    for lower in range(1, order):
+        for joint, time in motion.jumps(lower):
+            inside = 0.0 < time < motion.duration
+            over = any(each.joint == joint and each.start <= time <= each.end for each in known)
+            if np.isfinite(bounds[joint - 1]) and (inside or from_rest) and not over:
+                found.add((joint, time))
+    return [Violation(joint, QUANTITIES[order], time, time) for joint, time in sorted(found)]
 
 
 def _named(quantity: Quantity, intervals: list[list[tuple[float, float]]]) -> list[Violation]:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import positive_bounds
-from armlab.kin.motion.law_types import SMOOTH_ENOUGH
+from armlab.kin.arm import Arm
+from armlab.kin.motion.breaks import SMOOTH_ENOUGH
+from armlab.kin.motion.limits import NAMES, Limits, limits_of
 from armlab.kin.motion.peaks import peaks
 from armlab.kin.motion.sequence import Slowed
 from armlab.kin.motion.trajectory import Motion, Trajectory
@@ -45,20 +44,20 @@ class Scaling:
 
 
 def optimal_scaling(
-    v_peak: Any, a_peak: Any, v_max: Any, a_max: Any = math.inf, jerk_peak: Any = 0.0, jerk_max: Any = math.inf
+    limits: Limits, velocity: ArrayLike, acceleration: ArrayLike = 0.0, jerk: ArrayLike = 0.0
 ) -> Scaling:
     """Return the k at which one limit is met and none exceeded.
 
     Parameters
     ----------
-    v_peak, a_peak, jerk_peak : array_like, shape (m,)
+    limits : Limits
+    velocity, acceleration, jerk : array_like, shape (m,) or ()
         Largest absolute values of each joint.
-    v_max, a_max, jerk_max : array_like, shape (m,) or ()
 
     Raises
     ------
     InputError
-        A limit that is not positive, or nothing that holds the motion back.
+        Limits of another number of joints, or nothing that holds the motion back.
 
     References
     ----------
@@ -66,22 +65,17 @@ def optimal_scaling(
 
     Examples
     --------
-    >>> optimal_scaling([3.75, 1.875], [11.547, 5.774], [2.0, 2.0], [8.0, 8.0]).k
+    >>> limits = Limits(velocity=2.0, acceleration=8.0)
+    >>> optimal_scaling(limits, [3.75, 1.875], [11.547, 5.774]).k
     1.875
     """
-    v = np.atleast_1d(np.asarray(v_peak, dtype=float))
-    m = len(v)
-    quotients = []
-    for order, (where, peak, limits) in enumerate(
-        (("v_max", v, v_max), ("a_max", a_peak, a_max), ("jerk_max", jerk_peak, jerk_max)), start=1
-    ):
-        high = positive_bounds(limits, where, m)
-        quotients.append((np.broadcast_to(np.asarray(peak, dtype=float), (m,)) / high) ** (1.0 / order))
-    table = np.array(quotients)
+    peak = np.broadcast_arrays(*(np.atleast_1d(np.asarray(each, float)) for each in (velocity, acceleration, jerk)))
+    high = limits.for_joints(len(peak[0])).each
+    table = np.array([(p / h) ** (1.0 / order) for order, (p, h) in enumerate(zip(peak, high, strict=True), start=1)])
     kind, joint = np.unravel_index(int(np.argmax(table)), table.shape)
     if table[kind, joint] == 0.0:
-        raise InputError("v_max, a_max: no limit holds this motion back")
-    return Scaling(float(table[kind, joint]), int(joint) + 1, ("velocity", "acceleration", "jerk")[kind])
+        raise InputError("limits: none of them holds this motion back")
+    return Scaling(float(table[kind, joint]), int(joint) + 1, NAMES[kind])
 
 
 def scaled(motion: Motion, k: float) -> Motion:
@@ -91,19 +85,39 @@ def scaled(motion: Motion, k: float) -> Motion:
     return Slowed(motion, k)
 
 
-def as_fast_as_allowed(
-    motion: Motion, v_max: Any, a_max: Any = math.inf, jerk_max: Any = math.inf
-) -> tuple[Motion, Scaling]:
+def as_fast_as_allowed(motion: Motion, limits: Limits | Arm, *, jumps: bool = False) -> tuple[Motion, Scaling]:
     """Return the motion at its uniform scaling that meets one limit, and the scaling.
+
+    Parameters
+    ----------
+    motion : Motion
+    limits : Limits or Arm
+        An arm stands for its own limits.
+    jumps : bool
+        Where a velocity jumps no limit of acceleration can be kept at any speed, and where an acceleration jumps none
+        of jerk, which is refused. True: it is let through; accelerations then count between the jumps only, and the
+        jerk of a motion whose acceleration jumps not at all.
 
     Raises
     ------
     InputError
-        A limit that is not positive, nothing that holds the motion back, or a limit of jerk where accelerations jump.
+        Nothing that holds the motion back, or a limit that cannot be kept.
     """
-    finite_jerk = bool(np.isfinite(np.asarray(jerk_max, dtype=float)).any())
-    if finite_jerk and motion.continuity_from_rest < SMOOTH_ENOUGH:
-        raise InputError("jerk_max: the acceleration of this motion jumps, so its jerk is infinite at any speed")
-    jerk = peaks(motion, 3).peak if finite_jerk else 0.0
-    scaling = optimal_scaling(peaks(motion, 1).peak, peaks(motion, 2).peak, v_max, a_max, jerk, jerk_max)
+    held = limits_of(limits, motion.m)
+    if not jumps:
+        refuse_jumps(motion, held)
+    smooth = motion.continuity_from_rest >= SMOOTH_ENOUGH
+    jerk = peaks(motion, 3).peak if held.bounded[2] and smooth else 0.0
+    scaling = optimal_scaling(held, peaks(motion, 1).peak, peaks(motion, 2).peak, jerk)
     return scaled(motion, scaling.k), scaling
+
+
+def refuse_jumps(motion: Motion, limits: Limits) -> None:
+    """Raise `InputError` where a jump of a motion lets no limit of the next derivative be kept, at any speed."""
+    for order, what in ((1, "velocity"), (2, "acceleration")):
+        for joint, time in motion.jumps(order):
+            for name, values in zip(NAMES[order:], limits.each[order:], strict=True):
+                if np.isfinite(values[joint - 1]):
+                    raise InputError(
+                        f"limit of {name}: the {what} of joint {joint} jumps at {time:.4g} s, so no time keeps it"
+                    )

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.checks import whole_number, wrong
-from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, merged, stopped
+from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, jumps, merged, stopped
 from armlab.kin.motion.field import positive
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.path import Path
@@ -22,6 +22,9 @@ Floats = NDArray[np.float64]
 
 OUTSIDE = 1e-9
 """A law may leave [0, 1] by so much: rounding."""
+
+SAME_PLACE = 1e-13
+"""Two s that differ by no more are the same place."""
 
 MOST_SAMPLES = 1_000_000
 
@@ -94,11 +97,27 @@ class Motion(ABC):
         return np.concatenate([[0.0], self.pieces, [self.duration]])
 
     @cached_property
-    def _classes(self) -> Floats:
+    def _sides(self) -> tuple[list[Floats], list[Floats], Floats]:
+        """Derivatives from the left and from the right at the edges, and the lengths of the shorter pieces there."""
         places = self.edges
         left, right = (stopped(self.limits_at(places, before), before) for before in (True, False))
         lengths = np.diff(places)
-        return classes(left, right, np.minimum(np.append(lengths, np.inf), np.append(np.inf, lengths)))
+        return left, right, np.minimum(np.append(lengths, np.inf), np.append(np.inf, lengths))
+
+    @cached_property
+    def _classes(self) -> Floats:
+        return classes(*self._sides)
+
+    def jumps(self, order: int) -> list[tuple[int, float]]:
+        """Return the joints (from 1) of which a derivative jumps, and when, standstill before and after included.
+
+        Parameters
+        ----------
+        order : int
+            1: velocity, 2: acceleration.
+        """
+        found = jumps(*self._sides)[order]
+        return [(int(j) + 1, float(self.edges[k])) for k, j in np.argwhere(found)]
 
     @property
     def breaks(self) -> Floats:
@@ -216,7 +235,7 @@ def times_at(law: Law, places: Floats) -> Floats:
             middle = 0.5 * (low + high)
             short = law.at(middle) < places
             low, high = np.where(short, middle, low), np.where(short, high, middle)
-        return high
+        return _snapped(law, places, high)
     series = series_of(lambda t: law.at(t)[:, None], law.edges, law.degree)
     found = []
     for (start, end), terms in zip(series.edges, series.coefficients[:, :, 0], strict=True):
@@ -225,6 +244,17 @@ def times_at(law: Law, places: Floats) -> Floats:
             shifted[0] -= place
             found.append(start + (end - start) * (0.5 + 0.5 * roots_inside(shifted)))
     return np.sort(np.concatenate(found))
+
+
+def _snapped(law: Law, places: Floats, times: Floats) -> Floats:
+    """Return times, those at which a piece of the law ends put there: where s stands still it tells no time."""
+    if len(law.pieces) == 0:
+        return times
+    passed = law.at(law.pieces)
+    k = np.clip(np.searchsorted(passed, places), 1, max(len(passed) - 1, 1))
+    before, after = np.minimum(k - 1, len(passed) - 1), np.minimum(k, len(passed) - 1)
+    near = np.where(np.abs(passed[before] - places) < np.abs(passed[after] - places), before, after)
+    return np.where(np.abs(passed[near] - places) <= SAME_PLACE, law.pieces[near], times)
 
 
 def in_time(q: dict[int, Floats], s: Sequence[Floats], order: int, shape: tuple[int, ...]) -> Floats:

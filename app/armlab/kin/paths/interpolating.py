@@ -67,6 +67,7 @@ PATH = PathType(
     spaces=("joint", "cartesian"),
     fields=TIMES,
     apart=False,
+    rests=False,
     formula=r"X(s)=\sum_{k=0}^{N-1}a_ks^k",
     says="One polynomial through all N knots; with many knots it wanders.",
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,8 @@ from armlab.kin.checks import as_floats, whole_number, wrong
 from armlab.kin.motion.field import Field
 from armlab.kin.motion.path import PolynomialPath
 from armlab.kin.motion.path_types import PathType
-from armlab.kin.motion.piecewise import Piecewise
 from armlab.kin.paths._boundary import MOST_DEGREE, boundary_polynomial, in_seconds
+from armlab.kin.paths._exact import ExactPolynomial, boundary_fractions
 from armlab.kin.paths.cubic import DURATION
 
 Floats = NDArray[np.float64]
@@ -156,16 +157,22 @@ def make(knots: Floats, options: dict[str, Any]) -> PolynomialPath:
             )
         if degree % 2 == 0 or degree > MOST_DEGREE:
             raise wrong("degree", f"an odd number up to {MOST_DEGREE}", degree)
-        rising = np.array(rest_coefficients(degree)[::-1], dtype=float)
-        coefficients = rising[:, None] * (knots[1] - knots[0])
-        coefficients[0] += knots[0]
+        rising = rest_coefficients(degree)[::-1]
+        ends = [[Fraction(value) for value in pair] for pair in knots.T.tolist()]
+        rows = [[q_i, *(a * (q_f - q_i) for a in rising[1:])] for q_i, q_f in ends]
     else:
-        rows = [_rows(options[key], key, m) for key in ("start", "end")]
-        if 1 + len(rows[0]) + len(rows[1]) > MOST_DEGREE:
-            raise InputError(f"start and end: at most {MOST_DEGREE - 1} conditions, got {len(rows[0]) + len(rows[1])}")
-        ends = (in_seconds([knot, *row], duration) for knot, row in zip(knots, rows, strict=True))
-        coefficients = boundary_polynomial(*ends)
-    return PolynomialPath(Piecewise(np.array([0.0, 1.0]), coefficients[None]), duration)
+        given = [_rows(options[key], key, m) for key in ("start", "end")]
+        if 1 + len(given[0]) + len(given[1]) > MOST_DEGREE:
+            raise InputError(
+                f"start and end: at most {MOST_DEGREE - 1} conditions, got {len(given[0]) + len(given[1])}"
+            )
+        T = Fraction(duration)
+        start, end = ([knot, *each] for knot, each in zip(knots, given, strict=True))
+        rows = [
+            boundary_fractions(*([Fraction(values[j]) * T**k for k, values in enumerate(row)] for row in (start, end)))
+            for j in range(m)
+        ]
+    return ExactPolynomial(rows, duration)
 
 
 def _rows(value: Floats | None, where: str, m: int) -> list[Floats]:

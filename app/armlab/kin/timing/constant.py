@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from armlab.kin.motion.law import Law, PolynomialLaw
-from armlab.kin.motion.law_types import LawType, Limits
+from armlab.kin.motion.law_types import LawType
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.piecewise import Piecewise
 
 REMARK = "The speed jumps at both ends: no motor can do that unless the path itself begins and ends at rest."
@@ -21,7 +22,7 @@ def make(duration: float, distance: float, options: dict[str, Any]) -> Law:
 
 def fastest(limits: Limits, distance: float, options: dict[str, Any]) -> Law:
     """Return the law at the largest speed; the accelerations between the jumps are zero."""
-    return make(distance / limits.speed, distance, options)
+    return make(distance / float(limits.velocity), distance, options)
 
 
-LAW = LawType("constant", "Constant speed", 1, make, fastest, needs=("speed",))
+LAW = LawType("constant", "Constant speed", 1, make, fastest, needs=("velocity",))

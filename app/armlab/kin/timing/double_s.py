@@ -7,7 +7,8 @@ from typing import Any
 
 from armlab.kin.motion.field import Field
 from armlab.kin.motion.law import Law, PolynomialLaw
-from armlab.kin.motion.law_types import LawType, Limits
+from armlab.kin.motion.law_types import LawType
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.piecewise import integrated
 from armlab.kin.timing.trapezoidal import END_SPEEDS, check_end_speeds, ramps_of, refuse_short
 
@@ -18,7 +19,7 @@ HALVINGS = 200
 def make(duration: float, distance: float, options: dict[str, Any]) -> Law:
     """Return the law with ramps of a given share of the time, rounded by jerk for a given share of each."""
     t_a, t_d, v = ramps_of(duration, distance, options)
-    v_0, v_1, share = options["v_start"], options["v_end"], options["rounding"]
+    v_0, v_1, share = options["sdot_start"], options["sdot_end"], options["rounding"]
     times: list[float] = []
     jerks: list[float] = []
     for t, change in ((t_a, v - v_0), (t_d, v_1 - v)):
@@ -46,16 +47,15 @@ def fastest(limits: Limits, distance: float, options: dict[str, Any]) -> Law:
     ----------
     Biagiotti and Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, 2008, section 3.4.
     """
-    v_0, v_1 = options["v_start"], options["v_end"]
-    a, j = limits.acceleration, limits.jerk
-    check_end_speeds(v_0, v_1, limits.speed)
+    v_0, v_1 = options["sdot_start"], options["sdot_end"]
+    v, a, j = (float(limit) for limit in limits.each)
+    check_end_speeds(v_0, v_1, v)
     least = max(v_0, v_1)
     refuse_short(_covered(v_0, least, a, j) + _covered(least, v_1, a, j), distance, v_0, v_1)
 
     def missing(v: float) -> float:
         return distance - _covered(v_0, v, a, j) - _covered(v, v_1, a, j)
 
-    v = limits.speed
     if math.isinf(v) or missing(v) < 0.0:
         v = _root(missing, least, v)
     coast = max(missing(v) / v, 0.0)

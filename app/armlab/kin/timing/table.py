@@ -26,7 +26,7 @@ PRESETS: Mapping[str, Rows] = MappingProxyType({"plus_minus_one": PLUS_MINUS_ONE
 """Ready tables by name."""
 
 
-def acceleration_law(rows: Any, v_start: float = 0.0) -> PolynomialLaw:
+def acceleration_law(rows: Any, sdot_first: float = 0.0) -> PolynomialLaw:
     """Return s(t) from rows (from, to, acceleration), as typed: not scaled, and free to go back.
 
     Raises
@@ -45,7 +45,9 @@ def acceleration_law(rows: Any, v_start: float = 0.0) -> PolynomialLaw:
     (8.0, [-1.0, 1.0])
     """
     table = _checked(rows)
-    return PolynomialLaw(integrated(np.diff(table[:, :2], axis=1)[:, 0].tolist(), table[:, 2].tolist(), [0.0, v_start]))
+    return PolynomialLaw(
+        integrated(np.diff(table[:, :2], axis=1)[:, 0].tolist(), table[:, 2].tolist(), [0.0, sdot_first])
+    )
 
 
 def _checked(rows: Any) -> Any:
@@ -72,7 +74,7 @@ def make(duration: float, distance: float, options: dict[str, Any]) -> Law:
     InputError
         The table comes back to where it began, or ends behind it: no scale makes it end at the distance.
     """
-    typed = acceleration_law(options["rows"], options["v_start"])
+    typed = acceleration_law(options["rows"], options["sdot_first"])
     end = float(typed.at(typed.duration))
     if end <= 1e-9 * max(map(abs, typed.span)):
         raise InputError(
@@ -93,6 +95,6 @@ LAW = LawType(
     make,
     fields=(
         Field("rows", "s̈", "from, to, acceleration", "rows", BANG_COAST_BANG),
-        Field("v_start", "v_i", "speed at the start of the table", "number", 0.0),
+        Field("sdot_first", "ṡ_i", "speed of s at the start of the table", "number", 0.0, was="v_start"),
     ),
 )

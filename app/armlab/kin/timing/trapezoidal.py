@@ -6,14 +6,16 @@ import math
 from typing import Any
 
 from armlab.errors import InputError
+from armlab.kin.motion.extremes import SLACK
 from armlab.kin.motion.field import Field
 from armlab.kin.motion.law import Law, PolynomialLaw
-from armlab.kin.motion.law_types import LawType, Limits
+from armlab.kin.motion.law_types import LawType
+from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.piecewise import integrated
 
 END_SPEEDS = (
-    Field("v_start", "v_i", "speed at the start", "number", 0.0, low=0.0, unit="1/s"),
-    Field("v_end", "v_f", "speed at the end", "number", 0.0, low=0.0, unit="1/s"),
+    Field("sdot_start", "ṡ_i", "speed of s at the start", "number", 0.0, low=0.0, unit="1/s", was="v_start"),
+    Field("sdot_end", "ṡ_f", "speed of s at the end", "number", 0.0, low=0.0, unit="1/s", was="v_end"),
 )
 
 
@@ -28,12 +30,12 @@ def ramps_of(duration: float, distance: float, options: dict[str, Any]) -> tuple
         The end speeds alone cover more than the distance: s would have to go back.
     """
     t_a, t_d = duration * options["ramp"], duration * options["ramp"]
-    v_0, v_1 = options["v_start"], options["v_end"]
+    v_0, v_1 = options["sdot_start"], options["sdot_end"]
     v = (distance - 0.5 * v_0 * t_a - 0.5 * v_1 * t_d) / (duration - 0.5 * t_a - 0.5 * t_d)
     if v < 0.0:
         raise InputError(
-            f"v_start and v_end: at {v_0:g} and {v_1:g} ramps alone go farther than {distance:g} in {duration:g} s; "
-            "lower them, or take less time"
+            f"sdot_start and sdot_end: at {v_0:g} and {v_1:g} ramps alone go farther than {distance:g} in "
+            f"{duration:g} s; lower them, or take less time"
         )
     return t_a, t_d, v
 
@@ -46,7 +48,7 @@ def make(duration: float, distance: float, options: dict[str, Any]) -> Law:
     Notes 6.104-6.113.
     """
     t_a, t_d, v = ramps_of(duration, distance, options)
-    v_0, v_1 = options["v_start"], options["v_end"]
+    v_0, v_1 = options["sdot_start"], options["sdot_end"]
     times = [t_a, max(duration - t_a - t_d, 0.0), t_d]
     return PolynomialLaw(integrated(times, [(v - v_0) / t_a, 0.0, (v_1 - v) / t_d], [0.0, v_0]))
 
@@ -60,20 +62,22 @@ def fastest(limits: Limits, distance: float, options: dict[str, Any]) -> Law:
     Raises
     ------
     InputError
-        An end speed above the limit, or a distance too short to get from one end speed to the other.
+        An end speed or a deceleration above its limit, or a distance too short to get from one end speed to the other.
 
     References
     ----------
     Notes 6.110-6.113. For short ways, where they give no formulas: v = sqrt(L a), T_s = sqrt(L / a), T = 2 T_s.
     """
-    v_0, v_1 = options["v_start"], options["v_end"]
-    a = limits.acceleration
-    d = a if options["deceleration"] is None else options["deceleration"]
-    check_end_speeds(v_0, v_1, limits.speed)
+    v_0, v_1 = options["sdot_start"], options["sdot_end"]
+    most, a = float(limits.velocity), float(limits.acceleration)
+    d = a if options["sddot_down"] is None else options["sddot_down"]
+    if d > a * (1.0 + SLACK):
+        raise InputError(f"sddot_down: expected at most the limit of acceleration {a:g}, got {d:g}")
+    check_end_speeds(v_0, v_1, most)
     needed = (v_1 * v_1 - v_0 * v_0) / (2.0 * a) if v_1 > v_0 else (v_0 * v_0 - v_1 * v_1) / (2.0 * d)
     refuse_short(needed, distance, v_0, v_1)
     top = math.sqrt((2.0 * distance * a * d + v_0 * v_0 * d + v_1 * v_1 * a) / (a + d))
-    v = min(limits.speed, max(top, v_0, v_1))
+    v = min(most, max(top, v_0, v_1))
     t_a, t_d = (v - v_0) / a, (v - v_1) / d
     left = distance - 0.5 * (v_0 + v) * t_a - 0.5 * (v + v_1) * t_d
     coast = max(left / v, 0.0) if v < top else 0.0
@@ -82,7 +86,7 @@ def fastest(limits: Limits, distance: float, options: dict[str, Any]) -> Law:
 
 def check_end_speeds(v_start: float, v_end: float, most: float) -> None:
     """Raise `InputError` when an end speed is above the limit."""
-    for where, value in (("v_start", v_start), ("v_end", v_end)):
+    for where, value in (("sdot_start", v_start), ("sdot_end", v_end)):
         if value > most:
             raise InputError(f"{where}: expected at most the speed limit {most:g}, got {value:g}")
 
@@ -106,13 +110,14 @@ LAW = LawType(
         Field("ramp", "T_s/T", "share of each ramp, when the duration is given", "number", 1 / 3, 0.0, 0.5, above=True),
         *END_SPEEDS,
         Field(
-            "deceleration",
-            "A_dec",
-            "limit when slowing down; left out: as when speeding up",
+            "sddot_down",
+            "s̈_dec",
+            "deceleration of s, at most its limit; left out: that",
             "number",
             low=0.0,
             above=True,
             unit="1/s²",
+            was="deceleration",
         ),
     ),
     needs=("acceleration",),

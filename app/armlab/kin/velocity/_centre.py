@@ -33,9 +33,13 @@ def reasons(posture: Posture, layout: Layout) -> tuple[Reason, ...]:
     U, sigma, V_T = np.linalg.svd(J)
     found: list[Reason] = []
     rank = int(np.sum(sigma > VANISHES * sigma[0]))
-    if rank < 3:
-        lost = np.asarray(U[:, 2]) if rank == 2 else None
+    if rank == 2:
+        lost = np.asarray(U[:, 2])
         found.append(_elbow(posture, lost) or _shoulder(posture, layout, J, lost))
+    elif rank < 2:
+        along, beside = _lost_pair(posture, U, rank)
+        elbow = _elbow(posture, along)
+        found += [elbow, _still(posture, J, beside)] if elbow else [_shoulder(posture, layout, J, None)]
     wrist = _wrist(posture, layout, V_T[rank:])
     return (*found, wrist) if wrist is not None else tuple(found)
 
@@ -55,9 +59,39 @@ def _elbow(posture: Posture, lost: Array | None) -> Reason | None:
         f"Elbow: the arm is {how}: the shoulder centre (where axes 1, 2 and 3 meet), axis 4 and the wrist centre are "
     )
     says += "in line. No joint moves the wrist centre along that line."
-    if lost is None:
-        says += " Axes 1, 2 and 3 lie in one plane with it, so a second direction is lost, too."
     return "elbow", says, (4,), lost, False
+
+
+def _lost_pair(posture: Posture, U: Array, rank: int) -> tuple[Array | None, Array | None]:
+    """Return of two directions that the wrist centre lost the one along the lower arm, and the one across it."""
+    centre = posture.centre
+    if rank != 1 or centre is None:
+        return None, None
+    way = centre - posture.points[3]
+    part = U[:, 1:].T @ (way / np.linalg.norm(way))
+    if float(np.linalg.norm(part)) < 1.0 - VANISHES:
+        return None, None
+    return np.asarray(U[:, 1:] @ part), np.asarray(U[:, 1:] @ (-part[1], part[0]))
+
+
+def _still(posture: Posture, J: Array, lost: Array | None) -> Reason:
+    """Return why the joints of the shoulder add no second direction to that in which joint 4 moves the centre."""
+    floor = VANISHES * posture.arm.length_scale
+    still = [k + 1 for k in range(3) if float(np.linalg.norm(J[:, k])) <= floor]
+    if len(still) == 3:
+        says = "Shoulder: the wrist centre is at the shoulder centre (where axes 1, 2 and 3 meet), so joints 1, 2 and "
+        says += "3 do not move it. Beside the line of the elbow a second direction is lost to it."
+        return "shoulder", says, (1, 2, 3), lost, False
+    if len(still) == 2:
+        (moving,) = {1, 2, 3} - set(still)
+        says = f"Shoulder: axes {still[0]} and {still[1]} pass through the wrist centre, so these joints do not move "
+        says += (
+            f"it. Joints {moving} and 4 move it the same way: beside the line of the elbow a second direction is lost."
+        )
+        return "shoulder", says, (1, 2, 3), lost, False
+    says = "Shoulder: axes 1, 2 and 3 lie in one plane with the wrist centre, and joints 1, 2, 3 and 4 all move it the "
+    says += "same way: beside the line of the elbow a second direction is lost."
+    return "shoulder", says, (1, 2, 3), lost, False
 
 
 def _shoulder(posture: Posture, layout: Layout, J: Array, lost: Array | None) -> Reason:

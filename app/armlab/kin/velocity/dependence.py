@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
-from armlab.kin.checks import as_floats
+from armlab.kin.checks import as_floats, wrong
 from armlab.kin.ellipsoid import RANK_TOLERANCE
 
 Array = NDArray[np.float64]
@@ -141,6 +141,11 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
     usual : array_like, shape (s, m, n), optional
         The same matrix in other configurations: what is dependent in all of them, too, has not become so here.
 
+    Raises
+    ------
+    InputError
+        Not a matrix of finite numbers.
+
     References
     ----------
     Notes 5.79-5.83; J_1 + J_3 = 0 alone leaves a matrix of three columns its rank 2, J_2 = 0 is needed, too (the text
@@ -151,7 +156,9 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
     >>> [found.joints for found in dependent_columns([[-1.0, 0.0, 1.0], [0.0, 0.0, 0.0]])]
     [(2,), (1, 3)]
     """
-    matrix = np.asarray(J, dtype=np.float64)
+    matrix = as_floats(J, "J", "a matrix of numbers")
+    if matrix.ndim != 2 or not matrix.size or not np.isfinite(matrix).all():
+        raise wrong("J", "a matrix of finite numbers", J)
     others = np.zeros((0, *matrix.shape)) if usual is None else np.asarray(usual, dtype=np.float64)
     floor = RANK_TOLERANCE * float(np.linalg.norm(matrix, 2))
     found: list[Dependence] = []
@@ -163,6 +170,50 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
             if factors is not None and not _always(others[:, :, chosen]):
                 found.append(Dependence(tuple(k + 1 for k in chosen), factors))
     return tuple(found) or _of_null_space(matrix, floor)
+
+
+def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Dependence, ...]:
+    """Return so many dependences of which none follows from the others, as small as they are found, if there are.
+
+    Where the small sets of `dependent_columns` are too few, sets of more columns from the null space follow.
+
+    Parameters
+    ----------
+    J, usual : array_like
+        As of `dependent_columns`.
+    count : int
+    """
+    matrix, others = np.asarray(J, dtype=np.float64), np.asarray(usual, dtype=np.float64)
+    floor = RANK_TOLERANCE * float(np.linalg.norm(matrix, 2))
+    kept: list[Dependence] = []
+    vectors = np.zeros((0, matrix.shape[1]))
+    for found in (*dependent_columns(matrix, others), *_by_elimination(matrix, floor)):
+        columns = [joint - 1 for joint in found.joints]
+        vector = np.zeros(matrix.shape[1])
+        vector[columns] = found.factors
+        more = np.vstack([vectors, vector / np.linalg.norm(vector)])
+        if np.linalg.matrix_rank(more, tol=PART) == len(more) and not _always(others[:, :, columns]):
+            kept.append(found)
+            vectors = more
+    return tuple(kept[:count])
+
+
+def _by_elimination(matrix: Array, floor: float) -> tuple[Dependence, ...]:
+    """Return a basis of the null space with many zeros: the reduced row echelon form, with pivots as they are large."""
+    _, sigma, V_T = np.linalg.svd(matrix)
+    rows = V_T[int(np.sum(sigma > floor)) :].copy()
+    for i in range(len(rows)):
+        pivot = int(np.argmax(np.abs(rows[i])))
+        rows[i] /= rows[i, pivot]
+        for k in range(len(rows)):
+            if k != i:
+                rows[k] -= rows[k, pivot] * rows[i]
+    found = []
+    for row in rows:
+        vector = row / row[int(np.argmax(np.abs(row)))]
+        kept = [k for k in range(len(vector)) if abs(vector[k]) > PART]
+        found.append(Dependence(tuple(k + 1 for k in kept), vector[kept]))
+    return tuple(sorted(found, key=lambda each: len(each.joints)))
 
 
 def _dependence(columns: Array, floor: float) -> Array | None:

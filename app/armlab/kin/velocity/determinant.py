@@ -29,7 +29,10 @@ from armlab.kin.velocity._trigonometric import (
 )
 
 MOST_JOINTS = 4
-"""Of an arm without a spherical wrist."""
+"""Which move the tool in its task, of an arm without a wrist."""
+
+NEVER = 1e-9
+"""Part of the scaled Jacobian below which a joint never moves the tool in its task: its columns have no minors."""
 
 MOST_TERMS = 40
 """A determinant with more terms is of no use to a reader."""
@@ -63,7 +66,8 @@ class SymbolicDeterminant:
     Attributes
     ----------
     minors : tuple of SymbolicMinor
-        One, the determinant, for as many joints as task components; else those of all choices of columns.
+        One, the determinant, for as many joints as task components; else those of all choices of columns, but for
+        joints that never move the tool in its task.
     square : bool
     """
 
@@ -77,12 +81,14 @@ def determinant(arm: Arm) -> SymbolicDeterminant | None:
 
     Turning the axes in which velocities are written leaves a determinant alone, and so does, for a full pose, moving
     the point whose velocity is meant. So the axes are tried in turn and the shortest result is kept, and with a
-    spherical wrist the point is its centre: the Jacobian is then block triangular.
+    spherical wrist the point is its centre: the Jacobian is then block triangular. Behind three parallel axes it is
+    the point where axes 5 and 6 meet.
 
     Parameters
     ----------
     arm : Arm
-        Up to `MOST_JOINTS` joints, or six with a spherical wrist; its task in position and angle phi, or the pose.
+        Up to `MOST_JOINTS` joints that move the tool in its task of position and angle phi; or six, and the pose, with
+        a spherical wrist, or with three parallel axes and a wrist whose last two axes meet.
 
     References
     ----------
@@ -105,11 +111,14 @@ def _determinant(arm: Arm) -> SymbolicDeterminant | None:
     layout = layout_of(arm)
     if layout.spherical and n == 6 and task.key == "pose":
         return _decoupled(arm)
-    if n > MOST_JOINTS or task.rotation in ("approach", "full") or task.m > n:
+    if layout.wrist is not None and layout.run and n == 6 and task.key == "pose":
+        return _three_parallel(arm)
+    moving = [k for k in range(n) if np.abs(layout.usual[:, :, k]).max() > NEVER]
+    if len(moving) > MOST_JOINTS or task.rotation in ("approach", "full") or task.m > len(moving):
         return None
     whole = arm.description.axes_parallel or task.key == "xyz"
     views = [None, *range(n)] if whole else [None]
-    found = [_minors(arm, columns, views) for columns in combinations(range(n), task.m)]
+    found = [_minors(arm, columns, views) for columns in combinations(moving, task.m)]
     minors = tuple(minor for minor in found if minor is not None)
     return SymbolicDeterminant(minors, task.m == n) if len(minors) == len(found) else None
 
@@ -143,6 +152,23 @@ def _decoupled(arm: Arm) -> SymbolicDeterminant | None:
         lasts.append(determinant_of([[read(column[k]) for column in angular[3:]] for k in range(3)]))
     first, last = (min(products, key=lambda product: product.size) for products in (firsts, lasts))
     minor = _shortest(arm, range(6), [first.times(last)])
+    return None if minor is None else SymbolicDeterminant((minor,), True)
+
+
+def _three_parallel(arm: Arm) -> SymbolicDeterminant | None:
+    """Return det J where axes 2, 3 and 4 are parallel and axes 5 and 6 meet in a point, which neither of them moves."""
+    products = []
+    for view in (None, *range(6)):
+        graph, axes, _ = _symbolic_axes(arm, view)
+        linear, angular = _columns(arm, axes, axes[5].p)
+        read = Reader(graph, arm.n, arm.revolute.tolist())
+        with suppress(TooLong):
+            products.append(
+                determinant_of([[read(column[k]) for column in part] for part in (linear, angular) for k in range(3)])
+            )
+    if not products:
+        raise TooLong
+    minor = _shortest(arm, range(6), products)
     return None if minor is None else SymbolicDeterminant((minor,), True)
 
 
@@ -181,7 +207,7 @@ def _columns(arm: Arm, axes: Sequence[Frame], point: Vector) -> tuple[list[Vecto
 
 
 def determinant_of(rows: Rows) -> Product:
-    """Return the determinant as a product: what stands alone in a row or a column is a factor."""
+    """Return the determinant as a product: what stands alone in a row, a column or a block is a factor."""
     n = len(rows)
     for i, j in _places(n):
         row = [k for k in range(n) if not rows[i][k].is_zero]
@@ -192,7 +218,23 @@ def determinant_of(rows: Rows) -> Product:
             rest = [[rows[a][b] for b in range(n) if b != j] for a in range(n) if a != i]
             factor = rows[i][j] if (i + j) % 2 == 0 else -rows[i][j]
             return Product.of(factor).times(determinant_of(rest)) if rest else Product.of(factor)
+    for size in range(2, n - 1):
+        for chosen in combinations(range(n), size):
+            filled = [k for k in range(n) if any(not rows[i][k].is_zero for i in chosen)]
+            if len(filled) == size:
+                return _block(rows, chosen, filled)
     return Product.of(_laplace(rows))
+
+
+def _block(rows: Rows, chosen: Sequence[int], filled: Sequence[int]) -> Product:
+    """Return the determinant where the chosen rows are zero but for as many columns: that of both blocks."""
+    n = len(rows)
+    others, rest = [i for i in range(n) if i not in chosen], [k for k in range(n) if k not in filled]
+    sign = 1.0 if (sum(chosen) + sum(filled)) % 2 == 0 else -1.0
+    blocks = sorted([(list(filled), list(chosen)), (rest, others)])
+    first, last = (determinant_of([[rows[i][k] for k in columns] for i in places]) for columns, places in blocks)
+    whole = first.times(last)
+    return replace(whole, number=sign * whole.number)
 
 
 def _places(n: int) -> Iterator[tuple[int, int]]:

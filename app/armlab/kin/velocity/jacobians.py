@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
-from armlab.kin.checks import as_floats, finite_floats
+from armlab.kin.checks import as_floats, finite_floats, whole_number
 from armlab.kin.euler import euler_angles
 from armlab.kin.velocity.rates import angle_rates
 
@@ -115,7 +115,7 @@ def link_jacobian(arm: Arm, q: ArrayLike, link: int, point: ArrayLike = (0.0, 0.
     ----------
     Notes 5.56-5.65; p_{i-1,E} of the text before 5.59 is in the axes of frame 0, and not zero for the last joint.
     """
-    if not 0 <= link <= arm.n:
+    if whole_number(link, "link", 0) > arm.n:
         raise InputError(f"link: expected 0 to {arm.n}, got {link}")
     frames = np.asarray(arm.frames(q), dtype=np.float64)
     at = finite_floats(point, "point", (3,), "three numbers of metres")
@@ -188,7 +188,8 @@ def jacobian_derivative(arm: Arm, q: ArrayLike) -> Floats:
     moved, turned = _cross_each(angular, linear), _cross_each(angular, angular)
     upper = np.triu(np.ones((arm.n, arm.n), dtype=bool))
     before_or_same = np.where(upper, moved, np.swapaxes(moved, -1, -2))
-    before = np.swapaxes(np.where(np.triu(upper, 1), turned, 0.0), -1, -2)
+    # A product, and no choice: what is no number stays none.
+    before = np.swapaxes(np.triu(upper, 1) * turned, -1, -2)
     return np.concatenate([before_or_same, before], axis=-3)
 
 

@@ -18,7 +18,7 @@ from armlab.kin.checks import finite_floats
 from armlab.kin.joint_scale import joint_scale
 from armlab.kin.velocity import _centre
 from armlab.kin.velocity._layout import Layout, Posture, layout_of
-from armlab.kin.velocity.dependence import Dependence, dependent_columns
+from armlab.kin.velocity.dependence import Dependence, dependent_columns, independent_sets
 from armlab.kin.velocity.subspaces import Subspaces, task_lengths, task_matrix, task_subspaces
 
 Array = NDArray[np.float64]
@@ -71,7 +71,8 @@ def singularities(arm: Arm, q: ArrayLike) -> tuple[Singularity, ...]:
     """Return why an arm is singular in a configuration; empty where it is not.
 
     It is singular where the rank of its task Jacobian is below the usual one. An arm that never reaches all components
-    of its task, because it has too few joints, is not singular for that.
+    of its task, because it has too few joints, is not singular for that. Where several ranks are lost there are at
+    least as many reasons.
 
     Parameters
     ----------
@@ -110,7 +111,11 @@ def singularities(arm: Arm, q: ArrayLike) -> tuple[Singularity, ...]:
     if layout.spherical and not layout.run:
         about = _centre.reasons(posture, layout)
         found = tuple(Singularity(*each) for each in about)
-    return found or (_dependent(posture, layout, spaces, boundary),)
+    missing = layout.rank - spaces.rank - len(found)
+    if not found and missing == 1:
+        return (_dependent(posture, layout, spaces, boundary),)
+    all_found = (*found, *_more(posture, layout, spaces, found, missing, boundary))
+    return all_found or (_dependent(posture, layout, spaces, boundary),)
 
 
 def usual_rank(arm: Arm) -> int:
@@ -199,9 +204,22 @@ def _wrist(posture: Posture, layout: Layout) -> Singularity | None:
         joints: tuple[int, ...] = (names[0], names[2])
     else:
         what, joints = f"axes {_listed(names)} lie in one plane", names
-    says = f"Wrist: {what}. With {layout.centre_name} held, the hand cannot turn about the direction across axes "
-    says += f"{names[0]} and {names[1]}."
-    return Singularity("wrist", says, joints, np.asarray(normal / np.linalg.norm(normal)), True)
+    across = f"the direction across axes {names[0]} and {names[1]}"
+    normal = np.asarray(normal / np.linalg.norm(normal))
+    if layout.spherical and _turned_by_others(posture, normal):
+        says = f"Wrist: {what}. About {across} the hand turns here only because joints before the wrist can turn it "
+        says += f"with {layout.centre_name} held."
+        return Singularity("wrist", says, joints, None, True)
+    says = f"Wrist: {what}. With {layout.centre_name} held, the hand cannot turn about {across}."
+    return Singularity("wrist", says, joints, normal, True)
+
+
+def _turned_by_others(posture: Posture, normal: Array) -> bool:
+    """Return whether joint speeds before the wrist that leave its centre in place turn the hand about a direction."""
+    J = posture.centre_jacobian
+    _, sigma, V_T = np.linalg.svd(J)
+    still = V_T[int(np.sum(sigma > VANISHES * sigma[0])) :] * posture.arm.revolute[: J.shape[1]]
+    return bool(np.abs(still @ posture.axes[: J.shape[1]] @ normal).max(initial=0.0) > VANISHES)
 
 
 # -- any arm ---------------------------------------------------------------------------------------------------------
@@ -224,6 +242,49 @@ def _dependent(posture: Posture, layout: Layout, spaces: Subspaces, boundary: bo
     if kind == "shoulder":
         says = f"Shoulder: {_lowered(says)}"
     return Singularity(kind, says, joints, direction, turning, boundary)
+
+
+def _more(
+    posture: Posture, layout: Layout, spaces: Subspaces, named: tuple[Singularity, ...], missing: int, boundary: bool
+) -> tuple[Singularity, ...]:
+    """Return so many further reasons, each a set of columns that none of the others makes dependent."""
+    if missing <= 0:
+        return ()
+    arm = posture.arm
+    count = missing + len(named)
+    sets = [*independent_sets(_scaled(arm, posture.q), layout.usual, arm.n)]
+    # What has a name is told already.
+    told = [each for each in sets if any(set(each.joints) <= set(known.joints) for known in named)]
+    sets = [each for each in sets if not any(each is one for one in told)]
+    sets = [*sets, *told[len(named) :]][:missing]
+    ways = _pure_directions(posture, spaces) if not named else []
+    found = []
+    for k, each in enumerate(sets):
+        direction, turning = ways[k] if k < len(ways) else (None, False)
+        kind: Kind = "shoulder" if each.joints == (1,) else "dependent"
+        says = f"{_what(posture, each)}."
+        says = f"Shoulder: {says}" if kind == "shoulder" else _capital(says)
+        says += f" This is one of {count} motions that the tool has lost."
+        if direction is not None:
+            says += f" It cannot {'turn about' if turning else 'move along'} one direction of its task."
+        if boundary and not named:
+            says += BOUNDARY
+        found.append(Singularity(kind, says, each.joints, direction, turning, boundary and not named))
+    return tuple(found)
+
+
+def _pure_directions(posture: Posture, spaces: Subspaces) -> list[tuple[Array, bool]]:
+    """Return lost directions in the world that are purely of moving, or purely of turning, and whether they turn."""
+    lost, p = spaces.lost * spaces.lengths[:, None], len(posture.arm.task.position)
+    found = []
+    for part, other, turning in ((slice(0, p), slice(p, None), False), (slice(p, None), slice(0, p), True)):
+        rest = lost[other]
+        _, sigma, V_T = np.linalg.svd(rest) if rest.size else (None, np.zeros(0), np.eye(lost.shape[1]))
+        for vector in V_T[int(np.sum(sigma > VANISHES)) :]:
+            way = (lost[part] @ vector) @ posture.task_axes[part]
+            if np.linalg.norm(way) > VANISHES:
+                found.append((np.asarray(way / np.linalg.norm(way)), turning))
+    return found
 
 
 def _what(posture: Posture, found: Dependence) -> str:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.checks import as_floats, wrong
+from armlab.kin.checks import as_floats, finite_floats, wrong
 from armlab.kin.ellipsoid import RANK_TOLERANCE
 from armlab.kin.joint_scale import joint_scale
 from armlab.kin.spare import task_jacobian
@@ -146,7 +146,7 @@ def task_matrix(arm: Arm, q: ArrayLike) -> Array:
     """Return the Jacobian of the task, shape (m, n): m/s and rad/s, in axes of frame 0; see `task_axes`."""
     scale = np.ones(arm.task.m)
     scale[: len(arm.task.position)] = arm.length_scale
-    return task_jacobian(arm, np.asarray(q, dtype=np.float64)) * scale[:, None]
+    return task_jacobian(arm, finite_floats(q, "q", (arm.n,), f"{arm.n} finite numbers")) * scale[:, None]
 
 
 def task_axes(arm: Arm, q: ArrayLike) -> Array:

@@ -66,7 +66,7 @@ def inverse_condition(arm: Arm, q: Array) -> Array:
     """Return sigma_min / sigma_max of the scaled task Jacobian, shape (k,), from 0 (singular) to 1 (isotropic)."""
     extremes = sigma_extremes(arm, q)
     largest = extremes[:, 1]
-    ratio = np.divide(extremes[:, 0], largest, out=np.zeros(len(q)), where=largest > 0.0)
+    ratio = np.divide(extremes[:, 0], largest, out=np.zeros(len(q)), where=~(largest <= 0.0))
     return np.asarray(ratio, dtype=q.dtype)
 
 
@@ -86,13 +86,16 @@ def sigma_extremes(arm: Arm, q: Array) -> NDArray[np.float64]:
     Returns
     -------
     ndarray, shape (k, 2)
-        Below `SQUARED` times the largest they are 0. Notes 5.126, 5.127.
+        Below `SQUARED` times the largest they are 0; nan for a configuration that is not finite. Notes 5.126, 5.127.
     """
     task, precise = _task_of(arm), np.asarray(q, dtype=np.float64)
     J = task.jacobians(precise, np.asarray(arm.fk(precise), dtype=np.float64))
+    finite = np.isfinite(precise).all(axis=1)
+    J[~finite] = 0.0
     turned = np.swapaxes(J, 1, 2)
     squares = np.linalg.eigvalsh(J @ turned if task.m <= task.n else turned @ J)[:, [0, -1]]
     squares[squares < SQUARED**2 * squares[:, 1:]] = 0.0
+    squares[~finite] = np.nan
     return np.asarray(np.sqrt(squares))
 
 

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
-from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen
 from armlab.session.curves_fastest import Asked, Fastest
 from armlab.session.curves_knots import Knot, checked
@@ -139,7 +139,7 @@ def _outcome(knots: tuple[Knot, ...], drawn: Drawn) -> Made | InputError:
 def _drawn(colour: Any, path: Json, law: Json) -> Drawn:
     if colour not in range(MOST_CURVES):
         raise InputError(f"colour: expected 0 to {MOST_CURVES - 1}, got {colour!r}")
-    return Drawn(int(colour), Chosen.from_json(path, kinds()), Chosen.from_json(law, law_types()))
+    return Drawn(int(colour), Chosen.from_json(path, kinds()), Chosen.from_json(law, free_law_types()))
 
 
 def checked_limit(value: float | None, where: str) -> float | None:

@@ -12,6 +12,9 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.session.state import Command, Json, Part, PartType, State
 
+OF_THE_SCREEN = ("dark", "shadows")
+"""Switches that fit a room and a computer, not what is shown: everybody keeps their own."""
+
 NAME = re.compile(r"[a-z0-9_]{1,40}\Z")
 MOST = 100
 
@@ -35,6 +38,10 @@ class Display(Part):
     def initial(cls, robot: Robot) -> Self:
         """Return the picture a student sees first."""
         return cls()
+
+    def of_screen(self) -> dict[str, bool]:
+        """Return the switches that are a person's own."""
+        return {name: on for name, on in self.switches.items() if name in OF_THE_SCREEN}
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep everything."""

@@ -30,8 +30,12 @@ Pair = tuple[float, float]
 Matrix = tuple[Pair, Pair]
 
 LARGEST_ENTRY = 1000.0
-LARGEST_SIZE = 30.0
-"""Of the sum of the moduli in a column of A t at the end: beyond it nothing of the start would be seen in the plane."""
+LARGEST_GROWTH = 30.0
+"""Of the real part of an eigenvalue times the end: beyond it nothing of the start would be seen in the plane. Of the
+imaginary part, too: five turns are enough for the points of the curve."""
+
+LARGEST_SIZE = 1e4
+"""Of the sum of the moduli in a column of A t at the end: beyond it terms of the series are no numbers any more."""
 
 LONGEST, SHORTEST = 100.0, 1e-3
 """Seconds of the curve."""
@@ -260,12 +264,18 @@ def check(part: Exponential) -> None:
         raise InputError(f"t: expected 0 to {part.end:g} s, got {part.t:g}")
     if not 1 <= part.terms <= MOST_TERMS:
         raise InputError(f"terms: expected 1 to {MOST_TERMS}, got {part.terms}")
+    values = np.linalg.eigvals(np.array(part.A))
+    growth = part.end * float(max(values.real.max(), np.abs(values.imag).max()))
     size = part.end * max(abs(part.A[0][j]) + abs(part.A[1][j]) for j in (0, 1))
-    if size > LARGEST_SIZE * (1.0 + 1e-12):
-        raise InputError(
-            f"A t at the end: the moduli in a column add up to {size:.4g}, expected at most {LARGEST_SIZE:g}; "
-            f"take an end up to {LARGEST_SIZE * part.end / size:.3g} s"
-        )
+    for what, found, largest in (
+        ("an eigenvalue has a real or imaginary part of", growth, LARGEST_GROWTH),
+        ("the moduli in a column add up to", size, LARGEST_SIZE),
+    ):
+        if found > largest * (1.0 + 1e-12):
+            raise InputError(
+                f"A t at the end: {what} {found:.4g}, expected at most {largest:g}; "
+                f"take an end up to {largest * part.end / found:.3g} s"
+            )
 
 
 def _with(pair: Pair, place: int, value: float) -> Pair:

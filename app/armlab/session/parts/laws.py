@@ -10,7 +10,7 @@ import numpy as np
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError
-from armlab.kin.motion import Law, law_types
+from armlab.kin.motion import Law, free_law_types
 from armlab.session.chosen import Chosen
 from armlab.session.laws_bounds import Bounded
 from armlab.session.laws_timing import AS_TYPED, QUANTITIES, Entry, Timing, law_of
@@ -103,13 +103,17 @@ class Laws(Part):
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read it back; raises when nothing can be computed with it."""
-        entries = tuple(
-            Entry(Chosen.from_json(each["law"], law_types()), bool(each["as_typed"]), int(each["colour"]))
-            for each in data["laws"]
-        )
         timing = Timing(fastest=bool(data["timing"]["fastest"]))
         for each in QUANTITIES:
             timing = timing.with_quantity(each.key, data["timing"][each.key])
+        entries = tuple(
+            Entry(
+                _kept(Chosen.from_json(each["law"], free_law_types()), timing),
+                bool(each["as_typed"]),
+                int(each["colour"]),
+            )
+            for each in data["laws"]
+        )
         bounded = Bounded.from_json(data["bounds"])
         part = cls(
             entries,
@@ -125,6 +129,14 @@ class Laws(Part):
 
 
 PART = PartType(Laws, order=104)
+
+
+def _kept(chosen: Chosen, timing: Timing) -> Chosen:
+    """Return a law as it was saved, without a deceleration above the limit, which could be typed before."""
+    down = chosen.options.get("sddot_down")
+    if down is None or not timing.fastest or down <= timing.limit(2):
+        return chosen
+    return chosen.with_option(free_law_types()[chosen.key], "sddot_down", None)
 
 
 def check(part: Laws) -> None:

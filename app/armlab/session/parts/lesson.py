@@ -12,11 +12,10 @@ import numpy as np
 from armlab.content.check import PLAIN, Words
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson, lessons
-from armlab.content.observation import Observation
+from armlab.content.observation import BEYOND, Observation, same_table
 from armlab.content.question import Verdict
 from armlab.content.robots import OWN, Robot
 from armlab.errors import InputError
-from armlab.kin.arm import Arm
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
@@ -27,8 +26,8 @@ from armlab.session.parts.timeline import Timeline, duration
 from armlab.session.seen_plan import asks_for_motion, plan_changed, seen_plan
 from armlab.session.state import Json, Part, PartType, State
 
-SAME_TABLE = 1e-12
-"""Metres and radians by which two tables may differ and still be the same: files hold angles in degrees."""
+PLAN = "plan"
+"""Key of the plan of the motion in evidence, besides those of the observation."""
 
 LONGEST_NAME = 80
 """Characters of a student's name."""
@@ -141,7 +140,7 @@ class LessonPart(Part):
             refuse_locked(found, before, now)
 
     def after(self, before: State, now: State) -> Self:
-        """Note since when the step is shown, what was watched, and that its check is met."""
+        """Note since when the step is shown, what was watched, when it was answered, and that its check is met."""
         found, step = self.lesson, self.step
         if found is None or step is None:
             return self
@@ -150,11 +149,23 @@ class LessonPart(Part):
             progress,
             since=now.at if progress.since is None else progress.since,
             films=_still_played(progress.films, before, now) | _played(before, now),
+            tried=progress.tried or self._tried(before, now),
         )
         name = self.name
+        if name in watched.right and name not in before[LessonPart].progress.right:
+            answer = replace(watched.right[name], seconds=watched.seconds(now.at))
+            watched = replace(watched, right=MappingProxyType({**watched.right, name: answer}))
         if name not in watched.met and (step.check is None or has_its_arm(now)):
             watched = _judged(watched, name, step, now.replace(self.with_progress(watched)))
         return self if watched == progress else self.with_progress(watched)
+
+    def _tried(self, before: State, now: State) -> bool:
+        """Return whether a person has changed what a check may look at, with this step shown all the time."""
+        was = before[LessonPart]
+        if (was.open, was.set_up, was.progress.step) != (self.open, self.set_up, self.progress.step):
+            return False
+        changed = any(now[kind] is not before[kind] for kind in (Joints, Target, RobotPart, Display, Timeline))
+        return changed or plan_changed(before, now)
 
     def with_progress(self, progress: Progress) -> Self:
         """Return the part with another progress in the open lesson."""
@@ -211,7 +222,7 @@ def is_place(place: str) -> bool:
 
 
 def has_its_arm(state: State) -> bool:
-    """Return whether the arm of the open lesson is on the table; where its table is worked on, also edited."""
+    """Return whether the lesson's arm is on the table, with its limits; where the table is worked on, also edited."""
     part, robot = state[LessonPart], state[RobotPart]
     found, step = part.lesson, part.step
     if found is None or step is None:
@@ -220,18 +231,8 @@ def has_its_arm(state: State) -> bool:
         return robot.origin == ("" if found.robot == OWN else found.robot)
     if not robot.own:
         return robot.robot.key == found.robot
-    return same_table(robot.robot.arm, found.robot_used.arm)
-
-
-def same_table(one: Arm, other: Arm) -> bool:
-    """Return whether two arms have the same table, base and tool."""
-
-    def numbers(arm: Arm) -> np.ndarray:
-        rows = [[row.a, row.alpha, row.d, row.theta] for row in arm.rows]
-        return np.concatenate([np.ravel(rows), arm.base.ravel(), arm.tool.ravel()])
-
-    same_kind = one.convention == other.convention and np.array_equal(one.revolute, other.revolute)
-    return bool(same_kind and np.allclose(numbers(one), numbers(other), rtol=0.0, atol=SAME_TABLE))
+    arm, own = robot.robot.arm, found.robot_used.arm
+    return same_table(arm, own) and bool(np.all(np.abs(arm.limits - own.limits) <= BEYOND))
 
 
 def observed(state: State) -> Observation:
@@ -243,7 +244,7 @@ def observed(state: State) -> Observation:
         q=joints.q,
         tool_pose=np.asarray(joints.tool_pose, dtype=np.float64),
         target=target,
-        seconds=0.0 if progress.since is None else max(0.0, state.at - progress.since),
+        seconds=progress.seconds(state.at),
         switches=frozenset(name for name, on in state[Display].switches.items() if on),
         panel=state[LessonPart].panel,
         films=progress.films,
@@ -269,7 +270,9 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
     seen = observed(now)
     if not step.check.check.is_met(seen):
         return progress
-    evidence = MappingProxyType({**progress.evidence, name: seen.to_json()})
+    # A motion is judged again from what it is planned of.
+    plan = {} if seen.motion is None else {PLAN: now[Plan].to_json()}
+    evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **plan}})
     return replace(progress, met=progress.met | {name}, evidence=evidence)
 
 

@@ -292,7 +292,7 @@ class BringNear(Command):
         if not 0 <= self.place < len(found):
             raise InputError(f"singularity: expected 1 to {len(found)}, got {self.place + 1}")
         pose = found[self.place].pose
-        q, k = pose.q.copy(), pose.joint
+        q, k = pose.q.copy(), pose.place
         step = part.distance * float(part.task.joint_units[k])
         # Back towards where one comes from: there is room.
         q[k] += step if pose.away <= 0.0 else -step

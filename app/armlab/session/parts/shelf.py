@@ -19,7 +19,7 @@ from armlab.session.parts.display import Display
 from armlab.session.parts.lesson import LessonPart, is_place
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
-from armlab.session.share import OF_THE_SCREEN, STAYS, TEXT, from_short, state_of_parts
+from armlab.session.share import STAYS, TEXT, from_short, state_of_parts
 from armlab.session.state import Command, Json, Part, PartType, State
 
 HOME, SANDBOX, SHARED = "home", "sandbox", "shared"
@@ -119,6 +119,10 @@ class ToSandbox(Command):
             raise InputError("sandbox: a shared state is open; go back to your work first")
         if not state[LessonPart].open:
             raise InputError("sandbox: no lesson is open, so the arm is yours already")
+        if state[LessonPart].hides:
+            raise InputError(
+                "Your prediction is still open, and the sandbox would show what it is about: answer first."
+            )
         parked = _left(state)
         found = parked.pop(SANDBOX, None) or CloseLesson().apply(parked[HOME])
         return _arrived(state, found, Shelf(SANDBOX, parked=_frozen(parked)))
@@ -166,8 +170,7 @@ class OpenShared(Command):
         if self.text == shelf.shared:
             return state
         found = from_short(self.text)
-        mine = {name: on for name, on in state[Display].switches.items() if name in OF_THE_SCREEN}
-        display = Display(MappingProxyType({**found[Display].switches, **mine}))
+        display = Display(MappingProxyType({**found[Display].switches, **state[Display].of_screen()}))
         return _arrived(state, found.replace(display), Shelf(shelf.own, self.text, _frozen(_left(state))))
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.euler import SEQUENCES
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.session.chosen import Chosen
 from armlab.session.parts.timeline import Timeline
 from armlab.session.sizes import MOST_TURNED
@@ -127,7 +127,7 @@ class SpaceCurve(Part):
             points=tuple(point_of(each, f"waypoint {k + 1}") for k, each in enumerate(data.get("points", POINTS[:3]))),
             formula=(x, y, z),
             by_length=bool(data.get("by_length", False)),
-            law=Chosen.from_json(data.get("law", opened.law.to_json()), law_types()),
+            law=Chosen.from_json(data.get("law", opened.law.to_json()), free_law_types()),
             duration=float(data.get("duration", opened.duration)),
             frame=bool(data.get("frame", True)),
             arrows=bool(data.get("arrows", False)),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from armlab.content.question import Choices, Field, Form, Grid, Question, Verdict
 from armlab.ui.format import escaped
@@ -13,6 +14,9 @@ UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "
 
 ANSWER, CHECK, CHOICE, ENTRY = "lesson-answer", "lesson-check", "lesson-choice-", "lesson-entry-"
 
+
+MISSING = "?"
+"""What stands in a whole answer for an entry that is empty."""
 
 _NEEDLESS = re.compile(r"\s+(?![\w.])|(?<![\w.)])\s+")
 """Spaces that stand between no two words."""
@@ -33,22 +37,33 @@ class Draft:
     form : Field, Choices or Grid
     typed : str
         The answer that was given last; empty for none.
+
+    Attributes
+    ----------
+    entries : dict
+        By row and column, from 0: what stands in the fields of a grid, as it was typed.
+    whole : str
+        The whole answer, as it was handed in last.
     """
 
     def __init__(self, form: Form, typed: str) -> None:
         self._form = form
+        self.whole = typed
         self.chosen = {int(word) for word in typed.replace(",", " ").split() if word.isdecimal()}
         rows = [row.split() for row in typed.split(";")]
         self.entries: dict[tuple[int, int], str] = {}
         if isinstance(form, Grid) and [len(row) for row in rows] == [form.columns] * form.rows:
-            self.entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
+            entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
+            self.entries = {place: entry for place, entry in entries.items() if entry != MISSING}
 
     def take(self, cell: str, text: str) -> str | None:
         """Take what a person did; return the whole answer when it is handed in, else None."""
         if cell == ANSWER:
             return text
         if cell == CHECK:
-            return self._whole()
+            whole = self._whole()
+            self.whole = self.whole if whole is None else whole
+            return whole
         if cell.startswith(CHOICE) and isinstance(self._form, Choices):
             option = int(cell.removeprefix(CHOICE))
             if not self._form.several:
@@ -56,7 +71,7 @@ class Draft:
             self.chosen ^= {option}
         elif cell.startswith(ENTRY) and isinstance(self._form, Grid):
             i, j = (int(part) for part in cell.removeprefix(ENTRY).split("-"))
-            self.entries[i, j] = _entry(text)
+            self.entries[i, j] = text
         return None
 
     def _whole(self) -> str | None:
@@ -64,7 +79,7 @@ class Draft:
             return ",".join(map(str, sorted(self.chosen)))
         if isinstance(self._form, Grid):
             rows, columns = range(self._form.rows), range(self._form.columns)
-            return "; ".join(" ".join(self.entries.get((i, j), "") or "?" for j in columns) for i in rows)
+            return "; ".join(" ".join(_entry(self.entries.get((i, j), "")) or MISSING for j in columns) for i in rows)
         return None  # the field beside it has told already
 
 
@@ -83,7 +98,7 @@ def _entry(text: str) -> str:
     return text
 
 
-def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: str) -> str:
+def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: str, order: Sequence[int] = ()) -> str:
     """Return the question with what it is answered with.
 
     Parameters
@@ -95,15 +110,17 @@ def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: 
     settled : bool
         Whether the answer counts and cannot be changed.
     channel : str
+    order : sequence of int, optional
+        In which options are shown, from 1.
     """
     note = ""
     if question.hide:
         said = "Your prediction is noted." if settled else "Predict: your first answer counts."
         note = f'<p class="dim">{said}</p>'
-    return f'<div class="ask">{question.html}{note}{_form(question.form, typed, draft, settled, channel)}</div>'
+    return f'<div class="ask">{question.html}{note}{_form(question.form, typed, draft, settled, channel, order)}</div>'
 
 
-def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str) -> str:
+def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str, order: Sequence[int]) -> str:
     check = "" if settled else button(channel, CHECK, "Check", "chip")
     if isinstance(form, Field):
         unit = escaped(UNIT_SIGNS.get(form.unit, form.unit))
@@ -111,14 +128,14 @@ def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str) -> 
         line = field(channel, ANSWER, typed, label, settled, spellcheck="false", placeholder="your answer")
         return f'<div class="answer">{line}<i>{unit}</i>{check}</div>'
     if isinstance(form, Choices):
-        return _choices(form, draft, settled, channel, check if form.several else "")
+        return _choices(form, draft, settled, channel, check if form.several else "", order)
     return _grid(form, draft, settled, channel, check)
 
 
-def _choices(form: Choices, draft: Draft, settled: bool, channel: str, check: str) -> str:
+def _choices(form: Choices, draft: Draft, settled: bool, channel: str, check: str, order: Sequence[int]) -> str:
     offered = "".join(
-        button(channel, f"{CHOICE}{k}", option, "choice", pressed=k in draft.chosen, off=settled)
-        for k, option in enumerate(form.options, start=1)
+        button(channel, f"{CHOICE}{k}", form.options[k - 1], "choice", pressed=k in draft.chosen, off=settled)
+        for k in order or range(1, len(form.options) + 1)
     )
     hint = '<p class="dim">Choose all that hold.</p>' if form.several else ""
     return f'{hint}<div class="choices">{offered}</div>{check}'
@@ -136,11 +153,23 @@ def _grid(form: Grid, draft: Draft, settled: bool, channel: str, check: str) -> 
     return f'<div class="entries">{"".join(rows)}</div><div class="answer">{unit}{check}</div>'
 
 
-def said(verdict: Verdict | None, settled: bool = False) -> str:
-    """Return the verdict on the last answer, which may be ``settled``; nothing before one is given."""
+def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> str:
+    """Return the verdict on the last answer; nothing before one is given.
+
+    Parameters
+    ----------
+    verdict : Verdict or None
+    settled : bool
+        Whether the answer counts and cannot be changed.
+    stays : str
+        An earlier answer that was right: with it the step stays done.
+    """
     if verdict is None:
         return ""
     if verdict.right:
         return f'<div class="verdict ok" role="status"><b>✓ {verdict.says}</b></div>'
-    head = "Not as predicted" if settled else "Not yet"
-    return f'<div class="verdict no" role="status"><b>✕ {head}</b>{verdict.says}</div>'
+    head = "Not as predicted" if settled else "Not right" if stays else "Not yet"
+    kept = (
+        f'<p class="dim">Your answer {escaped(stays)} was right and counts: the step stays done.</p>' if stays else ""
+    )
+    return f'<div class="verdict no" role="status"><b>✕ {head}</b>{verdict.says}{kept}</div>'

@@ -7,8 +7,9 @@ import re
 from itertools import groupby
 
 from armlab.content.lessons import Lesson, lessons
-from armlab.content.question import Form
+from armlab.content.question import Choices, Form
 from armlab.session.hand_in import hand_in, hand_in_name
+from armlab.session.hand_in_open import OpenWork
 from armlab.session.lesson_commands import (
     Answer,
     CloseLesson,
@@ -24,6 +25,7 @@ from armlab.session.session import Refuse
 from armlab.session.state import Command, State
 from armlab.ui.format import escaped
 from armlab.ui.lesson.asking import Draft, asked, said
+from armlab.ui.lesson.load import load_work
 from armlab.ui.lesson.text import step_text, words_of
 from armlab.ui.markup import button, chip, field, options, select
 from armlab.ui.plugin import Post
@@ -88,10 +90,16 @@ class LessonPage:
             return
         typed, settled = part.progress.answers.get(part.name, ""), part.progress.committed(lesson, part.index)
         key = (part.open, part.name, typed, question.form)
+        place, name, _, form = self._draft[0] if self._draft is not None else ("", "", "", None)
+        if self._draft is not None and self._draft[1].whole == typed and (place, name, form) == (*key[:2], key[3]):
+            self._draft = key, self._draft[1]  # its own answer has come back: the fields stay as they were typed
         if self._draft is None or self._draft[0] != key:
             self._draft = key, Draft(question.form, typed)
-        form = asked(question, typed, self._draft[1], settled, self._question.channel_id)
-        self._question.show(form + said(part.verdict, settled))
+        choices = question.form if isinstance(question.form, Choices) else None
+        order = choices.order(lesson.variant, part.name) if choices else ()
+        form = asked(question, typed, self._draft[1], settled, self._question.channel_id, order)
+        right = part.progress.right.get(part.name)
+        self._question.show(form + said(part.verdict, settled, right.typed if right else ""))
 
     def _answered(self, cell: str, text: str) -> None:
         if self._state is None or self._draft is None:
@@ -146,6 +154,7 @@ def _command(part: LessonPart, cell: str, text: str) -> Command | None:
         "lesson-hint": UnlockHint(),
         "lesson-name": SignAs(text),
         "lesson-sandbox": ToSandbox(),
+        "lesson-load": OpenWork(text),
     }
     return commands.get(cell)
 
@@ -197,6 +206,8 @@ def _task(state: State, lesson: Lesson, channel: str) -> str:
     met, says = check_line(state, words_of(state))
     if met:
         return '<div class="verdict ok" role="status"><b>✓ Done</b></div>'
+    if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
+        return '<div class="verdict todo"><b>◐ To do</b></div>'
     return f'<div class="verdict todo"><b>◐ Not there yet</b>{says}</div>'
 
 
@@ -236,7 +247,8 @@ def _more(lesson: Lesson, part: LessonPart, channel: str) -> str:
     return (
         f'<details class="lesson-more"><summary>Sandbox, save my work</summary>{variant}'
         f'<div class="row"><span>Name</span><div class="answer">{name}</div></div>'
-        f'<div class="chips">{chip(channel, "lesson-save", "Save my work", "A file to hand in or to keep")}'
+        f'<div class="chips">{chip(channel, "lesson-save", "Save my work", "A file to hand in or to go on with")}'
+        f"{load_work(channel, 'lesson-load')}"
         f"{chip(channel, 'lesson-setup', 'Set up again', 'Arm and example as this step finds them; your answers stay')}"
         f"{chip(channel, 'lesson-sandbox', 'My sandbox', 'An arm of your own; the lesson waits')}</div></details>"
     )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 
-from armlab.content.check import Words, spaced
+from armlab.content.check import Words, metres, spaced
 from armlab.content.lesson import Lesson
 from armlab.content.live import NONE, all_live_values
+from armlab.content.markdown import IN_METRES
 from armlab.session.parts.lesson import LessonPart, observed
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
@@ -71,8 +73,9 @@ def _with_values(state: State, html: str) -> str:
     words = words_of(state)
 
     def value(found: re.Match[str]) -> str:
-        live = values.get(found[2])
-        text = HIDDEN if hidden else NONE if live is None else live(seen, words)
+        name, _, unit = (part.strip() for part in found[2].partition(":"))
+        live, said = values.get(name), replace(words, length=metres) if unit == IN_METRES else words
+        text = HIDDEN if hidden else NONE if live is None else live(seen, said)
         return f"{found[1]}{escaped(text)}"
 
     return _LIVE.sub(value, html)

@@ -81,14 +81,17 @@ def _exceeded(i: int, made: Made, part: Curves, order: int, found: list[Violatio
     said = "velocity" if order == 1 else "acceleration"
     spans = [_span(made.start + v.start, made.start + v.end) for v in found]
     more = f" and {len(spans) - MOST_SPANS} more" if len(spans) > MOST_SPANS else ""
-    peak, of = figures(made.peaks[order - 1]), unit(order, part.unit)
+    of = unit(order, part.unit)
+    peak = f"; up to {figures(made.peaks[order - 1])} {of}" if any(v.end > v.start for v in found) else ""
     return (
         f'<p class="no">✕ Curve {i + 1}: {said} above {figures(limit or 0.0)} {of} '
-        f"{', '.join(spans[:MOST_SPANS])}{more}; up to {peak} {of}.</p>"
+        f"{', '.join(spans[:MOST_SPANS])}{more}{peak}.</p>"
     )
 
 
 def _span(start: float, end: float) -> str:
+    if start == end:
+        return f"at {number(start, 2)} s, where the velocity jumps"
     return f"from {number(start, 2)} to {number(end, 2)} s"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armlab.errors import InputError
 from armlab.kin.motion.field import Field, seen_fields
-from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen, Value
 from armlab.session.curves_knots import MOST_KNOTS
 from armlab.session.curves_made import Drawn, Made, form, kinds, why_not
@@ -77,18 +77,18 @@ def _form(fields: Fields, part: Curves, i: int) -> str:
     """Return the options of a curve, and the law that runs through it."""
     drawn, channel, scales = part.curves[i], fields.channel_id, (Scale(part.unit),)
     typed = option_markup(fields, f"path{i} ", form(kinds()[drawn.path.key]), drawn.path.options, scales)
-    laws = {key: law.title for key, law in law_types().items()}
+    laws = {key: law.title for key, law in free_law_types().items()}
     chosen = select(
         channel, f"law-{i}", f"Law of curve {i + 1}", options(laws, drawn.law.key), "How s goes from 0 to 1"
     )
-    law = option_markup(fields, f"law{i} ", law_types()[drawn.law.key].fields, drawn.law.options, scales)
+    law = option_markup(fields, f"law{i} ", free_law_types()[drawn.law.key].fields, drawn.law.options, scales)
     run = f'<div class="options"><label class="option wide"><span>Law s(t)</span>{chosen}</label>{law}</div>'
     return (f'<div class="options">{typed}</div>' if typed else "") + run
 
 
 def _summary(drawn: Drawn, scale: Scale) -> str:
     """Return the options of a curve that are not as they come, in a line."""
-    law = law_types()[drawn.law.key]
+    law = free_law_types()[drawn.law.key]
     said = _given(form(kinds()[drawn.path.key]), drawn.path, scale)
     if drawn.law.key != "constant":
         said += [f"law s(t): {lowered(law.title)}", *_given(law.fields, drawn.law, scale)]

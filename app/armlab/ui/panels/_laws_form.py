@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.session.laws_examples import EXAMPLES
 from armlab.session.laws_timing import AS_TYPED, QUANTITIES, excesses, phases
-from armlab.session.laws_words import corrections, excess_text, phases_text, remarks
+from armlab.session.laws_words import corrections, excess_text, phases_text
 from armlab.session.parts.laws import MOST_LAWS, Laws
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, Rgb, css
 from armlab.ui.format import dot, escaped
@@ -67,9 +67,12 @@ def _timing(fields: Fields, part: Laws) -> str:
 
 def _law(fields: Fields, part: Laws, i: int) -> str:
     entry, channel = part.entries[i], fields.channel_id
-    kind = law_types()[entry.chosen.key]
+    kind = free_law_types()[entry.chosen.key]
     chooser = select(
-        channel, f"law {i}", f"Law {i + 1}", options({key: each.title for key, each in law_types().items()}, kind.key)
+        channel,
+        f"law {i}",
+        f"Law {i + 1}",
+        options({key: each.title for key, each in free_law_types().items()}, kind.key),
     )
     away = button(channel, f"remove {i}", "✕", "copy", "Take this law away") if len(part.entries) > 1 else ""
     typed = ""
@@ -87,7 +90,7 @@ def _law(fields: Fields, part: Laws, i: int) -> str:
 def _said(part: Laws, i: int) -> str:
     """Return how a law goes, which limits it breaks, and where the notes differ."""
     law, entry = part.laws[i], part.entries[i]
-    plain = [text for text in (phases_text(part, i), *remarks(part, i)) if text]
+    plain = [text for text in (phases_text(part, i), *part.laws[i].remarks) if text]
     wrong = [excess_text(excess) for excess in excesses(entry, part.timing)]
     notes = corrections(entry, part.timing, phases(law))
     return (

@@ -68,7 +68,7 @@ def _which(look: Look, near: Near | None, units: Units) -> str:
     says = " ".join(each.says for each in near.why)
     if abs(near.pose.away) <= ROUND:
         return says
-    j, revolute = near.pose.joint, bool(look.part.arm.revolute[near.pose.joint])
+    j, revolute = near.pose.place, bool(look.part.arm.revolute[near.pose.place])
     away = units.angle(abs(near.pose.away)) if revolute else units.length(abs(near.pose.away))
     at = units.angle(float(near.pose.q[j])) if revolute else units.length(float(near.pose.q[j]))
     return f"{away} away, at {units.variable(j, revolute)} = {at}: {says}"

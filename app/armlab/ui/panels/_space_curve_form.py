@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.session.parts.space_curve import CLIP_KEY, MOST_POINTS, SpaceCurve, curve_of
 from armlab.session.parts.timeline import Timeline
 from armlab.session.space_curve_examples import EXAMPLES
@@ -100,7 +100,7 @@ def _coordinate(fields: Fields, part: SpaceCurve, units: Units, i: int, j: int) 
 def law_form(fields: Fields, state: State) -> str:
     """Return law, duration and options of the law."""
     part, channel = state[SpaceCurve], fields.channel_id
-    titles = {key: kind.title for key, kind in law_types().items()}
+    titles = {key: kind.title for key, kind in free_law_types().items()}
     chooser = select(channel, "law", "Timing law", options(titles, part.law.key))
     duration = fields.field("T", trimmed(part.duration, 4), "Duration in seconds")
     found = state.derived(curve_of)
@@ -109,7 +109,7 @@ def law_form(fields: Fields, state: State) -> str:
         same = part.law.key == "constant" and part.duration == found.given.duration
         hint = "Constant rate in the time of the waypoints: the motion the curve was made for"
         own = chip(channel, "own-times", f"its own {found.given.duration:.4g} s", hint, same)
-    form = option_markup(fields, "l-", law_types()[part.law.key].fields, part.law.options)
+    form = option_markup(fields, "l-", free_law_types()[part.law.key].fields, part.law.options)
     remarks = "".join(f'<p class="dim">{escaped(text)}</p>' for text in found.law.remarks)
     return (
         f'<h3>Timing law s(t)</h3><div class="it-head">{chooser}'

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from armlab.errors import InputError
-from armlab.kin.motion.law_types import law_types
+from armlab.kin.motion.law_types import free_law_types
 from armlab.session.curves_commands import (
     AddCurve,
     AddKnot,
@@ -117,7 +117,9 @@ def _of_curve(part: Curves, cell: str, text: str) -> tuple[Command, ...]:
     if of not in ("path", "law") or not number.isdecimal() or int(number) >= len(part.curves):
         return ()
     drawn = part.curves[int(number)]
-    chosen, kind = (drawn.path, kinds()[drawn.path.key]) if of == "path" else (drawn.law, law_types()[drawn.law.key])
+    chosen, kind = (
+        (drawn.path, kinds()[drawn.path.key]) if of == "path" else (drawn.law, free_law_types()[drawn.law.key])
+    )
     field = next((each for each in kind.fields if each.key == option), None)
     if field is None:
         raise InputError(f"option: {chosen.key} has none called {option[:40]!r}")

@@ -7,7 +7,7 @@ from typing import Any
 
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.kin.motion.field import Field
 from armlab.session.clips.laws import present_time
 from armlab.session.laws_bounds import FIELDS, joint_paths
@@ -149,7 +149,7 @@ def _option(state: State, prefix: str, name: str, text: str) -> Command | None:
     if prefix[:1] == "l" and prefix[1:].isdecimal() and int(prefix[1:]) < len(part.entries):
         i = int(prefix[1:])
         chosen = part.entries[i].chosen
-        return SetLawOption(i, name, _read(law_types()[chosen.key].fields, name, text, chosen.options.get(name)))
+        return SetLawOption(i, name, _read(free_law_types()[chosen.key].fields, name, text, chosen.options.get(name)))
     return None
 
 

@@ -8,11 +8,13 @@ from itertools import groupby
 from armlab.content.index import Bench, Entry, search
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
+from armlab.session.hand_in_open import OpenWork
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import State
 from armlab.ui import markup
 from armlab.ui.format import escaped
+from armlab.ui.lesson.load import load_work
 from armlab.ui.panels._picks import broken_files, pick
 from armlab.ui.plugin import Panel, Post, Show, hidden_panels, panels
 from armlab.ui.widgets import Gui
@@ -23,6 +25,10 @@ LESSON, BENCH = "lesson:", "bench:"
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the field of the index and the list of lessons."""
     query, shown = "", state
+
+    def loaded(cell: str, text: str) -> None:
+        if cell == "lesson-load":
+            post(OpenWork(text))
 
     def asked(cell: str, text: str) -> None:
         nonlocal query
@@ -35,11 +41,13 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             show(shown)
 
     field = gui.fields(asked)
+    saved = gui.fields(loaded)
     entries = gui.fields(asked)
 
     hint = "Find: 3.66, section 4.1, quaternion …"
     line = markup.field(field.channel_id, "query", "", "Find", data_live="1", type="search", placeholder=hint)
     field.show(f'<div class="find">{line}</div>')
+    saved.show(f'<div class="chips">{load_work(saved.channel_id, "lesson-load")}</div>')
 
     def show(state: State) -> None:
         nonlocal shown

@@ -97,7 +97,7 @@ def _head(fields: Fields, state: State, units: Units) -> str:
     examples = examples_markup(fields.channel_id, EXAMPLES, part.example)
     chips = []
     for i, place in enumerate(known_places(state)):
-        j, revolute = place.pose.joint, bool(arm.revolute[place.pose.joint])
+        j, revolute = place.pose.place, bool(arm.revolute[place.pose.place])
         value = float(place.pose.q[j])
         at = units.angle(value) if revolute else units.length(value)
         text = f"{place.name}: {units.variable(j, revolute)} = {at}"

@@ -49,7 +49,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         "Start fresh ...",
         lambda: gui.confirm(
             "Start fresh?",
-            "This arm, its pose and all steps of undo are forgotten. This cannot be undone.",
+            "This arm, its pose, all steps of undo and the progress in all lessons are forgotten. This cannot be "
+            "undone. Work to hand in or to go on with elsewhere: save it first, in each lesson under Save my work.",
             "Yes, start fresh",
             lambda: post(StartFresh()),
         ),

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from armlab.errors import InputError
-from armlab.kin.motion import law_types
+from armlab.kin.motion import free_law_types
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.space_curve import CLIP_KEY, SpaceCurve, curve_of
@@ -156,7 +156,7 @@ def _option(state: State, prefix: str, key: str, text: str) -> Command:
     """Return the command of an option of the curve ("o-") or of the law ("l-")."""
     part = state[SpaceCurve]
     of, chosen = ("curve", part.curve) if prefix == "o-" else ("law", part.law)
-    known = {field.key: field for field in (kinds() if of == "curve" else law_types())[chosen.key].fields}
+    known = {field.key: field for field in (kinds() if of == "curve" else free_law_types())[chosen.key].fields}
     if key not in known:
         raise InputError(f"option: {chosen.key} has none that is called {key[:40]!r}")
     scales = {"scales": scales_of(units_of(state))} if of == "curve" else {}

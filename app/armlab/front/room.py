@@ -1,0 +1,89 @@
+"""A word that everybody in the room knows and a stranger does not: with it the lab may be open to a network."""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import time
+from collections.abc import Callable
+
+from armlab.front.limits import Bucket
+
+TRIES, TRIES_A_SECOND = 10.0, 0.2
+"""Wrong words that may come from one address: some in a row, then one each five seconds."""
+
+MOST_ADDRESSES = 1000
+"""Addresses that are watched; who tried longest ago is forgotten."""
+
+LONGEST = 100
+"""Characters of a word."""
+
+FORM = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>Armlab</title>
+<style>
+body {{ font: 16px system-ui, sans-serif; max-width: 22em; margin: 20vh auto; padding: 0 1em; color: #1f2733 }}
+input, button {{ font: inherit; padding: .4em .7em }} input {{ width: 11em }} p {{ line-height: 1.5 }}
+@media (prefers-color-scheme: dark) {{ body {{ background: #161a20; color: #e6e9ee }} }}
+</style>
+<h1>Armlab</h1>
+<p>{said}</p>
+<form>
+<input name="code" aria-label="Room code" autofocus autocomplete="off" maxlength="100"> <button>Enter</button>
+</form>
+"""
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; form-action 'self'; base-uri 'none'; frame-ancestors 'self'"
+
+ASKED = "This lab asks for the room code. Your teacher knows it."
+WRONG = "That is not the room code. Try again."
+TOO_OFTEN = "Too many wrong codes came from this address. Wait a little."
+
+
+class Room:
+    """Knows the code, whom it has let in, and who guesses.
+
+    Parameters
+    ----------
+    code : str
+        Capital letters do not matter.
+    secret : bytes
+        Signs what browsers are let in by.
+    clock : callable
+    """
+
+    def __init__(self, code: str, secret: bytes, clock: Callable[[], float] = time.monotonic) -> None:
+        self._code, self._clock = _plain(code), clock
+        self._guessers: dict[str, Bucket] = {}
+        self.cookie = f"armlab-room-{hashlib.sha256(secret).hexdigest()[:8]}"
+        self.key = hmac.new(secret, b"room " + self._code, hashlib.sha256).hexdigest()
+        """Value of the cookie of those who are in: with another code it is another."""
+
+    def is_in(self, key: str | None) -> bool:
+        """Return whether the cookie is of somebody who has said the code."""
+        return hmac.compare_digest((key or "").encode(), self.key.encode())
+
+    def refusal(self, said: str | None, address: str) -> str:
+        """Return why a browser that said a word, or none, is not let in; empty when it is."""
+        if said is None:
+            return ASKED
+        if self._guessed(address) > 0.0:
+            return TOO_OFTEN
+        if hmac.compare_digest(_plain(said[:LONGEST]), self._code):
+            return ""
+        self._guesser(address).take(1.0)
+        return WRONG
+
+    def _guesser(self, address: str) -> Bucket:
+        found = self._guessers.pop(address, None) or Bucket(TRIES_A_SECOND, TRIES, self._clock)
+        self._guessers[address] = found
+        while len(self._guessers) > MOST_ADDRESSES:
+            del self._guessers[next(iter(self._guessers))]
+        return found
+
+    def _guessed(self, address: str) -> float:
+        """Return for how many seconds an address has to wait."""
+        return self._guessers[address].take(0.0) if address in self._guessers else 0.0
+
+
+def _plain(word: str) -> bytes:
+    return " ".join(word.split()).casefold().encode()

@@ -1,0 +1,128 @@
+"""The limits of joints along a path, as bands of the squared speed of s on a grid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.motion.limits import Limits
+from armlab.kin.motion.path import Path
+from armlab.kin.timing._phase_plane import Bands, tops
+
+Floats = NDArray[np.float64]
+
+LOOKED = 5
+"""Chebyshev points of a step at which limits are looked at, ends and middle included."""
+
+KEPT = (0, LOOKED // 2, LOOKED - 1)
+"""Those of them at which limits are kept: both ends and the middle. An acceleration is a parabola through these but for
+the third power of the step."""
+
+BESIDE = 2.0
+"""Times the distance from that parabola at the points by which it may be left between them; of a cubic it is 1.1."""
+
+LEAST_STEPS = 4
+"""Of each piece of the path."""
+
+STANDS = 1e-12
+"""Of its largest value: a dq/ds below it is zero but for rounding."""
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """A path on a grid.
+
+    Attributes
+    ----------
+    s : ndarray, shape (N+1,)
+    h : ndarray, shape (N,)
+        Steps.
+    places : ndarray, shape (LOOKED,)
+        Parts of a step at which it is looked at.
+    first, second : ndarray, shape (N, LOOKED, m)
+        dq/ds in parts of the limit of velocity, and of that of acceleration; see ``bend``.
+    bend : ndarray, shape (N, LOOKED, m)
+        d²q/ds² in parts of the limit of acceleration.
+    stops : ndarray of bool, shape (N+1,)
+        Where s must stand still.
+    still : (bool, bool)
+        Whether dq/ds is zero at the start and at the end, so that any speed of s is rest there.
+    """
+
+    s: Floats
+    h: Floats
+    places: Floats
+    first: Floats
+    second: Floats
+    bend: Floats
+    stops: NDArray[np.bool_]
+    still: tuple[bool, bool]
+
+    def bands(self, tight: Floats) -> Bands:
+        """Return the limits as bands, made tighter by a factor for each step, (N,)."""
+        t, h = self.places[list(KEPT)][:, None], 2.0 * self.h[:, None, None]
+        kept = np.array(KEPT)
+        push, bend = self.second[:, kept] / h, self.bend[:, kept]
+        # The acceleration at t of a step: push (y - x) + bend ((1 - t) x + t y).
+        of_x, of_y = bend * (1.0 - t) - push, bend * t + push
+        fast = (self.first[:, kept] ** 2).max(axis=2)
+        N = len(self.h)
+        A = np.concatenate([of_x.reshape(N, -1), fast * (1.0 - t[:, 0])], axis=1) * tight[:, None]
+        B = np.concatenate([of_y.reshape(N, -1), fast * t[:, 0]], axis=1) * tight[:, None]
+        return Bands(A, B)
+
+    def most_at_end(self, bands: Bands) -> float:
+        """Return the largest squared speed at the end."""
+        return float(tops(Bands(bands.B[-1:], bands.A[-1:]))[0][0])
+
+    def used(self, x: Floats) -> Floats:
+        """Return the largest part of a limit of each step, (N,): of an acceleration, or of the square of a velocity."""
+        u = (np.diff(x) / (2.0 * self.h))[:, None, None]
+        between = x[:-1, None] + np.diff(x)[:, None] * self.places
+        acceleration = self.second * u + self.bend * between[:, :, None]
+        square = self.first**2 * between[:, :, None]
+        return np.asarray(np.maximum(_largest(acceleration, self.places), _largest(square, self.places)))
+
+
+def _largest(values: Floats, places: Floats) -> Floats:
+    """Return the largest absolute value of (N, LOOKED, m) over each step, (N,), between the places as well."""
+    start, middle, end = (values[:, k] for k in KEPT)
+    slope, bend = 4.0 * middle - 3.0 * start - end, 2.0 * (start + end) - 4.0 * middle
+    t = places[:, None]
+    beside = np.abs(values - (start[:, None] + t * slope[:, None] + t * t * bend[:, None])).max(axis=1)
+    turns = np.abs(slope + bend) < np.abs(bend)
+    top = np.where(turns, start - slope * slope / (4.0 * np.where(turns, bend, 1.0)), start)
+    most = np.maximum(np.maximum(np.abs(start), np.abs(end)), np.abs(top))
+    return np.asarray((most + BESIDE * beside).max(axis=1))
+
+
+def grid_of(path: Path, limits: Limits, steps: int) -> Grid:
+    """Return a path on a grid of about so many steps, with the ends of its pieces among its places."""
+    edges = path.edges
+    lengths = np.diff(edges)
+    least = LEAST_STEPS if LEAST_STEPS * len(lengths) <= 2 * steps else 2
+    counts = np.maximum(np.ceil(steps * lengths).astype(int), least)
+    parts = [a + (b - a) * np.arange(n) / n for a, b, n in zip(edges[:-1], edges[1:], counts, strict=True)]
+    s = np.append(np.concatenate(parts), 1.0)
+    h = np.diff(s)
+    places = 0.5 - 0.5 * np.cos(np.pi * np.arange(LOOKED) / (LOOKED - 1))
+    at = s[:-1, None] + h[:, None] * places
+    at[:, -1] = s[1:]
+    first, second = (np.array(values) for values in path.derivatives(at, (1, 2)))
+    for values, end in zip((first, second), path.derivatives(s[1:], (1, 2), before=True), strict=True):
+        values[:, -1] = end
+    corners = path.breaks[path.break_classes < 1.0]
+    largest = float(np.abs(first).max())
+    still = [bool(np.abs(first[k, k]).max() <= STANDS * largest) for k in (0, -1)]
+    return Grid(
+        s,
+        h,
+        places,
+        first / limits.velocity,
+        first / limits.acceleration,
+        second / limits.acceleration,
+        np.isin(s, corners),
+        (still[0], still[1]),
+    )

@@ -1,0 +1,88 @@
+"""Go on with work that was saved: begun at one computer, finished at another."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import ClassVar
+
+from armlab.errors import InputError
+from armlab.session.hand_in import judged_anew, opened
+from armlab.session.lesson_commands import OpenLesson
+from armlab.session.lesson_progress import Progress
+from armlab.session.parts.display import Display
+from armlab.session.parts.lesson import LessonPart, has_its_arm, place_of, signed
+from armlab.session.parts.shelf import HOME, Shelf
+from armlab.session.share import STAYS, state_of_parts
+from armlab.session.state import Command, Json, State
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class OpenWork(Command):
+    """Open work that was saved, at its step and with the arm as it stood, as far as it can be used.
+
+    Its answers and checks are judged anew, and only what holds is done; a motion is not planned again here, which takes
+    too long, but when it is handed in. What is done here already stays done.
+
+    Parameters
+    ----------
+    text : str
+        Of a file written by `hand_in`.
+    """
+
+    text: str
+    label: ClassVar[str] = "saved work"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the work.
+
+        Raises
+        ------
+        InputError
+            It is no saved work, or the student is not at home.
+        UnknownName, ContentError
+            Its lesson is not there or cannot be used.
+        """
+        if state[Shelf].place != HOME:
+            raise InputError("saved work: go back to your own work first")
+        data, found, claimed = opened(self.text)
+        holds, _ = judged_anew(found, claimed, plans=False)
+        part, place = state[LessonPart], place_of(found.key, found.variant)
+        here = part.progress_of.get(place, Progress())
+        known = {**part.progress_of, place: _together(here, holds)}
+        ready = replace(
+            part, open="", progress_of=MappingProxyType(known), student=part.student or signed(data["student"])
+        )
+        begun = OpenLesson(found.key, variant=found.variant).apply(state.replace(ready))
+        return _as_it_stood(begun, data.get("parts"))
+
+
+def _together(here: Progress, there: Progress) -> Progress:
+    """Return what is done here or there, at the step of the file; of two answers the one given here."""
+    hints = {name: max(here.hints.get(name, 0), there.hints.get(name, 0)) for name in {*here.hints, *there.hints}}
+    return replace(
+        there,
+        met=here.met | there.met,
+        right=MappingProxyType({**there.right, **here.right}),
+        answers=MappingProxyType({**there.answers, **here.answers}),
+        hints=MappingProxyType(hints),
+        evidence=MappingProxyType({**there.evidence, **here.evidence}),
+    )
+
+
+def _as_it_stood(begun: State, parts: Json) -> State:
+    """Return the lesson with the arm and the benches of the file; as the step finds them where these are not usable."""
+    if not isinstance(parts, dict) or not parts or begun[LessonPart].hides:
+        return begun
+    try:
+        stood = state_of_parts({key: part for key, part in parts.items() if key not in STAYS})
+    except Exception as error:
+        # Nobody can list what a changed file may raise, and the lesson goes on without it.
+        log.warning("the arm of saved work is not usable: %r", error)
+        return begun
+    display = Display(MappingProxyType({**stood[Display].switches, **begun[Display].of_screen()}))
+    found = stood.replace(begun[LessonPart], begun[Shelf], display)
+    return found if has_its_arm(found) else begun

@@ -1,0 +1,107 @@
+"""What a page may say to the lab. Everything else a stranger can send is dropped before it reaches anything."""
+
+from __future__ import annotations
+
+import logging
+import math
+from collections.abc import Mapping
+from typing import Any
+
+log = logging.getLogger(__name__)
+
+SAID = frozenset(
+    {
+        "CommandTriggerMessage",
+        "GetRenderResponseMessage",
+        "GuiUpdateMessage",
+        "SceneNodeClickMessage",
+        "ScenePointerMessage",
+        "TransformControlsDragEndMessage",
+        "TransformControlsDragStartMessage",
+        "TransformControlsUpdateMessage",
+        "ViewerCameraMessage",
+    }
+)
+"""Messages that the lab's own page sends. viser knows more: files, forms, public tunnels."""
+
+FARTHEST = 1e6
+"""Metres, and everything else that is a number in a message of the scene; beyond it products would overflow."""
+
+LONGEST_NAME = 200
+"""Characters of the name of a node or a control."""
+
+MOST_NUMBERS = 64
+"""In one field of a message."""
+
+
+class Gate:
+    """Looks at each message of one connection; says once what was dropped."""
+
+    def __init__(self) -> None:
+        self.dropped = 0
+
+    def passes(self, kind: str, fields: Mapping[str, Any], value_now: Any) -> bool:
+        """Return whether a message may go on.
+
+        Parameters
+        ----------
+        kind : str
+            Name of its type.
+        fields : mapping
+            What it says.
+        value_now : object
+            Of the control an update is for, None where there is none.
+        """
+        wrong = _wrong(kind, fields, value_now)
+        if wrong:
+            self.drop(wrong)
+        return not wrong
+
+    def drop(self, why: str) -> None:
+        """Note that something was dropped; the log hears of the first time only."""
+        self.dropped += 1
+        if self.dropped == 1:
+            log.warning("a page that is not ours: %s; this and what follows of the kind is dropped", why[:200])
+
+
+def _wrong(kind: str, fields: Mapping[str, Any], value_now: Any) -> str:
+    """Return what is wrong with a message; empty when nothing is."""
+    if kind not in SAID:
+        return f"it sent {kind[:60]}"
+    if kind == "GuiUpdateMessage":
+        updates = fields.get("updates")
+        if not isinstance(updates, dict) or set(updates) != {"value"}:
+            return "it wants to change what a control is"
+        return (
+            "" if value_now is None or _fits(updates["value"], value_now) else "it gives a control what it cannot hold"
+        )
+    for name, value in fields.items():
+        if not isinstance(value, bytes) and not _is_plain(value):
+            return f"{kind} with a {name} that cannot be"
+    return ""
+
+
+def _fits(value: Any, now: Any) -> bool:
+    """Return whether a control that holds ``now`` can hold a value: the same kind, and as many of them."""
+    if isinstance(now, bool) or isinstance(value, bool):
+        return isinstance(value, bool) and isinstance(now, bool)
+    if isinstance(now, (int, float)):
+        # However large: a person may have typed it, and is to see where it stops.
+        return isinstance(value, (int, float)) and math.isfinite(value)
+    if isinstance(now, str):
+        return isinstance(value, str)
+    if isinstance(now, tuple):
+        alike = isinstance(value, (list, tuple)) and len(value) == len(now)
+        return alike and all(_fits(one, held) for one, held in zip(value, now, strict=True))
+    return False
+
+
+def _is_plain(value: Any) -> bool:
+    """Return whether a field of a message of the scene is small and finite."""
+    if value is None or isinstance(value, bool):
+        return True
+    if isinstance(value, (int, float)):
+        return math.isfinite(value) and abs(value) <= FARTHEST
+    if isinstance(value, str):
+        return len(value) <= LONGEST_NAME
+    return isinstance(value, (list, tuple)) and len(value) <= MOST_NUMBERS and all(map(_is_plain, value))

@@ -1,0 +1,104 @@
+"""A lab that asks for a room code: strangers get the question and nothing else."""
+
+import urllib.parse
+
+import pytest
+
+from armlab.front.room import ASKED, MOST_ADDRESSES, TOO_OFTEN, TRIES, WRONG, Room
+from armlab.front.start import Settings, start
+from support.student import run, student
+from support.web import get, opened
+
+
+@pytest.fixture(scope="module")
+def url():
+    lab = start(Settings("127.0.0.1", [0], "scara", None, code="Blue Elbow"))
+    yield f"http://127.0.0.1:{lab.port}/"
+    lab.stop()
+
+
+def code_url(url, word, path=""):
+    return f"{url}{path}?{urllib.parse.urlencode({'code': word})}"
+
+
+def key_of(url, word="blue elbow"):
+    """Return the cookie of a browser that says the code."""
+    status, headers, _ = get(code_url(url, word), follow=False)
+    assert status == 303
+    return headers["Set-Cookie"].split(";")[0]
+
+
+def test_a_stranger_gets_the_question_and_no_cookie(url):
+    for path in ("", "robot/puma560", "lesson/first_arm/3"):
+        status, headers, body = get(url + path)
+        assert status == 401
+        assert ASKED.encode() in body
+        assert b"<script" not in body
+        assert headers["Set-Cookie"] is None
+        assert "default-src 'none'" in headers["Content-Security-Policy"]
+
+
+def test_a_stranger_opens_no_socket(url):
+    assert run(opened(url, {"Origin": url.rstrip("/")})) == 401
+
+
+def test_a_wrong_word_is_told_and_not_repeated_on_the_page(url):
+    status, _, body = get(code_url(url, "<b>red</b>"))
+    assert status == 401
+    assert WRONG.encode() in body
+    assert b"red" not in body
+
+
+def test_who_says_the_code_is_in_and_the_address_no_longer_tells_it(url):
+    status, headers, _ = get(code_url(url, "  BLUE  elbow ", "robot/puma560") + "&darkMode=1", follow=False)
+    assert (status, headers["Location"]) == (303, "/robot/puma560?darkMode=1")
+    cookie = headers["Set-Cookie"]
+    assert "HttpOnly" in cookie
+    assert get(url, {"Cookie": cookie.split(";")[0]})[0] == 200
+
+
+def test_a_lab_with_another_code_knows_none_of_the_old_keys(url):
+    assert not Room("other", b"secret").is_in(Room("blue elbow", b"secret").key)
+    name = key_of(url).split("=")[0]
+    assert get(url, {"Cookie": f"{name}={'0' * 64}"})[0] == 401
+
+
+def test_a_student_who_is_in_works_as_ever(url):
+    key = key_of(url)
+    status, headers, _ = get(url, {"Cookie": key})
+    assert status == 200
+    token = headers["Set-Cookie"].split(";")[0]
+
+    async def main():
+        browser = await student(url, f"{key}; {token}")
+        await browser.close()
+
+    run(main())
+
+
+class Clock:
+    now = 0.0
+
+    def __call__(self):
+        return self.now
+
+
+def test_who_guesses_has_to_wait_and_others_do_not():
+    clock = Clock()
+    room = Room("blue elbow", b"secret", clock)
+    assert {room.refusal(f"word {k}", "10.0.0.1") for k in range(int(TRIES) + 1)} == {WRONG}
+    assert room.refusal("blue elbow", "10.0.0.1") == TOO_OFTEN
+    assert room.refusal("blue elbow", "10.0.0.2") == ""
+    clock.now += 10.0
+    assert room.refusal("blue elbow", "10.0.0.1") == ""
+
+
+def test_so_many_addresses_are_watched_and_no_more():
+    room = Room("blue elbow", b"secret")
+    for k in range(MOST_ADDRESSES + 50):
+        room.refusal("red", f"address {k}")
+    assert len(room._guessers) == MOST_ADDRESSES
+
+
+def test_a_long_word_is_only_wrong():
+    assert Room("blue elbow", b"secret").refusal("x" * 1_000_000, "10.0.0.1") == WRONG

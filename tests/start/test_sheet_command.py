@@ -1,0 +1,102 @@
+"""``armlab lesson sheet``, as a teacher types it."""
+
+import pytest
+
+from armlab.cli import main
+from armlab.commands._found import Place
+from armlab.commands._lesson_sheet import names_of, numbers_of
+from armlab.commands._sheet import escaped
+from armlab.content import lessons as library_module
+from armlab.errors import ArmlabError
+from support.motion_lesson import MOTION
+from support.small_lessons import VARIED
+
+
+def one_line(err):
+    return err.count("\n") == 1 and "Traceback" not in err
+
+
+def test_a_sheet_has_a_row_a_variant(typed, work):
+    status, out, err = typed("lesson", "sheet", "mine/v.md", "--variants", "0-2,7")
+    assert (status, err) == (0, "")
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in out.splitlines() if line.startswith("|")]
+    assert rows[0] == ["variant", "`goal`", "1 do", "2 answer", "3 answer"]
+    assert [row[0] for row in rows[2:]] == ["0", "1", "2", "7"]
+    for number, goal, move, half, double in rows[2:]:
+        expected = library_module.lesson("v", int(number)).values["goal"]
+        assert float(goal) == expected
+        assert move == f"q = ({goal}°, 20°)"
+        assert float(half.split(" ±")[0]) == expected / 2
+        assert float(double.split(" ±")[0]) == expected * 2
+    assert "- Step 3, Double, in variant 0: Twice?" in out
+
+
+def test_a_sheet_for_a_list_of_names(typed, place):
+    (place / "names.txt").write_text("Ada\n\n  Bob | *x*  \n", encoding="utf-8")
+    status, out, _ = typed("lesson", "sheet", "mine/v.md", "--students", "names.txt")
+    assert status == 0
+    assert [line.split(" | ")[:2] for line in out.splitlines()[-2:]] == [["| 1", "Ada"], ["| 2", r"Bob \| \*x\*"]]
+
+
+def test_a_lesson_without_variants_has_one_row(typed):
+    status, out, _ = typed("lesson", "sheet", "first_arm")
+    assert status == 0
+    assert [line.split(" | ")[0] for line in out.splitlines() if line.startswith("|")] == ["| variant", "| ---", "| 0"]
+    assert "0.866 m ±" in out
+
+
+@pytest.mark.parametrize("found", Place().all(), ids=lambda found: found.key)
+def test_every_lesson_of_the_lab_has_a_sheet(capsys, found):
+    assert main(["lesson", "sheet", found.key, "--variants", "0-3"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    widths = {line.replace(r"\|", "").count("|") for line in out.splitlines() if line.startswith("|")}
+    assert len(widths) == 1
+
+
+def test_a_variant_that_cannot_be_used_leaves_the_others(typed, place):
+    (place / "mine" / "v.md").write_text(VARIED.replace("+++\n## Turn", 'root = "sqrt(31 - goal)"\n+++\n## Turn'))
+    status, out, err = typed("lesson", "sheet", "mine/v.md", "--variants", "0,1")
+    assert status == 1
+    assert one_line(err)
+    assert err.startswith("armlab: variant 1: ")
+    assert out.splitlines()[-1].startswith("| 0 |")
+
+
+@pytest.mark.parametrize("text", ["", "x", "3-1", "-1", "1,,2", "0-9999", "99999", "1-2-3", "٣"])
+def test_numbers_that_are_none_are_refused(text):
+    with pytest.raises(ArmlabError, match="--variants"):
+        numbers_of(text)
+
+
+@pytest.mark.parametrize("data", [b"", b"\n \n", b"\xff\xfeA\x00", b"A\n" * 1001, b"x" * 2_000_000])
+def test_lists_that_are_none_are_refused(place, data):
+    (place / "names.txt").write_bytes(data)
+    with pytest.raises(ArmlabError, match=r"names\.txt"):
+        names_of(place / "names.txt")
+
+
+def test_nothing_means_anything_in_an_escaped_text():
+    assert escaped("a|b\n*c* `d` <e>") == r"a\|b \*c\* \`d\` \<e\>"
+
+
+MOTION_WORDS = (
+    ('kind = "waypoint"\nafter = 1', "add the configuration of the arm as a waypoint behind waypoint 1"),
+    ('kind = "waypoint"\nset = 2', "waypoint 2 goes to where the arm is"),
+    ('kind = "waypoint"\nremove = 2', "remove waypoint 2"),
+    ('kind = "move_kind"\nto = 3\nspace = "joint"\nstop = false', "move to waypoint 3: space joint, do not stop there"),
+    ('kind = "duration"\nseconds = 10', "duration 10 s"),
+    ('kind = "duration"', "as fast as allowed"),
+    ('kind = "limits"\nvelocity_percent = 60\ntool_speed_m_s = 0.5', "limits: velocity 60 %, tool speed 0.5 m/s"),
+    ('kind = "example"\nname = "motion/corner_stop"', "example motion/corner\\_stop"),
+    ('kind = "motion"', "play the motion"),
+    ('kind = "film"\nname = "laws"', "play laws"),
+    ('kind = "film"', "play the film"),
+)
+
+
+@pytest.mark.parametrize(("action", "words"), MOTION_WORDS)
+def test_a_sheet_says_what_is_done_to_a_motion(typed, place, action, words):
+    text = MOTION.replace('[[do]]\nkind = "move_kind"\npath = "overfly"', f"[[do]]\n{action}", 1)
+    (place / "mine" / "m.md").write_text(text, encoding="utf-8")
+    assert words in typed("lesson", "sheet", "mine/m.md")[1]
