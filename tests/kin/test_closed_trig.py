@@ -56,7 +56,8 @@ def test_no_angle_one_angle_every_angle():
 
 def test_a_hair_beyond_the_boundary_is_the_boundary():
     assert len(sine_cosine(0.0, 1.0, 1.0 + 1e-13).values) == 1
-    assert sine_cosine(0.0, 1.0, 1.0 + 1e-9).values == ()
+    assert sine_cosine(0.0, 1.0, 1.0 + 1e-6).values == (0.0,)
+    assert sine_cosine(0.0, 1.0, 1.0 + 2e-3).values == ()
 
 
 def test_two_equations(rng):

@@ -11,7 +11,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.held import with_held
 from armlab.kin.ik.self_motion import distance_to, trace_self_motion
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import polished
+from armlab.kin.ik.verified import solution
 from armlab.session.solutions_question import Question
 from armlab.session.solutions_way import ON_CURVE
 
@@ -63,7 +63,7 @@ class Motion:
         arm = question.arm
         guess = np.array([np.interp(part, self.along, column) for column in self.q.T])
         held = np.array([i + 1 in question.held for i in range(arm.n)])
-        exact = polished(arm, guess, task_error_of(arm).target(question.pose), held if held.any() else None)
+        exact = solution(arm, guess, task_error_of(arm).target(question.pose), held if held.any() else None)
         if exact is not None and arm.within_limits(exact):
             return np.asarray(exact)
         # At its ends, and where it touches a limit, the points that were traced are inside.

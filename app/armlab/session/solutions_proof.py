@@ -14,7 +14,7 @@ from armlab.kin.ik.many_starts import many_starts
 from armlab.kin.ik.self_motion import distance_to
 from armlab.kin.ik.solutions import IkSolutions
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import polished
+from armlab.kin.ik.verified import solution
 from armlab.kin.transforms import inverse
 from armlab.session.solutions_question import Question
 from armlab.session.solutions_way import ON_CURVE, gap
@@ -109,7 +109,7 @@ def _with_piece(proof: Proof, arrived: Vector) -> Proof:
     for q in arrived:
         k = _place(proof, q)
         if k is None and not (infinite and len(others) >= MOST):
-            exact = polished(arm, q, target, held if held.any() else None)
+            exact = solution(arm, q, target, held if held.any() else None)
             if exact is None:
                 continue
             k = _place(proof, exact)

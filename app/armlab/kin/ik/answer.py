@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ik.problem import REACHED_M, Errors
 from armlab.kin.ik.solutions import Completeness, sorted_rows, wrapped_rows
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import EXACT, distinct, polished
+from armlab.kin.ik.verified import EXACT, ROUNDING, each_once, is_reached, polished
 from armlab.kin.transforms import inverse
 
 Vector = NDArray[np.float64]
@@ -20,12 +22,21 @@ Vector = NDArray[np.float64]
 SURFACE = 16
 """Configurations that stand for a family of more than one dimension."""
 
+NEAR = 1e-2
+"""Scaled error below which a candidate that is no solution casts doubt on the others."""
+
+SINGULAR = 1e-4
+"""Of the largest singular value of a Jacobian: below, a closed form is not believed without a second look."""
+
 BEYOND = "The target is farther away than all links in a line."
 
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """Verified configurations of an arm and what is known about them, before names and limits."""
+    """Verified configurations of an arm and what is known about them, before names and limits.
+
+    ``loose`` and ``missed`` are those of `Verified`.
+    """
 
     q: list[Vector]
     completeness: Completeness
@@ -33,16 +44,70 @@ class Answer:
     method: str
     why: str
     families: tuple[Vector, ...] = ()
+    loose: int = 0
+    missed: tuple[float, float] | None = None
+
+
+class Verified(NamedTuple):
+    """What became of candidates.
+
+    Attributes
+    ----------
+    rows : list of ndarray, shape (n,)
+        Solutions, wrapped, each once, in canonical order.
+    loose : int
+        How many of them are not exact, but as near as can be and within what counts as reached.
+    missed : tuple of float, or None
+        Errors in m and rad of the worst of those; without solutions, of the nearest candidate.
+    doubtful : bool
+        Whether a candidate near the target was none, or a solution is so near a singularity that another, or a family,
+        may hide behind it.
+    """
+
+    rows: list[Vector]
+    loose: int
+    missed: tuple[float, float] | None
+    doubtful: bool
+
+
+def verified(arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None) -> Verified:
+    """Return polished candidates that forward kinematics confirms."""
+    target = task_error_of(arm).target(T)
+    mask = held_mask(arm, held) if held else None
+    every = [polished(arm, one, target, mask) for one in candidates]
+    reached = [is_reached(arm, one.errors, target) for one in every]
+    good = each_once(arm, [one for one, there in zip(every, reached, strict=True) if there], target)
+    loose = [one.errors for one in good if _size(one.errors) > EXACT]
+    # Told are the worst of what is let through, or the best of what is not.
+    best = [one.errors for one in every] if not good else []
+    told = max(loose, key=_size) if loose else min(best, key=_size, default=None)
+    missed = None if told is None else (told.position, told.rotation)
+    dropped = any(_size(one.errors) < NEAR and not there for one, there in zip(every, reached, strict=True))
+    singular = any(_is_nearly_singular(one.J) for one in good)
+    return Verified(in_order(arm, [one.q for one in good], mask), len(loose), missed, dropped or singular)
 
 
 def verified_rows(
-    arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None
+    arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None, *, loose: bool = True
 ) -> list[Vector]:
-    """Return polished candidates that forward kinematics confirms, wrapped, without repetition, in canonical order."""
-    target = task_error_of(arm).target(T)
-    mask = held_mask(arm, held) if held else None
-    good = [q for one in candidates if (q := polished(arm, one, target, mask)) is not None]
-    return in_order(arm, distinct(arm, good), mask)
+    """Return only the solutions of `verified`; without ``loose`` none of them where some are not exact."""
+    found = verified(arm, T, candidates, held)
+    return found.rows if loose or not found.loose else []
+
+
+def _is_nearly_singular(J: Vector) -> bool:
+    """Return whether a Jacobian (m, n) is within `SINGULAR` of losing rank."""
+    if len(J) == 6 == J.shape[1]:
+        # The other five singular values multiply to no more than (sum of squares / 5)^(5/2); this costs a tenth.
+        most = float((J * J).sum() / 5.0) ** 2.5
+        if abs(float(np.linalg.det(J))) > SINGULAR * most * math.sqrt(float((J * J).sum())):
+            return False
+    values = np.linalg.svd(J, compute_uv=False)
+    return bool(values[-1] < SINGULAR * values[0])
+
+
+def _size(errors: Errors) -> float:
+    return math.sqrt(errors.scaled2)
 
 
 def in_order(arm: Arm, solutions: Sequence[Vector] | Vector, held: NDArray[np.bool_] | None = None) -> list[Vector]:
@@ -62,4 +127,4 @@ def is_beyond(arm: Arm, T: Vector) -> bool:
     if not bool(arm.revolute.all()) or not arm.task.position:
         return False
     G = inverse(arm.base) @ T
-    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + EXACT) + EXACT
+    return math.hypot(*(float(G[k, 3]) for k in arm.task.coordinates)) > arm.reach * (1.0 + ROUNDING) + REACHED_M

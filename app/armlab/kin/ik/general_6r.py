@@ -12,15 +12,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
-from armlab.kin.ik.general_family import Split, rank_losses, split
+from armlab.kin.ik.general_complex import NO_ROOTS, Roots, joined
+from armlab.kin.ik.general_family import Split, split
 from armlab.kin.ik.general_loop import Floats, Loop, orthonormal, principal
-from armlab.kin.ik.general_search import PASSES, RESTLESS, STAGES, Found, Search, joined, without_echoes
+from armlab.kin.ik.general_near import nearly
+from armlab.kin.ik.general_search import PASSES, STARTS, Search
+from armlab.kin.ik.general_special import resolve
+from armlab.kin.ik.problem import REACHED_M
 from armlab.kin.transforms import as_pose
 
 Completeness = Literal["complete", "infinite", "at least"]
 
-TOLERANCE = 1e-9
-"""Metres and radians; a polished solution is about a million times better."""
+TOLERANCE = REACHED_M
+"""Metres and radians within which a pose is reached. Solutions are polished to rounding; only where two branches would
+merge just beyond the pose, the configuration between them is no better than this."""
+
+ROUNDING = 1e-14
+"""Of a distance: no configuration comes nearer."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +41,7 @@ class GeneralSolutions:
         In (-pi, pi], sorted by joint 1, then 2 and so on, each rounded to 1e-6. Of families only representatives.
     completeness : str
         ``"complete"``: these are all; ``"infinite"``: there are families of solutions besides the isolated ones;
-        ``"at least"``: these are solutions, but the passes of the search did not agree.
+        ``"at least"``: these are solutions, but not all roots of the equations could be accounted for.
     singular : ndarray of bool, shape (k,)
         Where the Jacobian is singular: branches merge there, or it is a member of a family.
     families : tuple of ndarray, shape (s, 6)
@@ -43,7 +51,10 @@ class GeneralSolutions:
     reason : str
         In words how that is known.
     passes : int
-        How many eliminations it took.
+        How many eliminations it took at the pose itself.
+    missed : tuple of float, or None
+        By how much the best configuration misses the pose, in m and rad: rounding where there are solutions, the way
+        that is missing where one nearly reaches it, None where nothing came near.
     """
 
     q: Floats
@@ -54,6 +65,7 @@ class GeneralSolutions:
     rotation_error: Floats
     reason: str
     passes: int
+    missed: tuple[float, float] | None = None
 
     def __len__(self) -> int:
         return len(self.q)
@@ -91,7 +103,8 @@ def solve_general(arm: Arm, T: ArrayLike, *, tolerance: float = TOLERANCE) -> Ge
     References
     ----------
     Raghavan and Roth 1990; Manocha and Canny 1994; notes, section 4.3 (at most 16 solutions). See `general_equations`
-    for the derivation and `general_search` for what makes it work on special arms.
+    for the derivation, `general_search` for what makes it work on special arms, `general_complex` and
+    `general_special` for why the list is complete.
 
     Examples
     --------
@@ -139,45 +152,36 @@ def solve_general_batch(
     )
     results = [_beyond(search.loop)] * len(checked)
     if len(within):
-        firsts = [None] * len(within) if search.deficient else _firsts(search, hands[within])
+        firsts = [NO_ROOTS] * len(within) if search.deficient else search.roots(hands[within], 0)
         for k, first in zip(within, firsts, strict=True):
             results[k] = _solve(arm, search, wanted[k], hands[k], first, tolerance)
     return results
 
 
-def _firsts(search: Search, hands: Floats) -> list[Found]:
-    """Return what the first stage finds; with descents where its passes show a family."""
-    found, unrest = search.stage(hands, 0)
-    return [
-        joined(one, search.descents(hand)) if not rest <= RESTLESS else one
-        for one, hand, rest in zip(found, hands, unrest, strict=True)
-    ]
-
-
-def _solve(
-    arm: Arm, search: Search, T: Floats, hand: Floats, found: Found | None, tolerance: float
-) -> GeneralSolutions:
-    """Go on from the first stage until the passes agree or a family shows; then judge and sort."""
-    links = search.loop.links
-    found = search.descents(hand) if found is None else found
-    found, parts = _parted(links, found, hand)
-    if parts.singular.any() and found.by.shape[1] == 2:
-        found, parts = _parted(links, joined(found, search.descents(hand)), hand)
-    for number in range(1, len(STAGES)):
-        if search.deficient or parts.freedom or _is_settled(found, parts):
-            break
-        found, parts = _parted(links, joined(found, search.stage(hand[None], number)[0][0]), hand)
-    q = np.concatenate([found.q[parts.isolated], parts.members])
+def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tolerance: float) -> GeneralSolutions:
+    """Look on until all roots are accounted for; then judge and sort."""
+    links, passes = search.loop.links, 0 if search.deficient else 1
+    # Of a nearly special arm roots may have come back from infinity: there a second look is taken.
+    least = 2 if search.nearly_special else 1
+    while 0 < passes < len(PASSES) and (passes < least or not search.is_whole(roots)):
+        roots = joined(roots, search.roots(hand[None], passes)[0])
+        passes += 1
+    whole = search.is_whole(roots) and not (search.nearly_special and roots.merging)
+    if whole:
+        found, complete = roots.q[roots.real].real, True
+        parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp), 0.0)
+    else:
+        found, parts, roots, complete = resolve(search, hand, roots)
+    beside = nearly(links, roots, found, hand)
+    q = np.concatenate([found[parts.isolated], parts.members, beside])
     singular = np.ones(len(q), dtype=bool)
     singular[: parts.isolated.sum()] = parts.singular[parts.isolated]
     q = principal(q - search.loop.offsets)
     position, rotation = _errors(arm, q, T)
-    kept = np.flatnonzero((position <= tolerance) & (rotation <= tolerance))
+    close = (position <= max(tolerance, ROUNDING * float(np.linalg.norm(T[:3, 3])))) & (rotation <= tolerance)
+    kept = np.flatnonzero(close)
     kept = kept[np.lexsort(np.round(q[kept], 6).T[::-1])]
-    completeness: Completeness = (
-        "infinite" if parts.freedom else "complete" if _is_settled(found, parts) else "at least"
-    )
-    passes = found.by.shape[1]
+    completeness: Completeness = "infinite" if parts.freedom else "complete" if complete else "at least"
     return GeneralSolutions(
         q=q[kept],
         completeness=completeness,
@@ -185,27 +189,18 @@ def _solve(
         families=tuple(curve - search.loop.offsets for curve in parts.curves),
         position_error=position[kept],
         rotation_error=rotation[kept],
-        reason=_reason(completeness, int(parts.isolated.sum()), parts, passes),
+        reason=_reason(search, completeness, len(kept) - len(parts.members), parts, passes),
         passes=passes,
+        missed=_missed(position, rotation),
     )
 
 
-def _parted(links: Floats, found: Found, hand: Floats) -> tuple[Found, Split]:
-    """Return solutions without the echoes of singular ones, and their kinds."""
-    losses = rank_losses(links, found.q, hand)
-    if losses.any():
-        found = without_echoes(found, losses > 0)
-        losses = rank_losses(links, found.q, hand)
-    return found, split(links, found.q, hand, losses)
-
-
-def _is_settled(found: Found, parts: Split) -> bool:
-    """Return whether the passes agree, on an even number unless some are singular.
-
-    The forward kinematics map a torus, which is closed, to the poses, which are not bounded: such a map meets every
-    pose at which it is regular an even number of times.
-    """
-    return found.agreed and (len(found.q) % 2 == 0 or bool(parts.singular.any()))
+def _missed(position: Floats, rotation: Floats) -> tuple[float, float] | None:
+    """Return by how much the best of some configurations misses, in m and rad; None without any."""
+    if not len(position):
+        return None
+    best = int(np.argmin(position + rotation))
+    return float(position[best]), float(rotation[best])
 
 
 def _errors(arm: Arm, q: Floats, T: Floats) -> tuple[Floats, Floats]:
@@ -232,18 +227,24 @@ def _beyond(loop: Loop) -> GeneralSolutions:
     )
 
 
-def _reason(completeness: Completeness, isolated: int, parts: Split, passes: int) -> str:
+def _reason(search: Search, completeness: Completeness, isolated: int, parts: Split, passes: int) -> str:
     if completeness == "infinite":
         curves = len(parts.curves)
         families = f"{curves} curves" if curves > 1 else "a curve" if curves else f"{parts.freedom}-parameter families"
         also = f", and {isolated} isolated solution{'' if isolated == 1 else 's'}" if isolated else ""
         return f"{families} of singular configurations whose joints move while the tool stands still{also}"
     if completeness == "at least":
-        sizes = f"{min(one.size for one in PASSES):.0e} to {max(one.size for one in PASSES):.0e}"
-        ranks = max(one.rank for one in PASSES) + 1
-        return f"{passes} eliminations, moved by {sizes} in {ranks} formulations, did not agree"
+        if search.deficient:
+            return f"searched from {STARTS} random starts, which proves nothing"
+        return "not all roots of the equations of this arm could be told apart at this pose"
     if isolated == 0:
-        return f"none of the 16 roots is real, in {passes} eliminations alike"
+        return f"none of the {_number(search)} roots is real"
     folds = int(parts.singular[parts.isolated].sum())
     merge = f"; {folds} of them singular, where branches merge" if folds else ""
-    return f"found alike by {passes} eliminations{merge}"
+    return f"all {_number(search)} roots of the arm are accounted for{merge}"
+
+
+def _number(search: Search) -> str:
+    """Return how many roots an arm has; of nearly special ones some are nearly at infinity, and counted or not."""
+    least = min(number for _, number in search.counts)
+    return f"{least}" if least == search.number else f"{least} to {search.number}"

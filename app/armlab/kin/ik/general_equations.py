@@ -25,8 +25,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from armlab.kin.ik.general_loop import Floats, inverses, turns
+from armlab.kin.ik.general_loop import Complex, Floats, Numbers, angle_of, inverses, turns
 
 THIRDS: Floats = 2.0 * np.pi / 3.0 * np.arange(3, dtype=np.float64)
 """Where functions of degree one in (cos, sin) are sampled; three equal steps make the coefficients well conditioned."""
@@ -111,7 +112,7 @@ def _right(T: Floats) -> Floats:
     return np.asarray(TO_COEFFICIENTS @ line_numbers(lines))
 
 
-def line_numbers(lines: Floats) -> Floats:
+def line_numbers(lines: Numbers) -> Numbers:
     """Return the 14 numbers, those a turn about z does not change first, then the pairs.
 
     Parameters
@@ -129,7 +130,7 @@ def line_numbers(lines: Floats) -> Floats:
     pp = px * px + py * py + pz * pz
     pl = px * lx + py * ly + pz * lz
     twice = 2.0 * pl
-    out = np.empty((*pp.shape, 14))
+    out = np.empty((*pp.shape, 14), dtype=lines.dtype)
     out[..., 0], out[..., 1], out[..., 2], out[..., 3] = pz, lz, px * ly - py * lx, pp * lz - twice * pz
     out[..., 4], out[..., 5] = pp, pl
     out[..., 6], out[..., 7], out[..., 8], out[..., 9] = px, py, lx, ly
@@ -138,7 +139,7 @@ def line_numbers(lines: Floats) -> Floats:
     return out
 
 
-def all_angles(T: Floats, found: Equations, owner: np.ndarray, middle: Floats) -> Floats:
+def all_angles(T: Floats, found: Equations, owner: NDArray[np.intp], middle: Complex) -> Complex:
     """Return all six angles from those of joints 3, 4, 5.
 
     Joint 1 from the fixed numbers by least squares, joint 2 from the pairs as the turn that fits them best, joint 6
@@ -151,11 +152,11 @@ def all_angles(T: Floats, found: Equations, owner: np.ndarray, middle: Floats) -
         Of these loops.
     owner : ndarray of int, shape (m,)
         Which loop each row belongs to.
-    middle : ndarray, shape (m, 3)
+    middle : ndarray of complex, shape (m, 3)
 
     Returns
     -------
-    ndarray, shape (m, 6)
+    ndarray of complex, shape (m, 6)
     """
     own = T[owner]
     R = turns(middle)
@@ -164,13 +165,22 @@ def all_angles(T: Floats, found: Equations, owner: np.ndarray, middle: Floats) -
     rest = numbers[:, :FIXED] - right[:, 0, :FIXED]
     u, v = ((rest[:, None] @ found.basis[owner])[:, 0]).T
     (r11, r12), (_, r22) = np.moveaxis(found.triangle[owner], 0, -1)
-    # Back-substitution times r11 r22: the angle does not depend on that factor, only on its sign.
-    t1 = np.arctan2(r11 * v * np.sign(r11 * r22), (r22 * u - r12 * v) * np.sign(r11 * r22))
+    # Back-substitution times |r11 r22|: the angle does not depend on that factor.
+    sign = np.sign(r11 * r22)
+    c1, s1 = (r22 * u - r12 * v) * sign, r11 * v * sign
+    t1 = angle_of(c1 + 1j * s1, c1 - 1j * s1)
     turn = np.stack([np.ones_like(t1), np.cos(t1), np.sin(t1)], axis=1)[:, None]
     X, Y = np.moveaxis((turn @ right[..., FIXED:])[:, 0].reshape(-1, 4, 2), -1, 0)
     x, y = np.moveaxis(numbers[:, FIXED:].reshape(-1, 4, 2), -1, 0)
-    t2 = np.arctan2((x * Y - y * X).sum(axis=1), (x * X + y * Y).sum(axis=1))
+    # x + iy = exp(-i t_2) (X + iY), and with -i for i, which for complex X and Y is another equation.
+    t2 = angle_of(_ratio(x - 1j * y, X - 1j * Y), _ratio(x + 1j * y, X + 1j * Y))
     # T_6 times everything before Rz(t_6) is the turn back, Rz(-t_6).
     back = own[:, 5] @ turns(t1) @ own[:, 0] @ turns(t2) @ chain
-    t6 = np.arctan2(back[:, 0, 1] - back[:, 1, 0], back[:, 0, 0] + back[:, 1, 1])
-    return np.column_stack([t1, t2, middle, t6])
+    c6, s6 = back[:, 0, 0] + back[:, 1, 1], back[:, 0, 1] - back[:, 1, 0]
+    return np.column_stack([t1, t2, middle, angle_of(c6 + 1j * s6, c6 - 1j * s6)])
+
+
+def _ratio(values: Complex, by: Complex) -> Complex:
+    """Return the factors (m,) that lead from rows (m, 4) to others, by least squares."""
+    sizes = (by * by.conj()).real.sum(axis=1)
+    return np.asarray((values * by.conj()).sum(axis=1) / np.maximum(sizes, 1e-300))

@@ -22,6 +22,9 @@ SINGULAR = 1e-5
 STEP = 0.35
 """Radians along a curve, in all six joints together."""
 
+WEAK, MOST_CORRECTIONS = 1e-4, 7
+"""Of the largest singular value: directions in which nothing is corrected on a curve; and how often."""
+
 MOST_STEPS = 60
 """A curve that has not closed by then, 21 rad, is left open."""
 
@@ -53,7 +56,7 @@ class Split(NamedTuple):
     members: Floats
 
 
-def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp]) -> Split:
+def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp], reached: float) -> Split:
     """Tell isolated solutions, singular ones and families apart.
 
     Parameters
@@ -65,6 +68,9 @@ def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp]) -> S
     hand : ndarray, shape (4, 4)
     losses : ndarray of int, shape (m,)
         See `rank_losses`.
+    reached : float
+        Error up to which a pose counts as reached: beside a wrist that is straight but for 1e-8, say, one nearly moves
+        along a family, and nobody can tell.
     """
     isolated, curves, more = np.ones(len(q), dtype=bool), list[Floats](), list[Floats]()
     for i in np.flatnonzero(losses):
@@ -72,9 +78,9 @@ def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp]) -> S
             isolated[i] = False
         elif losses[i] > 1 or len(curves) == MOST_CURVES:
             # Where so many can move, others are taken to do so as well.
-            isolated[i] = len(more) < MOST_TRIED and not _can_move(links, q[i], hand)
+            isolated[i] = len(more) < MOST_TRIED and not _can_move(links, q[i], hand, reached)
             more += [] if isolated[i] else [q[i]]
-        elif len(curve := self_motion(links, q[i], hand)) > 1:
+        elif len(curve := self_motion(links, q[i], hand, reached)) > 1:
             isolated[i] = False
             curves.append(curve)
     members = [*(_evenly(curve) for curve in curves), *more[:REPRESENTATIVES]]
@@ -100,7 +106,7 @@ def rank_losses(links: Floats, q: Floats, hand: Floats) -> NDArray[np.intp]:
     return losses
 
 
-def self_motion(links: Floats, q: Floats, hand: Floats) -> Floats:
+def self_motion(links: Floats, q: Floats, hand: Floats, reached: float) -> Floats:
     """Return points of the curve of solutions through one, which alone is left when it is isolated.
 
     Parameters
@@ -108,6 +114,8 @@ def self_motion(links: Floats, q: Floats, hand: Floats) -> Floats:
     links : ndarray, shape (5, 4, 4)
     q : ndarray, shape (6,)
     hand : ndarray, shape (4, 4)
+    reached : float
+        See `split`.
 
     Returns
     -------
@@ -115,23 +123,23 @@ def self_motion(links: Floats, q: Floats, hand: Floats) -> Floats:
         From ``q`` on, all around, when the curve closes; else both ways from it.
     """
     along = _null_vector(links, q, hand)
-    ahead, closed = _walk(links, q, hand, along)
+    ahead, closed = _walk(links, q, hand, along, reached)
     if closed:
         return ahead
-    back, _ = _walk(links, q, hand, -along)
+    back, _ = _walk(links, q, hand, -along, reached)
     return np.concatenate([back[:0:-1], ahead])
 
 
-def _can_move(links: Floats, q: Floats, hand: Floats) -> bool:
+def _can_move(links: Floats, q: Floats, hand: Floats, reached: float) -> bool:
     along = _null_vector(links, q, hand)
-    return any(_next(links, q, hand, way) is not None for way in (along, -along))
+    return any(_next(links, q, hand, way, reached) is not None for way in (along, -along))
 
 
-def _walk(links: Floats, start: Floats, hand: Floats, along: Floats) -> tuple[Floats, bool]:
+def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: float) -> tuple[Floats, bool]:
     """Go along a curve; return its points (s, 6) and whether it closed."""
     points = [start]
     for _ in range(MOST_STEPS):
-        found = _next(links, points[-1], hand, along)
+        found = _next(links, points[-1], hand, along, reached)
         if found is None:
             break
         if len(points) > 2 and _distances(start[None], found)[0] < 0.75 * STEP:
@@ -142,11 +150,16 @@ def _walk(links: Floats, start: Floats, hand: Floats, along: Floats) -> tuple[Fl
     return np.array(points), False
 
 
-def _next(links: Floats, q: Floats, hand: Floats, along: Floats) -> Floats | None:
-    """Return the solution a step ahead; None where there is none."""
-    found, sizes = newton.polish(links, (q + STEP * along)[None], hand[None], newton.PATIENCE + 4)
-    moved = float(np.linalg.norm(found[0] - q))
-    return found[0] if sizes[0] < 10.0 * newton.EXACT and STEP / 2.0 < moved < 2.0 * STEP else None
+def _next(links: Floats, q: Floats, hand: Floats, along: Floats, reached: float) -> Floats | None:
+    """Return the solution a step ahead; None where there is none.
+
+    Half a step ahead there has to be one as well, and each near where it is looked for: beside a curve of solutions,
+    not another isolated one.
+    """
+    ahead = q + STEP * np.array([1.0, 0.5])[:, None] * along
+    found, sizes = newton.nearest(links, ahead, np.broadcast_to(hand, (2, 4, 4)), WEAK, MOST_CORRECTIONS)
+    aside = np.linalg.norm(found - ahead, axis=1)
+    return found[0] if sizes.max() < reached and aside[0] < STEP / 2.0 and aside[1] < STEP / 4.0 else None
 
 
 def _null_vector(links: Floats, q: Floats, hand: Floats) -> Floats:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,9 +21,13 @@ from numpy.typing import NDArray
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.dh import common_normals, link_transform
+from armlab.kin.ik.problem import REACHED_M, REACHED_RAD
 from armlab.kin.transforms import inverse, transform
 
 Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Numbers = NDArray[Any]
+"""Real or complex: the equations of the loop are analytic in its angles."""
 
 JOINTS = 6
 
@@ -74,6 +79,11 @@ class Loop:
             _after=np.array(inverse(E[5] @ arm.tool), dtype=np.float64),
         )
 
+    @property
+    def reached(self) -> float:
+        """Error in radians and units of length below which a pose counts as reached."""
+        return min(REACHED_RAD, REACHED_M / self.scale)
+
     def hands(self, poses: Floats) -> Floats:
         """Return H for tool poses in the world, both of shape (..., 4, 4), H with scaled lengths."""
         H: Floats = self._before @ orthonormal(poses) @ self._after
@@ -94,9 +104,9 @@ def orthonormal(poses: Floats) -> Floats:
     return exact
 
 
-def turns(angles: Floats) -> Floats:
-    """Return Rz of angles (...) as transforms, shape (..., 4, 4)."""
-    R = np.zeros((*angles.shape, 4, 4))
+def turns(angles: Numbers) -> Numbers:
+    """Return Rz of angles (...), real or complex, as transforms, shape (..., 4, 4)."""
+    R = np.zeros((*angles.shape, 4, 4), dtype=angles.dtype)
     c, s = np.cos(angles), np.sin(angles)
     R[..., 0, 0] = R[..., 1, 1] = c
     R[..., 0, 1], R[..., 1, 0] = -s, s
@@ -118,3 +128,12 @@ def principal(angles: Floats) -> Floats:
     """Return angles in (-pi, pi]; what is within 1e-12 of -pi becomes pi, so that rounding does not choose the side."""
     wrapped = (angles + math.pi) % (2.0 * math.pi) - math.pi
     return np.where(wrapped <= -math.pi + 1e-12, math.pi, wrapped)
+
+
+def angle_of(ahead: Complex, back: Complex) -> Complex:
+    """Return complex angles t (...) from exp(i t) and exp(-i t), which may have a positive factor in common."""
+    with np.errstate(all="ignore"):  # what is at infinity is no root
+        angles = -0.5j * np.log(ahead / back)
+        turned = np.exp(1j * angles)
+        opposite = np.where(np.abs(ahead) >= np.abs(back), ahead / turned, back * turned).real < 0.0
+        return np.asarray(np.where(opposite, angles + np.pi, angles))

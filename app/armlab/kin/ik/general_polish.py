@@ -1,11 +1,10 @@
-"""Newton's method on the loop of the arm itself, for many candidates at once; and which results are the same."""
+"""Newton's method on the loop of the arm itself, for many candidates at once."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from armlab.kin.ik.general_loop import Floats, turns
+from armlab.kin.ik.general_loop import Floats, Numbers, turns
 
 STEPS = 20
 """At most. Most candidates need two; at a double root every step halves the distance."""
@@ -17,6 +16,9 @@ FAR = 0.3
 """A candidate that is not nearer than this after `PATIENCE` steps, or gets no nearer, comes from no root."""
 
 PATIENCE = 4
+
+NEAREST = 4
+"""Steps to the nearest configuration: what is near is there after two."""
 
 FLOOR = 1e-13
 """Damping that is always there: some hundred roundings of J J^T, so that it can be solved with at singular poses."""
@@ -33,14 +35,14 @@ _SINES_AND_TRACE = np.column_stack([-0.5 * _CROSS, np.eye(3).reshape(9)])
 """From the entries of a rotation to sin(theta) r and 1 + 2 cos(theta)."""
 
 
-def errors_and_columns(links: Floats, q: Floats, hands: Floats) -> tuple[Floats, Floats, Floats]:
+def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbers, Numbers, Floats]:
     """Return error, Jacobian and size of the error.
 
     Parameters
     ----------
     links : ndarray, shape (5, 4, 4)
         See `Loop`.
-    q : ndarray, shape (m, 6)
+    q : ndarray, real or complex, shape (m, 6)
         Angles with their offsets.
     hands : ndarray, shape (m, 4, 4)
         Wanted frames 6.
@@ -56,17 +58,17 @@ def errors_and_columns(links: Floats, q: Floats, hands: Floats) -> tuple[Floats,
     """
     R = turns(q)
     moves = R[:, :5] @ links
-    frames = np.empty((len(q), 6, 4, 4))
+    frames = np.empty((len(q), 6, 4, 4), dtype=q.dtype)
     frames[:, 0] = np.eye(4)
     for i in range(5):
         np.matmul(frames[:, i], moves[:, i], out=frames[:, i + 1])
     ends = frames[:, 5] @ R[:, 5]
     turned = (hands[:, :3, :3] @ np.swapaxes(ends[:, :3, :3], 1, 2)).reshape(-1, 9) @ _SINES_AND_TRACE
-    errors = np.empty((len(q), 6))
+    errors = np.empty((len(q), 6), dtype=q.dtype)
     errors[:, :3] = hands[:, :3, 3] - ends[:, :3, 3]
     errors[:, 3:] = turned[:, :3]
-    sizes = np.abs(errors).max(axis=1) + (turned[:, 3] < 1.0)
-    columns = np.empty((len(q), 6, 6))
+    sizes = np.abs(errors).max(axis=1) + (turned[:, 3].real < 1.0)
+    columns = np.empty((len(q), 6, 6), dtype=q.dtype)
     axes, arms = frames[..., :3, 2], ends[:, None, :3, 3] - frames[..., :3, 3]
     columns[..., :3] = (axes[..., None] * arms[..., None, :]).reshape(-1, 6, 9) @ _CROSS
     columns[..., 3:] = axes
@@ -74,7 +76,7 @@ def errors_and_columns(links: Floats, q: Floats, hands: Floats) -> tuple[Floats,
 
 
 def polish(
-    links: Floats, q: Floats, hands: Floats, steps: int = STEPS, patience: int = PATIENCE
+    links: Floats, q: Floats, hands: Floats, steps: int = STEPS, patience: int = PATIENCE, exact: float = EXACT
 ) -> tuple[Floats, Floats]:
     """Return the nearest solutions of the loop and their errors.
 
@@ -89,6 +91,8 @@ def polish(
     hands : ndarray, shape (m, 4, 4)
     steps, patience : int
         See `STEPS` and `FAR`.
+    exact : float
+        Error at which a candidate leaves the batch.
 
     Returns
     -------
@@ -104,7 +108,7 @@ def polish(
         before = best[rows]
         better = sizes < before
         best[rows[better]], found[rows[better]] = sizes[better], q[better]
-        going = sizes > EXACT
+        going = sizes > exact
         if step >= patience:
             going &= (before < FAR) & (sizes < 0.5 * before)
         if step == steps - 1 or not going.any():
@@ -116,21 +120,31 @@ def polish(
     return found, best
 
 
+def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = NEAREST) -> tuple[Floats, Floats]:
+    """Return the nearest configurations to hands, and their errors, without moving along weak directions.
+
+    Parameters
+    ----------
+    links : ndarray, shape (5, 4, 4)
+    q : ndarray, shape (m, 6)
+    hands : ndarray, shape (m, 4, 4)
+    weak : float
+        Of the largest singular value: along directions with smaller ones the arm can hardly move its tool.
+    steps : int
+    """
+    found, best = q.copy(), np.full(len(q), np.inf)
+    for _ in range(steps):
+        errors, columns, sizes = errors_and_columns(links, q, hands)
+        better = sizes < best
+        found[better], best[better] = q[better], sizes[better]
+        if not (best > EXACT).any():
+            break
+        q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
+    return found, best
+
+
 def damped_steps(errors: Floats, columns: Floats) -> Floats:
     """Return J^T (J J^T + mu 1)^-1 e with mu = 1e-3 |e|^2 + `FLOOR`, shape (m, 6)."""
     normal = np.swapaxes(columns, 1, 2) @ columns
     normal += (1e-3 * (errors * errors).sum(axis=1) + FLOOR)[:, None, None] * _UNIT
     return np.asarray((columns @ np.linalg.solve(normal, errors[..., None]))[..., 0])
-
-
-def groups(q: Floats, tolerance: float) -> NDArray[np.intp]:
-    """Return for each configuration (m, 6) the first one that is the same, whole turns apart, shape (m,)."""
-    if not len(q):
-        return np.empty(0, dtype=np.intp)
-    points = np.concatenate([np.cos(q), np.sin(q)], axis=1)
-    # All points have the length sqrt(6).
-    apart = np.sqrt(np.maximum(12.0 - 2.0 * points @ points.T, 0.0))
-    first = np.argmax(apart < tolerance, axis=1)
-    while (first[first] < first).any():
-        first = first[first]
-    return np.asarray(first)

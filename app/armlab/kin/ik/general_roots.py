@@ -17,15 +17,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.ik.general_loop import Floats
+from armlab.kin.ik.general_loop import Complex, Floats
 
-REAL = 2e-2
-"""An eigenvalue counts as real when |Im x| / (1 + |x|^2), half the imaginary part of the angle, is below this. Nearly
-double roots become complex by the square root of the perturbation of the loop, 1e-4 to 1e-2; candidates that are none
-are sorted out later, so too large costs only time."""
-
-SPURIOUS = 0.03
-"""Roots with |exp(i t)| below this, or above its inverse, may be spurious: a fourfold root moves far."""
+FARTHEST = 1e-8
+"""Roots with |exp(i t)| below this, or above its inverse, are the spurious ones or as good as at infinity."""
 
 PHASES = 0.3 + np.pi / 3.0 * np.arange(6)
 """Values of phi to choose from: half a turn away from it, where x is infinite, should be no root."""
@@ -87,8 +82,8 @@ def _inverses(A: Floats) -> Floats:
         return np.asarray(np.linalg.inv(A + 1e-13 * np.random.default_rng(12).normal(size=(12, 12))))
 
 
-def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats, NDArray[np.complex128]]:
-    """Return candidates for the real common roots.
+def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Complex]:
+    """Return candidates for the common roots, complex ones too, and of each complex pair one.
 
     Parameters
     ----------
@@ -99,9 +94,8 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats, NDArra
     -------
     owner : ndarray of int, shape (m,)
         Which set of equations each belongs to.
-    angles : ndarray, shape (m, 3)
-    circle : ndarray of complex, shape (B, 24)
-        exp(i t) of all roots t of the hidden angle, complex ones, too; 0 and infinite for the spurious ones.
+    angles : ndarray of complex, shape (m, 3)
+        Among them what the spurious roots lead to.
 
     Raises
     ------
@@ -117,67 +111,32 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Floats, NDArra
     companion[:, 12:, :12] = -inverse @ (M[0] + c * M[1] + s * M[2])
     companion[:, 12:, 12:] = -2.0 * inverse @ (c * M[2] - s * M[1])
     x, vectors = np.linalg.eig(companion)
-    with np.errstate(divide="ignore", invalid="ignore"):  # infinite where x is -i, a spurious root
-        circle = np.exp(1j * phi)[:, None] * (1.0 + 1j * x) / (1.0 - 1j * x)
-    # One of each complex pair.
-    real = (np.abs(x.imag) < REAL * (1.0 + np.abs(x) ** 2)) & (x.imag >= 0.0)
-    owner = np.nonzero(real)[0]
-    x, columns = x[real], np.swapaxes(vectors, 1, 2)[real]
+    ahead, back = 1.0 + 1j * x, 1.0 - 1j * x
+    sizes = np.abs(ahead), np.abs(back)
+    kept = (x.imag >= 0.0) & (sizes[0] > FARTHEST * sizes[1]) & (sizes[1] > FARTHEST * sizes[0])
+    owner = np.nonzero(kept)[0]
+    x, columns = x[kept], np.swapaxes(vectors, 1, 2)[kept]
     # The vector is (m, x m): the larger half loses fewer digits.
-    monomials = _real(np.where(np.abs(x[:, None]) < 1.0, columns[:, :12], columns[:, 12:])).reshape(-1, 4, 3)
-    angles = np.empty((len(x), 3))
-    angles[:, hidden] = phi[owner] + 2.0 * np.arctan(x.real)
+    monomials = np.where(np.abs(x[:, None]) < 1.0, columns[:, :12], columns[:, 12:]).reshape(-1, 4, 3)
+    angles = np.empty((len(x), 3), dtype=np.complex128)
+    angles[:, hidden] = phi[owner] - 1j * np.log(ahead[kept] / back[kept])
     first, second = (k for k in range(3) if k != hidden)
-    angles[:, first], angles[:, second] = _angles_of(monomials)
-    return owner, angles, circle
+    every, squares = np.arange(len(x)), np.abs(monomials)
+    # The largest column holds the powers of x_u, the largest row those of x_v.
+    angles[:, first] = _twice_atan(monomials[every, :, np.argmax(squares.sum(axis=1), axis=1)])
+    angles[:, second] = _twice_atan(monomials[every, np.argmax(squares.sum(axis=2), axis=1)])
+    return owner, angles
 
 
-def unrest(one: NDArray[np.complex128], other: NDArray[np.complex128]) -> Floats:
-    """Return how far roots differ, shape (N,), between two eliminations of N loops moved a little in different ways.
+def _twice_atan(powers: Complex) -> Complex:
+    """Return 2 atan x from powers of x, shape (m, p), up to a factor.
 
-    Isolated roots, complex ones as well, hardly move. On a family of solutions the move decides which members are left,
-    or that none are.
-
-    Parameters
-    ----------
-    one, other : ndarray of complex, shape (N, 24)
-        Roots as exp(i t); those near 0 and infinity, the spurious ones, do not count.
+    Of neighbouring powers the larger two are compared as homogeneous coordinates, so that half a turn, where x is
+    infinite, is nothing special.
     """
-    (first, counts), (second, others) = _without_spurious(one), _without_spurious(other)
-    weights, weights_2 = 1.0 / np.hypot(1.0, np.abs(first)), 1.0 / np.hypot(1.0, np.abs(second))
-    apart = np.abs(first[:, :, None] - second[:, None]) * weights[:, :, None] * weights_2[:, None]
-    farthest = np.where(counts, apart.min(axis=2), 0.0), np.where(others, apart.min(axis=1), 0.0)
-    return np.asarray(np.maximum(*(each.max(axis=1) for each in farthest)))
-
-
-def _without_spurious(circle: NDArray[np.complex128]) -> tuple[NDArray[np.complex128], NDArray[np.bool_]]:
-    """Return roots with 0 for the spurious ones, and which are none."""
-    sizes = np.abs(circle)
-    counts = (sizes > SPURIOUS) & (sizes < 1.0 / SPURIOUS)
-    return np.where(counts, circle, 0.0), counts
-
-
-def _real(vectors: NDArray[np.inexact]) -> Floats:
-    """Return eigenvectors (m, 12) of nearly real eigenvalues with the phase that makes the largest entry real."""
-    largest = np.argmax(np.abs(vectors), axis=1)
-    scaled = vectors / vectors[np.arange(len(vectors)), largest][:, None]
-    return np.asarray(scaled.real, dtype=np.float64)
-
-
-def _angles_of(monomials: Floats) -> tuple[Floats, Floats]:
-    """Return both angles from x_u^i x_v^j, shape (m, 4, 3), up to a factor.
-
-    The largest column holds the powers of x_u, the largest row those of x_v. Of neighbouring powers the larger two are
-    compared as homogeneous coordinates, so that half a turn, where x is infinite, is nothing special.
-    """
-    every, squares = np.arange(len(monomials)), monomials**2
-    us = monomials[every, :, np.argmax(squares.sum(axis=1), axis=1)]
-    vs = monomials[every, np.argmax(squares.sum(axis=2), axis=1)]
-    return _half_angle(us), _half_angle(vs)
-
-
-def _half_angle(powers: Floats) -> Floats:
     last = powers.shape[1] - 1
     low = np.where(np.abs(powers[:, 0]) >= np.abs(powers[:, last]), 0, last - 1)
     every = np.arange(len(powers))
-    return np.asarray(2.0 * np.arctan2(powers[every, low + 1], powers[every, low]))
+    cosine, sine = powers[every, low], powers[every, low + 1]
+    with np.errstate(divide="ignore", invalid="ignore"):  # x = i and -i are at infinity, where no root is looked for
+        return np.asarray(-1j * np.log((cosine + 1j * sine) / (cosine - 1j * sine)))

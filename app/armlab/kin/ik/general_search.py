@@ -1,28 +1,31 @@
-"""Passes of elimination and polishing until they agree.
+"""What an arm of six turns is searched with: eliminations, descents, and the number of roots it has.
 
 A formulation is a cyclic shift of the loop (6) and a hidden joint (3). On general arms all 18 work. On special ones
 (parallel, crossing or meeting axes) roots share eigenvalues, whose eigenvectors mix, and most formulations are
 singular; a pose can be special, too. Both end when every motion of the loop is moved a little at random: the roots
 part, the matrices become regular, the candidates are off by about the size of the move over their distance, and
 Newton's method on the loop itself removes that. Too small a move leaves roots together, too large a one takes nearly
-double ones away, so sizes differ from pass to pass. A pass costs about half a millisecond, so the first two are made
-at once.
+double ones away, so sizes differ from pass to pass.
+
+How many roots an arm has, complex ones included, is counted at random poses: 16 for general arms, 8 for most that
+people build. A pose at which as many regular ones are found is done with (see `general_complex`).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
-from armlab.kin.ik import general_polish as newton
+from armlab.kin.ik.general_complex import OUTERMOST, Roots, distinct, joined, newton
 from armlab.kin.ik.general_equations import all_angles, equations
 from armlab.kin.ik.general_family import rank_losses
-from armlab.kin.ik.general_loop import JOINTS, Floats, Loop, inverses, turns
-from armlab.kin.ik.general_roots import leading, matrices, roots, unrest
+from armlab.kin.ik.general_loop import JOINTS, Complex, Floats, Loop, inverses, turns
+from armlab.kin.ik.general_polish import polish
+from armlab.kin.ik.general_roots import leading, matrices, roots
 from armlab.kin.rotations import rotation_from_axis_angle
 from armlab.kin.transforms import transform
 
@@ -35,16 +38,8 @@ RANKED_ON = 6
 STARTS, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT = 96, 40, 15
 """Of the search by descents, for arms and poses that are singular."""
 
-SAME, SAME_SINGULAR = 1e-5, 1e-2
-"""Solutions closer than this, in radians in all joints together, are one. An error e of the pose is one of e^(1/k) of
-the angles where k solutions merge, so singular ones scatter."""
-
-RESTLESS = 1e-3
-"""Roots that differ by more between the first two passes show a family; at regular poses they differ by less than
-1e-4."""
-
-ACCEPTED = 1e-9
-"""Error of a solution in radians and units of length."""
+NOTHING, NEARLY_NOTHING = 1e-12, 2e-2
+"""Radians and units of length: below the first is rounding, below the second nearly special."""
 
 
 class Pass(NamedTuple):
@@ -54,41 +49,15 @@ class Pass(NamedTuple):
     rank: int
 
 
-STAGES = (
-    (Pass(1e-8, 0), Pass(1e-6, 0)),
-    (Pass(1e-5, 0), Pass(1e-7, 0)),
-    (Pass(1e-4, 0), Pass(1e-6, 1)),
-    (Pass(1e-8, 1), Pass(1e-6, 2)),
-    (Pass(1e-5, 2), Pass(1e-8, 3)),
-)
-"""After each the passes so far are compared."""
+PASSES = (Pass(1e-8, 0), Pass(1e-6, 0), Pass(1e-8, 1), Pass(1e-11, 0))
+"""One after the other until all roots are found."""
 
-PASSES = tuple(one for stage in STAGES for one in stage)
+MOST = 16
+"""Roots of six turns at most."""
 
-
-class Found(NamedTuple):
-    """What some passes found for one pose.
-
-    Attributes
-    ----------
-    q : ndarray, shape (m, 6)
-        Configurations without repetition, angles with their offsets.
-    sizes : ndarray, shape (m,)
-        Their errors.
-    by : ndarray of bool, shape (m, passes)
-        Which passes found each.
-    """
-
-    q: Floats
-    sizes: Floats
-    by: NDArray[np.bool_]
-
-    @property
-    def agreed(self) -> bool:
-        """Whether one pass found all, and each was found at least twice; with nothing found, whether two looked."""
-        if not len(self.q):
-            return int(self.by.shape[1]) >= 2
-        return bool(self.by.all(axis=0).any() and (self.by.sum(axis=1) >= 2).all())
+BORDERS = (OUTERMOST, 9.0, 6.0, 4.0)
+"""Imaginary parts up to which roots are counted, the first at which most random poses agree. Arms that are nearly
+special have roots nearly at infinity, which rounding hides at some poses."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,10 +72,16 @@ class Search:
     moves : ndarray, shape (passes, 6, 4, 4)
         Small random motions.
     starts : ndarray, shape (starts, 6)
-        Random configurations to search from where elimination has nothing to say.
+        Random configurations to search from where roots have merged or are members of a family.
     deficient : bool
         Whether the Jacobian is singular everywhere: the arm has fewer than six freedoms. What it reaches, it reaches in
         infinitely many ways; and the least move of a link makes it impossible, so that elimination finds nothing.
+    counts : tuple of (float, int)
+        How many regular roots the arm has at most random poses, complex ones counted, up to imaginary parts; the
+        largest border first. Empty where random poses do not agree.
+    nearly_special : bool
+        Whether a length or an angle of the arm nearly vanishes while it has fewer than sixteen roots: the others are
+        nearly at infinity, and at special poses they come back.
     """
 
     loop: Loop
@@ -114,51 +89,59 @@ class Search:
     moves: Floats
     starts: Floats
     deficient: bool
+    counts: tuple[tuple[float, int], ...] = ()
+    nearly_special: bool = False
 
     @classmethod
     def of(cls, arm: Arm) -> Search:
-        """Rank the formulations of an arm; a few milliseconds."""
+        """Rank the formulations of an arm and count its roots; some ten milliseconds."""
         loop, rng = Loop.of(arm), np.random.default_rng(SEED)
         moves = np.array([[small_motion(rng, one.size) for _ in range(JOINTS)] for one in PASSES])
         starts = rng.uniform(-np.pi, np.pi, (STARTS, JOINTS))
-        deficient = bool(rank_losses(loop.links, starts[:RANKED_ON], np.eye(4)).all())
-        formulations = () if deficient else _ranking(loop, moves[1], starts[:RANKED_ON])
-        return cls(loop, formulations, moves, starts, deficient)
+        some = starts[:RANKED_ON]
+        if rank_losses(loop.links, some, np.eye(4)).all():
+            return cls(loop, (), moves, starts, True)
+        hands = forward(loop, some)
+        search = cls(loop, _ranking(loop, hands, moves[0]), moves, starts, False)
+        counts, nearly = _counted(search, hands), _has_nearly_zero(loop.links)
+        nearly = nearly and any(number < MOST for _, number in counts)
+        # Of other arms roots with large imaginary parts are no farther than the rest, and all of them count.
+        return replace(search, counts=counts if nearly else counts[:1], nearly_special=nearly)
 
-    def stage(self, hands: Floats, number: int) -> tuple[list[Found], Floats]:
-        """Make the passes of one stage for N targets, shape (N, 4, 4).
+    @property
+    def number(self) -> int:
+        """How many regular roots the arm has at a random pose; 0 where that is not known."""
+        return self.counts[0][1] if self.counts else 0
 
-        Returns
-        -------
-        found : list of Found
-            For each target.
-        unrest : ndarray, shape (N,)
-            See `unrest`; infinite where an elimination failed.
-        """
-        N, passes = len(hands), STAGES[number]
-        first, ranks = sum(map(len, STAGES[:number])), sorted({one.rank for one in passes})
-        owners, candidates, restless = [], [], np.zeros(N)
-        for rank in ranks:
-            mine = np.array([k for k, one in enumerate(passes) if one.rank == rank])
-            motions = (motions_of(self.loop, hands) @ self.moves[first + mine][:, None]).reshape(-1, JOINTS, 4, 4)
-            owner, q, circle = candidates_of(motions, self.formulations[rank])
-            owners.append(mine[owner // N] * N + owner % N)
-            candidates.append(q)
-            if len(mine) == 2:
-                restless = unrest(circle[:N], circle[N:])
-        by, pose = np.divmod(np.concatenate(owners), N)
-        q, sizes = newton.polish(self.loop.links, np.concatenate(candidates), hands[pose])
-        good, every = sizes < ACCEPTED, np.eye(len(passes), dtype=bool)
-        rows = [np.flatnonzero(good & (pose == k)) for k in range(N)]
-        return [merged(q[k], sizes[k], every[by[k]]) for k in rows], restless
+    def candidates(self, hands: Floats, number: int) -> tuple[NDArray[np.intp], Complex]:
+        """Return what one pass leads to for N targets (N, 4, 4): which target (m,), and angles (m, 6)."""
+        motions = motions_of(self.loop, hands) @ self.moves[number]
+        return candidates_of(motions, self.formulations[PASSES[number].rank])
 
-    def descents(self, hand: Floats) -> Found:
-        """Return what Newton's method finds from random starts, in two halves that count as passes."""
+    def roots(self, hands: Floats, number: int) -> list[Roots]:
+        """Return the roots one pass leads to for each of N targets (N, 4, 4)."""
+        owner, q = self.candidates(hands, number)
+        q, sizes, norms = newton(self.loop.links, q, hands[owner])
+        rows = [np.flatnonzero(owner == k) for k in range(len(hands))]
+        return [distinct(q[k], sizes[k], norms[k]) for k in rows]
+
+    def is_whole(self, roots: Roots) -> bool:
+        """Return whether these are as many regular roots as the arm has; more would say that it was counted wrong."""
+        return any(roots.counted(border) == number for border, number in self.counts)
+
+    def descents(self, hand: Floats) -> Floats:
+        """Return what Newton's method finds from random starts, shape (m, 6)."""
         hands = np.broadcast_to(hand, (STARTS, 4, 4))
-        q, sizes = newton.polish(self.loop.links, self.starts, hands, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT)
-        good = sizes < ACCEPTED
-        halves = np.repeat(np.eye(2, dtype=bool), STARTS // 2, axis=0)
-        return merged(q[good], sizes[good], halves[good])
+        q, sizes = polish(self.loop.links, self.starts, hands, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT)
+        return q[sizes < self.loop.reached]
+
+
+def forward(loop: Loop, q: Floats) -> Floats:
+    """Return the ends of the chain of a loop at angles (k, 6), shape (k, 4, 4)."""
+    hands = np.tile(np.eye(4), (len(q), 1, 1))
+    for i in range(JOINTS - 1):
+        hands = hands @ turns(q[:, i]) @ loop.links[i]
+    return np.asarray(hands @ turns(q[:, JOINTS - 1]))
 
 
 def motions_of(loop: Loop, hands: Floats) -> Floats:
@@ -169,50 +152,20 @@ def motions_of(loop: Loop, hands: Floats) -> Floats:
     return motions
 
 
-def candidates_of(
-    motions: Floats, formulation: tuple[int, int]
-) -> tuple[NDArray[np.intp], Floats, NDArray[np.complex128]]:
-    """Return the candidates of one formulation: which loop (m,), all angles (m, 6), and all roots (B, 24).
+def candidates_of(motions: Floats, formulation: tuple[int, int]) -> tuple[NDArray[np.intp], Complex]:
+    """Return the candidates of one formulation, complex ones too: which loop (m,), and all angles (m, 6).
 
-    There are none where the elimination is exactly singular: the pass then disagrees with the others.
+    There are none where the elimination is exactly singular.
     """
     shift, hidden = formulation
     shifted = np.roll(motions, -shift, axis=1)
     found = equations(shifted)
     try:
-        owner, middle, circle = roots(found.middle, hidden)
+        owner, middle = roots(found.middle, hidden)
     except np.linalg.LinAlgError:
-        return np.empty(0, dtype=np.intp), np.empty((0, JOINTS)), np.full((len(motions), 24), np.nan + 0j)
-    return owner, np.roll(all_angles(shifted, found, owner, middle), shift, axis=1), circle
-
-
-def merged(q: Floats, sizes: Floats, by: NDArray[np.bool_]) -> Found:
-    """Return configurations without repetition: of those that are the same the most exact one."""
-    order = np.argsort(sizes, kind="stable")
-    q, sizes, by = q[order], sizes[order], by[order]
-    return _without_repetition(q, sizes, by, newton.groups(q, SAME))
-
-
-def without_echoes(found: Found, singular: NDArray[np.bool_]) -> Found:
-    """Return the same with singular solutions that are closer than `SAME_SINGULAR` taken for one."""
-    first, rows = np.arange(len(found.q)), np.flatnonzero(singular)
-    first[rows] = rows[newton.groups(found.q[rows], SAME_SINGULAR)]
-    return _without_repetition(*found, first)
-
-
-def _without_repetition(q: Floats, sizes: Floats, by: NDArray[np.bool_], first: NDArray[np.intp]) -> Found:
-    together = np.zeros_like(by)
-    np.logical_or.at(together, first, by)
-    kept = first == np.arange(len(q))
-    return Found(q[kept], sizes[kept], together[kept])
-
-
-def joined(one: Found, other: Found) -> Found:
-    """Return what the passes of both found."""
-    by = np.zeros((len(one.q) + len(other.q), one.by.shape[1] + other.by.shape[1]), dtype=bool)
-    by[: len(one.q), : one.by.shape[1]] = one.by
-    by[len(one.q) :, one.by.shape[1] :] = other.by
-    return merged(np.concatenate([one.q, other.q]), np.concatenate([one.sizes, other.sizes]), by)
+        return np.empty(0, dtype=np.intp), np.empty((0, JOINTS), dtype=np.complex128)
+    with np.errstate(all="ignore"):  # what spurious roots lead to is anything
+        return owner, np.roll(all_angles(shifted, found, owner, middle), shift, axis=1)
 
 
 def small_motion(rng: np.random.Generator, size: float) -> Floats:
@@ -221,12 +174,9 @@ def small_motion(rng: np.random.Generator, size: float) -> Floats:
     return np.asarray(transform(rotation_from_axis_angle(turn, np.linalg.norm(turn)), way), dtype=np.float64)
 
 
-def _ranking(loop: Loop, moves: Floats, q: Floats) -> tuple[tuple[int, int], ...]:
-    """Return the formulations, most regular first, by the median over random q (k, 6) of the slightly moved loop."""
-    hands = np.tile(np.eye(4), (len(q), 1, 1))
-    for i in range(5):
-        hands = hands @ turns(q[:, i]) @ loop.links[i]
-    motions = motions_of(loop, hands @ turns(q[:, 5])) @ moves
+def _ranking(loop: Loop, hands: Floats, moves: Floats) -> tuple[tuple[int, int], ...]:
+    """Return the formulations, most regular first, by the median over some targets of the slightly moved loop."""
+    motions = motions_of(loop, hands) @ moves
     scores = {}
     for shift in range(JOINTS):
         found = equations(np.roll(motions, -shift, axis=1))
@@ -236,3 +186,27 @@ def _ranking(loop: Loop, moves: Floats, q: Floats) -> tuple[tuple[int, int], ...
             regularity = leading(matrices(found.middle, hidden))[2]
             scores[shift, hidden] = float(np.median(np.log(regularity + 1e-300) + blocks))
     return tuple(sorted(scores, key=lambda formulation: -scores[formulation]))
+
+
+def _has_nearly_zero(links: Floats) -> bool:
+    """Return whether an entry of the constant motions is nearly 0 but not quite: lengths, sines and cosines."""
+    sizes = np.abs(links[:, :3])
+    return bool(((sizes > NOTHING) & (sizes < NEARLY_NOTHING)).any())
+
+
+def _counted(search: Search, hands: Floats) -> tuple[tuple[float, int], ...]:
+    """Return the borders up to which most of some targets have as many roots, and how many."""
+    found = search.roots(hands, 0)
+    for number in range(1, len(PASSES)):
+        counts = [roots.counted(OUTERMOST) for roots in found]
+        if min(counts) == max(counts):
+            break
+        found = [joined(*two) for two in zip(found, search.roots(hands, number), strict=True)]
+    agreed = []
+    for border in BORDERS:
+        counts = [roots.counted(border) for roots in found]
+        most = max(counts)
+        # No arm has more than sixteen, and none more at special poses than at random ones.
+        if most == MOST or (most > 0 and 2 * counts.count(most) > len(counts)):
+            agreed.append((border, most))
+    return tuple(agreed)

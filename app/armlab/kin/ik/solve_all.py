@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.checks import whole_number
-from armlab.kin.ik.answer import BEYOND, SURFACE, Answer, held_mask, in_order, is_beyond, verified_rows
+from armlab.kin.ik.amounts import missed_in_words
+from armlab.kin.ik.answer import BEYOND, SURFACE, Answer, Verified, in_order, is_beyond, verified
 from armlab.kin.ik.branches import branch_names
-from armlab.kin.ik.closed_form import closed_form_of, known_structure
+from armlab.kin.ik.closed_form import SAMPLES, closed_form_of, known_structure
 from armlab.kin.ik.general_6r import solve_general
 from armlab.kin.ik.held import checked_held, with_held
 from armlab.kin.ik.many_starts import STARTS, many_starts
@@ -20,18 +21,29 @@ from armlab.kin.ik.self_motion import trace_self_motion
 from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits
 from armlab.kin.ik.spare_joints import with_spare_joints
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import polished, reaches
+from armlab.kin.ik.verified import reaches
 from armlab.kin.transforms import as_pose, inverse
 
 Vector = NDArray[np.float64]
+
+DESCENTS = 64
+"""Of that look, for arms that elimination is not for."""
+
+LOOSE = 1e-9
+"""Error in m and rad above which a solution is one only by what counts as reached."""
+
+OUT_OF_REACH = 1e-2
+"""Metres and radians up to which it is said by how much the nearest configuration misses."""
 
 
 def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float] | None = None) -> IkSolutions:
     """Find all joint values that put the tool at a pose, as far as the arm's task goes.
 
     A closed form where the structure has one, elimination for other arms of six turns, the self-motion for arms with
-    joints to spare, and a search from many starts for the rest. Each solution is verified by forward kinematics to
-    1e-9 m and rad. Joint limits do not restrict the solutions of arms without spare joints; they are reported.
+    joints to spare, and a search from many starts for the rest. Each solution is polished until the error is rounding,
+    and verified by forward kinematics; where the target is just out of reach, what comes within 1e-6 m and rad of it
+    counts as reached, as in `solve`. Joint limits do not restrict the solutions of arms without spare joints; they are
+    reported.
 
     Parameters
     ----------
@@ -72,43 +84,84 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
 
 def _solve(arm: Arm, T: Vector, seed: int) -> Answer:
     if closed_form_of(arm) is not None:
-        answer = _by_closed_form(arm, T)
+        answer = _by_closed_form(arm, T, seed)
         if answer is not None:
             return answer
     if known_structure(arm).free:
         return with_spare_joints(arm, T, seed)
-    if bool(arm.revolute.all()) and arm.n == 6 and arm.task.key == "pose":
-        return _by_elimination(arm, T)
+    if _is_general(arm):
+        return _by_elimination(arm, T, f"General 6R: {known_structure(arm).why}")
     return _by_search(arm, T, seed)
 
 
-def _by_closed_form(arm: Arm, T: Vector) -> Answer | None:
-    """Return what the closed form gives; None where it only sampled a family and no sample was a solution."""
+def _is_general(arm: Arm) -> bool:
+    """Return whether elimination can find every solution of an arm."""
+    return bool(arm.revolute.all()) and arm.n == 6 and arm.task.key == "pose"
+
+
+def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
+    """Return what the closed form gives; None where it only sampled a family and no sample was a solution.
+
+    Where branches merge, or nearly, rounding decides what its square roots give: there the others are asked as well.
+    """
     known = closed_form_of(arm)
     assert known is not None
     form, why = known
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
     found = form.solve(arm, G)
-    q = verified_rows(arm, T, found.q)
+    some = verified(arm, T, found.q)
     why = f"{form.title}: {why}"
-    if q and found.families:
-        return Answer(q, "infinite", " ".join(found.families), form.key, why)
-    if q:
-        return Answer(q, "complete", "", form.key, why)
-    if found.sampled or (found.q and arm.n == 6):
+    if some.rows and found.families and _is_family(arm, T, some.rows):
+        return Answer(some.rows, "infinite", " ".join(found.families), form.key, why)
+    if some.doubtful or (some.rows and found.families):
+        if _is_general(arm):
+            return _by_elimination(arm, T, f"{why} Branches merge at this pose or nearly: solved as a general 6R.")
+        if some.rows:
+            return _with_descents(arm, T, seed, some, form.key, why)
+    if some.rows:
+        return Answer(some.rows, "complete", "", form.key, why, (), some.loose, some.missed)
+    if found.sampled:
         return None
     reason = found.none or "The target is off what the joints of this arm can do."
-    return Answer([], "none", reason, form.key, why)
+    answer = Answer([], "none", reason, form.key, why, missed=some.missed)
+    if _is_general(arm):
+        # Next to a singular pose a step of the closed form may leave the next without a solution.
+        second = _by_elimination(arm, T, why)
+        return replace(answer, missed=second.missed) if second.completeness == "none" else second
+    return answer
 
 
-def _by_elimination(arm: Arm, T: Vector) -> Answer:
+def _is_family(arm: Arm, T: Vector, rows: Sequence[Vector]) -> bool:
+    """Return whether samples of a family are more than its end, where the other joints just reach the target.
+
+    Where two families cross, none of the samples may be on one alone, but then there are many.
+    """
+    return len(rows) >= SAMPLES or any(_moves(arm, row, T, None) for row in rows)
+
+
+def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why: str) -> Answer:
+    """Return the solutions of a closed form at a singular pose, with what descents find beside them."""
+    G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
+    every = verified(arm, T, [*some.rows, *many_starts(arm, G, seed=seed, starts=DESCENTS)])
+    if any(_moves(arm, row, T, None) for row in every.rows):
+        reason = "Some of them move while the tool stands still."
+        return Answer(every.rows[:SURFACE], "infinite", reason, key, why)
+    if len(every.rows) > len(some.rows):
+        reason = "Branches merge at this pose, and descents found more than the closed form."
+        return Answer(every.rows, "at least", reason, key, why, (), every.loose, every.missed)
+    return Answer(some.rows, "complete", "", key, why, (), some.loose, some.missed)
+
+
+def _by_elimination(arm: Arm, T: Vector, why: str) -> Answer:
     found = solve_general(arm, T)
-    why = f"General 6R: {known_structure(arm).why}"
     q = in_order(arm, found.q)
     completeness: Completeness = found.completeness
     if completeness == "complete" and not q:
         completeness = "none"
-    return Answer(q, completeness, f"{found.reason[:1].upper()}{found.reason[1:]}.", "general_6r", why, found.families)
+    rounding = LOOSE * max(1.0, arm.length_scale)
+    loose = int(((found.position_error > rounding) | (found.rotation_error > LOOSE)).sum())
+    reason = f"{found.reason[:1].upper()}{found.reason[1:]}."
+    return Answer(q, completeness, reason, "general_6r", why, found.families, loose, found.missed)
 
 
 def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = None) -> Answer:
@@ -116,12 +169,13 @@ def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = N
     if is_beyond(arm, T):
         return Answer([], "none", BEYOND, "many_starts", why)
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
-    q = verified_rows(arm, T, list(many_starts(arm, G, seed=seed, held=held)), held)
+    some = verified(arm, T, list(many_starts(arm, G, seed=seed, held=held)), held)
+    q = some.rows
     if any(_moves(arm, row, T, held) for row in q):
         reason = "Some of them move while the tool stands still."
         return Answer(q[:SURFACE], "infinite", reason, "many_starts", why)
     reason = f"{'Found from' if q else 'Looked for from'} {STARTS} random starts; a search proves nothing."
-    return Answer(q, "at least", reason, "many_starts", why)
+    return Answer(q, "at least", reason, "many_starts", why, (), some.loose, some.missed)
 
 
 def _moves(arm: Arm, q: Vector, T: Vector, held: dict[int, float] | None) -> bool:
@@ -155,7 +209,7 @@ def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> Answer
     families = tuple(np.array(whole(curve)) for curve in answer.families)
     why = f"With {listed} held, {answer.why[:1].lower()}{answer.why[1:]}"
     target = task_error_of(arm).target(T)
-    q = [row for row in whole(answer.q) if polished(arm, row, target, held_mask(arm, held)) is not None]
+    q = [row for row in whole(answer.q) if reaches(arm, row, target)]
     return replace(answer, q=q, why=why, families=families)
 
 
@@ -192,7 +246,23 @@ def _sentence(answer: Answer, inside: int) -> str:
         # Of some solutions nothing follows for the others.
         every = answer.completeness == "complete"
         limits = " None of them within the joint limits." if every else " None was found within the joint limits."
-    return f"{head} {answer.reason}".strip() + limits
+    return " ".join(part for part in (head, answer.reason, _distance(answer)) if part) + limits
+
+
+def _distance(answer: Answer) -> str:
+    """Return how far solutions that only come near, or the nearest of what are none, are from the target."""
+    if answer.missed is None or (answer.q and not answer.loose):
+        return ""
+    by = missed_in_words(*answer.missed)
+    if answer.q:
+        many = len(answer.q) > 1
+        who = (
+            "It comes" if not many else "They come" if answer.loose == len(answer.q) else f"{answer.loose} of them come"
+        )
+        return f"{who} within {by} of the target, which counts as reached."
+    if max(answer.missed) > OUT_OF_REACH or answer.completeness != "none":
+        return ""
+    return f"It is {by} out of reach."
 
 
 def _nearest_pose(T: Vector) -> Vector:

@@ -73,7 +73,7 @@ def _verified_inside(arm: Arm, T: Vector, q: Vector) -> list[Vector]:
     """Return the exact solution at one inside the limits, if it is inside; a joint at a limit stays there."""
     low, high = arm.limits.T
     at_limit = {int(i): float(q[i]) for i in np.flatnonzero((q <= low + AT) | (q >= high - AT))}
-    return [row for row in verified_rows(arm, T, [q], at_limit) if arm.within_limits(row)]
+    return [row for row in verified_rows(arm, T, [q], at_limit, loose=False) if arm.within_limits(row)]
 
 
 def _of_surfaces(arm: Arm, T: Vector, found: list[Vector]) -> tuple[Completeness, str]:

@@ -6,7 +6,12 @@ import math
 from dataclasses import dataclass
 
 ZERO = 1e-11
-"""Relative to the size of the terms: coefficients below it vanish, and c may exceed sqrt(a² + b²) by as much."""
+"""Relative to the size of the terms: coefficients below it vanish."""
+
+NEARLY = 1e-3
+"""Relative to the size of the terms: c may exceed sqrt(a² + b²) by as much and still give the angle between the two
+that have just vanished. The target is then out of reach by so little that the angle is worth a look: forward kinematics
+decides."""
 
 DOUBLE = 1e-14
 """Relative size of a² + b² − c² below which two solutions count as one: they are then 1e-7 rad apart and rounding
@@ -58,7 +63,7 @@ def sine_cosine(a: float, b: float, c: float, size: float | None = None, root: f
     Returns
     -------
     Angles
-        Every angle where a = b = c = 0; none where a² + b² < c²; one where they are equal.
+        Every angle where a = b = c = 0; none where a² + b² < c² by more than `NEARLY`; one where they are nearly equal.
 
     References
     ----------
@@ -75,7 +80,7 @@ def sine_cosine(a: float, b: float, c: float, size: float | None = None, root: f
     size = max(r, abs(c)) if size is None else size
     if r <= ZERO * size:
         return Angles(every=abs(c) <= ZERO * size)
-    if abs(c) - r > ZERO * size:
+    if abs(c) - r > NEARLY * size:
         return Angles()
     if root is None:
         square = (r - c) * (r + c)

@@ -1,74 +1,171 @@
-"""Candidates become solutions: a few Newton steps on the true arm, and its forward kinematics as judge."""
+"""Candidates become solutions: a few Newton steps on the true arm, and its forward kinematics as judge.
+
+A target is reached within `REACHED_M` and `REACHED_RAD` of `armlab.kin.ik.problem`, here as everywhere. Solutions are
+polished to the least error, which is rounding; where two branches would merge just beyond the target, as at a
+stretched arm, the configuration between them is as near as can be.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
-from armlab.kin.ik.problem import Errors
+from armlab.kin.ik.problem import REACHED_M, Errors
 from armlab.kin.ik.verdict import task_error_of
 
 Vector = NDArray[np.float64]
 
-EXACT = 1e-9
-"""Metres, for a target farther than a metre times its distance, and radians: the error of a solution."""
+ROUNDING = 1e-14
+"""Of the distance of a target, in metres: no forward kinematics is better."""
 
 GOOD = 1e-13
 """Scaled error at which polishing ends."""
 
+EXACT = 1e-9
+"""Scaled error up to which a candidate is taken for a solution; above, for the nearest to one."""
+
 FAR = 1e-2
 """Scaled error of a candidate that comes from no solution."""
 
-STEPS = 8
+STEPS, MORE_STEPS = 8, 60
+"""Of Newton's method; more where the error falls, but only as at a multiple root."""
 
 CUTOFF = 1e-9
 """Relative singular values below this do not move: along them a singular pose is not told."""
 
+WEAK = (0.03, 1e-3, 1e-5)
+"""The same on the way to the nearest configuration: along weak directions it is at rest. The best of them counts."""
+
 SAME = 1e-6
-"""Radians, or length scales: solutions nearer than this in all joints are one."""
+"""Radians, or length scales: points of curves nearer than this in all joints are one."""
+
+CLOSE = 0.3
+"""The same, for solutions farther apart, which are not one."""
+
+VALLEY, STAYED = 1e-4, 0.1
+"""Of the largest singular value: directions along which nothing is corrected half-way between two candidates; and of
+their distance: how far to the side the correction leads at most."""
+
+IDENTICAL, BLURRED = 1e-9, 1e-2
+"""Radians, or length scales: what is closer is one without asking; and where it only comes near the target."""
+
+BETWEEN = 1e-14
+"""Scaled error half-way between two candidates, up to which they are one: rounding."""
 
 
-def polished(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None) -> Vector | None:
-    """Return the solution at a candidate (n,), or None where the errors do not go below `EXACT`."""
-    task = task_error_of(arm)
+class Polished(NamedTuple):
+    """The nearest configuration to a target from a candidate on.
+
+    Attributes
+    ----------
+    q : ndarray, shape (n,)
+    errors : Errors
+    J : ndarray, shape (m, n)
+        The scaled Jacobian there.
+    """
+
+    q: Vector
+    errors: Errors
+    J: Vector
+
+
+def polished(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None) -> Polished:
+    """Return the nearest configuration to a target from a candidate (n,) on; held joints stay."""
+    best = _descended(arm, q, target, held, CUTOFF, FAR)
+    if EXACT**2 < best.errors.scaled2 <= FAR**2:
+        nearer = (_descended(arm, best.q, target, held, weak, math.inf) for weak in WEAK)
+        best = min(best, *nearer, key=lambda one: one.errors.scaled2)
+    return best
+
+
+def solution(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None) -> Vector | None:
+    """Return the solution at a candidate (n,), or None where the target is not reached."""
+    best = polished(arm, q, target, held)
+    return best.q if is_reached(arm, best.errors, target) else None
+
+
+def _descended(
+    arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None, cutoff: float, limit: float
+) -> Polished:
+    """Go by Newton steps as long as they lead nearer; at once back from errors above a limit."""
+    task, least, best = task_error_of(arm), math.inf, None
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
-    best, least, errors = q, math.inf, None
-    for _ in range(STEPS):
-        J, e, there = task.at(q.tolist(), target)
-        size = math.hypot(there.position / arm.length_scale, there.rotation)
-        if not size < least:
+    for k in range(MORE_STEPS):
+        J, e, errors = task.at(q.tolist(), target)
+        size = math.sqrt(errors.scaled2)
+        if best is not None and (not size < least or (k >= STEPS and size > 0.8 * least)):
             break
-        best, least, errors = q, size, there
-        if size <= GOOD or size > FAR:
+        best, least = Polished(q, errors, J), size
+        if size <= GOOD or not size <= limit:
             break
-        if held is not None:
-            J = np.where(held, 0.0, J)
-        q = q + np.linalg.lstsq(J, e, rcond=CUTOFF)[0] * scales
-    return best if errors is not None and _is_solution(arm, errors, target) else None
+        q = q + np.linalg.lstsq(J if held is None else np.where(held, 0.0, J), e, rcond=cutoff)[0] * scales
+    assert best is not None
+    return best
+
+
+def is_reached(arm: Arm, errors: Errors, target: list[float]) -> bool:
+    """Return whether errors are within what counts as reached; far away, where rounding is more, within that."""
+    if errors.reached:
+        return True
+    distance = math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates))
+    return (
+        ROUNDING * distance > REACHED_M and errors.position <= ROUNDING * distance and errors.rotation2 < REACHED_M**2
+    )
 
 
 def reaches(arm: Arm, q: Vector, target: list[float]) -> bool:
-    """Return whether joint values (n,) put the tool at the target within `EXACT`."""
-    return _is_solution(arm, task_error_of(arm).at(q.tolist(), target)[2], target)
+    """Return whether joint values (n,) put the tool at the target."""
+    return is_reached(arm, task_error_of(arm).at(q.tolist(), target)[2], target)
 
 
-def _is_solution(arm: Arm, errors: Errors, target: list[float]) -> bool:
-    distance = math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates))
-    return errors.position <= EXACT * max(1.0, distance) and errors.rotation <= EXACT
+def each_once(arm: Arm, candidates: Sequence[Polished], target: list[float]) -> list[Polished]:
+    """Return polished candidates without those that are one with a better one.
+
+    Two are one when half-way between them the error is no larger than theirs, or rounding: where k solutions merge an
+    error e of the pose is one of e^(1/k) of the joints, and no distance of the joints tells.
+    """
+    ranked = sorted(candidates, key=lambda one: one.errors.scaled2)
+    rows = np.array([one.q for one in ranked]).reshape(-1, arm.n)
+    ways = _apart(arm, rows[:, None], rows)
+    close = np.abs(ways).max(axis=2, initial=0.0) <= CLOSE
+    kept: list[int] = []
+    for k, one in enumerate(ranked):
+        if not any(close[k, j] and _joined(arm, one, ways[k, j], target) for j in kept):
+            kept.append(k)
+    return [ranked[k] for k in kept]
+
+
+def _joined(arm: Arm, one: Polished, way: Vector, target: list[float]) -> bool:
+    """Return whether half-way from another solution, ``way`` before one, the arm still reaches the target.
+
+    Candidates of high multiplicity lie in a bent valley: its bottom beside the middle of the chord counts.
+    """
+    far = float(np.abs(way).max())
+    if far < (BLURRED if one.errors.scaled2 > EXACT**2 else IDENTICAL):
+        return True
+    half_way = one.q - 0.5 * way * np.where(arm.revolute, 1.0, arm.length_scale)
+    between = _descended(arm, half_way, target, None, VALLEY, math.inf)
+    aside = np.abs(_apart(arm, between.q, half_way)).max()
+    return bool(aside < STAYED * far and between.errors.scaled2 <= max(16.0 * one.errors.scaled2, BETWEEN**2))
 
 
 def distinct(arm: Arm, candidates: Sequence[Vector], tolerance: float = SAME) -> list[Vector]:
     """Return configurations without those that repeat an earlier one, whole turns apart counting as the same."""
     q = np.array(candidates).reshape(-1, arm.n)
-    apart = q[:, None] - q
-    apart = np.where(arm.revolute, apart - math.tau * np.round(apart / math.tau), apart / arm.length_scale)
-    repeats = np.abs(apart).max(axis=2) <= tolerance
+    repeats = np.abs(_apart(arm, q[:, None], q)).max(axis=2) <= tolerance
     kept: list[int] = []
     for k in range(len(q)):
         if not repeats[k, kept].any():
             kept.append(k)
     return [q[k] for k in kept]
+
+
+def _apart(arm: Arm, q: Vector, other: Vector) -> Vector:
+    """Return the way from one to the other, without whole turns, slides in length scales."""
+    apart = q - other
+    return np.where(arm.revolute, apart - math.tau * np.round(apart / math.tau), apart / arm.length_scale)

@@ -26,7 +26,7 @@ import numpy as np
 from armlab.kin.ik.closed._roots import Roots, roots
 from armlab.kin.ik.closed_form import FREE_ANGLES
 from armlab.kin.ik.screws import Screws, Vector, across, angle_about, cross
-from armlab.kin.ik.trig import Angles, sine_cosine
+from armlab.kin.ik.trig import NEARLY, Angles, sine_cosine
 from armlab.kin.lines import Line, common_normal
 
 ON_AXIS = 1e-10
@@ -226,10 +226,10 @@ def _of_constant_height(
 
 
 def _halves(a: float, half: float, c: float) -> tuple[float, ...]:
-    """Return the real roots of a x² + 2 half x + c = 0, one where they merge."""
+    """Return the real roots of a x² + 2 half x + c = 0, one where they merge or have just done so."""
     square = half * half - a * c
     scale = half * half + abs(a * c)
-    if square < -1e-11 * scale:
+    if square < -NEARLY * scale:
         return ()
     if square <= 1e-14 * scale:
         return (-half / a,)

@@ -8,17 +8,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from armlab.kin.ik.trig import sine_cosine, wrap
+from armlab.kin.ik.trig import NEARLY, sine_cosine, wrap
 
 FLAT = 1e-12
 """Relative size below which a coefficient found from samples is zero."""
 
-NEAR_REAL = 1e-3
+NEAR_REAL = 3e-3
 """A root this near to the reals (or the unit circle) is looked at: merging roots are torn apart by rounding."""
 
-SMALL = 1e-9
-"""Value of the equation, relative to its terms, below which a real number near a root is one; forward kinematics
-decides in the end."""
+SMALL = 1e-6
+"""Value of the equation, relative to its terms, below which a real number near a root is looked at: forward kinematics
+decides."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ def _of_square(coefficients: Sequence[float], length: float) -> tuple[float, ...
     a, b, c = coefficients
     square = b * b - 4.0 * a * c
     scale = b * b + abs(4.0 * a * c)
-    if square < -1e-11 * scale:
+    if square < -NEARLY * scale:
         return ()
     if square <= 1e-14 * scale:
         return (-b / (2.0 * a) * length,)

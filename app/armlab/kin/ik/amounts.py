@@ -1,0 +1,36 @@
+"""How far a configuration is from a target, in the units in which that is a readable number."""
+
+from __future__ import annotations
+
+import math
+
+LEAST_M, LEAST_RAD = 5e-12, 5e-12
+"""Less is rounding, and not said."""
+
+
+def missed_in_words(position: float, rotation: float) -> str:
+    """Return both parts of an error that are more than rounding, such as ``"0.4 µm and 0.02°"``; empty for none.
+
+    Parameters
+    ----------
+    position, rotation : float
+        Metres and radians.
+
+    Examples
+    --------
+    >>> missed_in_words(4e-7, 0.0), missed_in_words(0.0123, 2e-3)
+    ('0.4 µm', '12.3 mm and 0.11°')
+    """
+    parts = []
+    if position > LEAST_M:
+        parts.append(_of(position, ((1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"))))
+    if rotation > LEAST_RAD:
+        parts.append(_of(math.degrees(rotation), ((1e-2, "°"),)).replace(" °", "°"))
+    return " and ".join(parts)
+
+
+def _of(value: float, units: tuple[tuple[float, str], ...]) -> str:
+    size, unit = next((one for one in units if value >= 0.95 * one[0]), units[-1])
+    if unit == "°":
+        return f"{value:.2g}°"
+    return f"{value / size:.3g} {unit}"

@@ -1,0 +1,37 @@
+"""Configurations that nearly reach a pose, where two branches would merge just beyond it.
+
+Two real roots that merge and become complex leave their common real part behind, which misses the pose by about the
+square of their imaginary parts: a stretched arm and a pose a little farther away.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.kin.ik.general_complex import REAL, Roots
+from armlab.kin.ik.general_loop import Floats
+from armlab.kin.ik.general_merge import wrapped
+from armlab.kin.ik.general_polish import nearest
+
+BESIDE = 0.03
+"""Imaginary part, radians, of roots that are looked at: they miss the pose by up to about a thousandth."""
+
+WEAK = (0.03, 1e-3)
+"""Of the largest singular value: along weaker ones the arm can hardly move its tool. The better of both counts."""
+
+APART = 1e-2
+"""Radians: what is closer to a solution is not listed beside it."""
+
+
+def nearly(links: Floats, roots: Roots, solutions: Floats, hand: Floats) -> Floats:
+    """Return configurations (k, 6) beside nearly real roots, as near to the pose as can be, that are no solutions."""
+    outside = np.abs(roots.q.imag).max(axis=1, initial=0.0)
+    rows = (outside < BESIDE) & (outside >= REAL) & (roots.q.imag.sum(axis=1) >= 0.0)
+    kept = list(solutions)
+    starts = roots.q[rows].real
+    hands = np.broadcast_to(hand, (len(starts), 4, 4))
+    (one, left), (other, less) = (nearest(links, starts, hands, weak) for weak in WEAK)
+    for best in np.where((less < left)[:, None], other, one):
+        if not kept or np.abs(wrapped(best - np.array(kept))).max(axis=1).min() > APART:
+            kept.append(best)
+    return np.array(kept[len(solutions) :]).reshape(-1, 6)

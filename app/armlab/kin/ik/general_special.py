@@ -1,0 +1,143 @@
+"""Poses at which roots merge, go to infinity or become families: roots are followed there from a pose beside.
+
+At a random pose nearby elimination finds all roots the arm has. Followed to the pose asked for, each has a regular
+root for its end, or one that several share, or a family, or infinity. When every end is known, and every real one is in
+the list, the list is complete.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from armlab.kin.ik.general_complex import OUTERMOST, REGULAR, SAME, Roots, joined, near, newton
+from armlab.kin.ik.general_family import Split, rank_losses, split
+from armlab.kin.ik.general_loop import Complex, Floats
+from armlab.kin.ik.general_merge import merged, wrapped
+from armlab.kin.ik.general_search import PASSES, SEED, Search
+from armlab.kin.ik.general_track import Ends, Way, follow
+
+SIZES = (0.1, 0.2)
+"""Radians and units of length to the pose beside: one after the other, until all ends are known."""
+
+FOLLOWED = 1e-6
+"""Distance u from the end of the way below which an end is as good as reached."""
+
+FAST, FAR = 0.03, 4.0
+"""A root that is followed and still moves so fast by log u, with an imaginary part so large, goes to infinity."""
+
+BESIDE = 0.3
+"""Imaginary parts up to which the real part of a root is a start for a real solution."""
+
+MULTIPLE = 12.0
+"""An end where k roots merge is k times the speed by log u away; more than twelve do not."""
+
+STRAY = 1e-6
+"""Radians an end is from a real solution at most, beside that."""
+
+
+MOST_LOOSE = 8
+"""Where an arm has only nearly fewer than six freedoms, the pose is reached along families, but exactly nowhere that
+descents would find: so many of what they do find stand for them."""
+
+
+class Resolved(NamedTuple):
+    """Real solutions at a special pose.
+
+    Attributes
+    ----------
+    q : ndarray, shape (k, 6)
+        Exact, each once; of families some members.
+    parts : Split
+        Their kinds.
+    roots : Roots
+        Regular ones, complex ones included.
+    complete : bool
+        Whether the ends of all roots are known, and the real ones listed.
+    """
+
+    q: Floats
+    parts: Split
+    roots: Roots
+    complete: bool
+
+
+def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
+    """Return the real solutions at a pose where not all roots of the arm are regular.
+
+    Parameters
+    ----------
+    search : Search
+    hand : ndarray, shape (4, 4)
+    roots : Roots
+        What elimination found at the pose itself.
+    """
+    links, rng = search.loop.links, np.random.default_rng(SEED)
+    found = search.descents(hand)
+    q = merged(links, np.concatenate([found, _starts(roots.q)]), hand)
+    if search.deficient and not len(q):
+        q = found[:MOST_LOOSE]
+    parts = _parted(search, q, hand)
+    # More ways than one only where they can prove something.
+    for size in SIZES if search.counts and not search.nearly_special else SIZES[:1] if search.formulations else ():
+        if parts.freedom:
+            break
+        way = Way.beside(hand, rng, size)
+        beside, whole = _all_roots(search, way.start)
+        ends = follow(links, way, beside)
+        regular, rest = _reached(search, ends, hand)
+        roots = joined(roots, regular)
+        q = merged(links, np.concatenate([q, _starts(roots.q), _starts(ends.q)]), hand)
+        parts = _parted(search, q, hand)
+        # Of roots that two ways lead to, one has lost its own.
+        lost = len(beside) - len(rest.q) - len(regular.q)
+        if whole and lost <= 0 and all(_is_known(q, *end) for end in zip(rest.q, rest.speed, strict=True)):
+            return Resolved(q, parts, roots, True)
+        if whole and lost <= 0 and (rest.u <= FOLLOWED).all():
+            # All ends are there, and another way would lead to them again.
+            break
+    return Resolved(q, parts, roots, False)
+
+
+def _parted(search: Search, q: Floats, hand: Floats) -> Split:
+    loop = search.loop
+    return split(loop.links, q, hand, rank_losses(loop.links, q, hand), loop.reached)
+
+
+def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:
+    """Return regular roots (m, 6) at a pose beside, and whether these are all the arm has."""
+    found = search.roots(hand[None], 0)[0]
+    for number in range(1, len(PASSES)):
+        if search.is_whole(found):
+            break
+        found = joined(found, search.roots(hand[None], number)[0])
+    return found.q[found.regular], not search.nearly_special and search.is_whole(found)
+
+
+def _reached(search: Search, ends: Ends, hand: Floats) -> tuple[Roots, Ends]:
+    """Return the regular roots among ends, each once, and the other ends."""
+    hands = np.broadcast_to(hand, (len(ends.q), 4, 4))
+    at = np.flatnonzero(ends.u == 0.0)
+    q, _, norms = newton(search.loop.links, ends.q[at], hands[at])
+    regular = norms < REGULAR
+    rest = np.setdiff1d(np.arange(len(ends.q)), at[regular])
+    q = q[regular]
+    kept = ~np.tril(near(q, SAME), -1).any(axis=1)
+    return Roots(q[kept], np.ones(int(kept.sum()), dtype=bool)), Ends(ends.q[rest], ends.u[rest], ends.speed[rest])
+
+
+def _is_known(q: Floats, end: Complex, speed: float) -> bool:
+    """Return whether an end is at infinity, or one of the real solutions (k, 6)."""
+    outside = float(np.abs(end.imag).max())
+    if outside >= OUTERMOST or (outside > FAR and speed > FAST):
+        return True
+    if not len(q) or not np.isfinite(speed):
+        return False
+    apart = np.hypot(wrapped(end.real - q), end.imag).max(axis=1)
+    return bool(apart.min() <= MULTIPLE * speed + STRAY)
+
+
+def _starts(q: Complex) -> Floats:
+    """Return the real parts of nearly real roots, shape (k, 6)."""
+    return np.asarray(q[np.abs(q.imag).max(axis=1, initial=0.0) < BESIDE].real)

@@ -1,0 +1,182 @@
+"""Roots followed from one pose to another: what the roots of a pose nearby become at a special one.
+
+The poses between lie on a bent way through complex ones, on which no two roots merge but by bad luck: a rotation
+Cay(a) M with a = a(u) complex, a place p(u), u = 1 at the start and 0 at the end. Each root has its own u and step. At
+the end regular roots are simply reached; the others (merging ones, members of families, those at infinity) are
+followed down to `SMALLEST` in steps that shrink with u, in which all of them move steadily in log u.
+
+References
+----------
+Sommese and Wampler, *The Numerical Solution of Systems of Polynomials*, 2005, chapters 2, 7 and 10.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.ik.general_complex import OUTERMOST, blurred, inverted
+from armlab.kin.ik.general_loop import Complex, Floats, Numbers
+from armlab.kin.ik.general_polish import errors_and_columns
+
+FIRST, LONGEST = 0.1, 0.25
+"""Steps of u."""
+
+ENDGAME = 0.02
+"""Where a root that is not reached in one step is followed in steps of log u."""
+
+SMALLEST = 1e-9
+"""Of u. Where two roots merge they are then some 1e-5 rad apart; closer, rounding hides them."""
+
+ROUNDING = 1e-12
+"""Of u."""
+
+FACTOR = 0.2
+"""Of u in a step of the endgame."""
+
+NEAR, CONVERGED = 1e-2, 1e-8
+"""Radians: largest first and last Newton step after a predicted one."""
+
+EASY = 5e-4
+"""A first Newton step below it lets the next step be twice as long."""
+
+MOST_STEPS = 80
+
+
+class Ends(NamedTuple):
+    """Where roots arrived.
+
+    Attributes
+    ----------
+    q : ndarray of complex, shape (m, 6)
+    u : ndarray, shape (m,)
+        How far that is from the end of the way; 0 where Newton's method converged at the end itself.
+    speed : ndarray, shape (m,)
+        Largest change of an angle by log u there: what goes to infinity keeps some, what has an end loses it.
+    """
+
+    q: Complex
+    u: Floats
+    speed: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """Poses from a real one nearby to a pose.
+
+    Attributes
+    ----------
+    hand : ndarray, shape (4, 4)
+        The pose at the end.
+    half, aside : ndarray, shape (3,)
+        Half the turn between them as the vector of a Cayley transform, and from the place at the end to the other.
+    bend : ndarray of complex, shape (2, 3)
+        How far vector and place leave the straight way.
+    """
+
+    hand: Floats
+    half: Floats
+    aside: Floats
+    bend: Complex
+
+    @classmethod
+    def beside(cls, hand: Floats, rng: np.random.Generator, size: float) -> Way:
+        """Return a way from a random pose about ``size`` (radians and units of length) beside the given one."""
+        real, imaginary = size * rng.normal(size=(2, 4, 3))
+        return cls(hand, 0.5 * real[0], real[1], 0.5 * (real[2:] + 1j * imaginary[2:]))
+
+    @property
+    def start(self) -> Floats:
+        """The pose at u = 1, shape (4, 4)."""
+        return np.asarray(self.at(np.ones(1))[0][0].real)
+
+    def at(self, u: Floats) -> tuple[Complex, Complex]:
+        """Return poses (m, 4, 4) and their derivative by u as twists (v; omega), shape (m, 6)."""
+        u = u[:, None]
+        a = (2.0 * u - 1.0) * self.half + u * (1.0 - u) * self.bend[0]
+        da = 2.0 * self.half + (1.0 - 2.0 * u) * self.bend[0]
+        poses = np.zeros((len(u), 4, 4), dtype=np.complex128)
+        poses[:, :3, :3] = cayley(a) @ (cayley(self.half[None])[0] @ self.hand[:3, :3])
+        poses[:, :3, 3] = self.hand[:3, 3] + u * self.aside + u * (1.0 - u) * self.bend[1]
+        poses[:, 3, 3] = 1.0
+        turning = 2.0 * (da + np.cross(a, da)) / (1.0 + (a * a).sum(axis=1))[:, None]
+        moving = self.aside + (1.0 - 2.0 * u) * self.bend[1]
+        return poses, np.concatenate([moving, turning], axis=1)
+
+
+def cayley(a: Numbers) -> Numbers:
+    """Return the rotation by 2 atan |a| about a (m, 3), ((1 - a.a) 1 + 2 a a^T + 2 [a]) / (1 + a.a), (m, 3, 3)."""
+    square = (a * a).sum(axis=1)
+    R = 2.0 * a[:, :, None] * a[:, None, :]
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        R[:, i, j] -= 2.0 * a[:, k]
+        R[:, j, i] += 2.0 * a[:, k]
+        R[:, i, i] += 1.0 - square
+    return np.asarray(R / (1.0 + square)[:, None, None])
+
+
+def follow(links: Floats, way: Way, q: Complex) -> Ends:
+    """Return where the roots q (m, 6) of the pose at the start of a way arrive."""
+    q, u, speed = q.astype(np.complex128), np.ones(len(q)), np.full(len(q), np.nan)
+    steps, factors, late = np.full(len(q), FIRST), np.full(len(q), FACTOR), np.zeros(len(q), dtype=bool)
+    going = np.ones(len(q), dtype=bool)
+    for _ in range(MOST_STEPS):
+        rows = np.flatnonzero(going)
+        if not len(rows):
+            break
+        log, before = late[rows], u[rows]
+        after = np.where(log, before * factors[rows], before - steps[rows])
+        after[after < ROUNDING] = 0.0
+        there, first, last, k = _step(links, way, q[rows], before, after, log)
+        speed[rows[log]] = k[log]
+        good = (first < NEAR) & (last < CONVERGED * blurred(there))
+        done = rows[good]
+        q[done], u[done] = there[good], after[good]
+        easy = first[good] < EASY
+        steps[done[easy]] = np.minimum(2.0 * steps[done[easy]], LONGEST)
+        factors[done[easy]] = np.maximum(factors[done[easy]] ** 2, FACTOR)
+        bad = rows[~good]
+        steps[bad] = 0.5 * np.minimum(steps[bad], u[bad])
+        factors[bad] = np.where(late[bad], np.sqrt(factors[bad]), FACTOR)
+        late[bad[u[bad] <= ENDGAME]] = True
+        going[rows] = (u[rows] > SMALLEST) & (np.abs(q[rows].imag).max(axis=1) < OUTERMOST)
+        going[bad] &= np.where(late[bad], factors[bad] < 0.97, steps[bad] > 1e-5)
+    return Ends(q, u, speed)
+
+
+def _step(
+    links: Floats, way: Way, q: Complex, u: Floats, to: Floats, log: NDArray[np.bool_]
+) -> tuple[Complex, Floats, Floats, Floats]:
+    """Make one step by Runge and Kutta, in u or in log u, and Newton's method; with the sizes of its steps.
+
+    The last number is the speed by log u at the start.
+    """
+    with np.errstate(all="ignore"):
+        middle = np.where(log, np.sqrt(u * to), 0.5 * (u + to))
+        length = np.where(log, np.log(np.where(log, to / u, 1.0)), to - u)[:, None]
+
+        def rate(at: Floats, values: Complex) -> Complex:
+            return _slopes(links, way, values, at) * np.where(log, at, 1.0)[:, None]
+
+        k1 = rate(u, q)
+        k2 = rate(middle, q + 0.5 * length * k1)
+        k3 = rate(middle, q + 0.5 * length * k2)
+        k4 = rate(to, q + length * k3)
+        q = q + length / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
+        poses = way.at(to)[0]
+        first = last = np.zeros(len(q))
+        for k in range(3):
+            errors, columns, _ = errors_and_columns(links, q, poses)
+            step = (errors[:, None] @ inverted(columns))[:, 0]
+            q, last = q + step, np.abs(step).max(axis=1)
+            first = last if k == 0 else first
+    return q, first, last, np.abs(k1).max(axis=1)
+
+
+def _slopes(links: Floats, way: Way, q: Complex, u: Floats) -> Complex:
+    """Return dq / du, shape (m, 6)."""
+    poses, twists = way.at(u)
+    return np.asarray((twists[:, None] @ inverted(errors_and_columns(links, q, poses)[1]))[:, 0])

@@ -1,0 +1,189 @@
+"""What is said of all solutions at special poses and of special arms: complete, infinitely many, none. All true."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.kin.arm import Arm
+from armlab.kin.ik.general_6r import search_of, solve_general
+from armlab.kin.ik.problem import REACHED_M, REACHED_RAD
+from armlab.kin.ik.solve import solve
+from armlab.kin.ik.solve_all import solve_all
+from support.solutions import apart, contains, no_duplicates, worst_error
+
+H = math.pi / 2
+
+
+def moved(arm, size, rng):
+    """Return an arm with every number of its table moved by about ``size``."""
+    rows = [
+        (row.kind, *(np.array([row.a, row.alpha, row.d, row.theta]) + size * rng.normal(size=4))) for row in arm.rows
+    ]
+    return Arm.from_dh(rows, arm.convention, base=arm.base, tool=arm.tool, task="pose")
+
+
+def structured(rng):
+    """Return a 6R with quarter-turn twists and half of its lengths zero that moves its tool in every way."""
+    while True:
+        numbers = rng.uniform(-1.0, 1.0, (6, 2)) * (rng.random((6, 2)) > 0.5)
+        rows = [("R", a, float(rng.choice([0.0, H, -H])), d, 0.0) for a, d in numbers.tolist()]
+        arm = Arm.from_dh(rows, task="pose")
+        if np.linalg.svd(np.asarray(arm.jacobian(rng.uniform(-3.0, 3.0, 6))), compute_uv=False)[-1] > 1e-2:
+            return arm
+
+
+def is_true(arm, q, found, T):
+    """Assert that an answer does not contradict the configuration the pose was made of, nor itself."""
+    assert found.completeness != "none"
+    assert worst_error(arm, found.q, T) < REACHED_M
+    assert no_duplicates(arm, found.q, 1e-9)
+    if found.completeness == "complete":
+        # Where k solutions merge, rounding moves them by its k-th root.
+        assert apart(arm, found.q, q).min() < 1e-3
+
+
+@pytest.mark.parametrize("key", ["puma560", "tx60", "manseur_doty", "ur5e", "irb120", "kr6r900"])
+def test_quarter_turns_everywhere(key):
+    arm, rng = catalogue()[key].arm, np.random.default_rng(90)
+    for _ in range(12):
+        q = rng.integers(-2, 3, 6) * H
+        T = np.asarray(arm.fk(q))
+        is_true(arm, q, solve_all(arm, T), T)
+
+
+def test_the_straight_wrist_under_a_singular_shoulder_is_not_hidden():
+    """A double root, torn apart by rounding, once hid q5 = 0."""
+    arm = catalogue()["puma560"].arm
+    q = np.radians([0.0, 0.0, 90.0, 0.0, 0.0, 0.0])
+    found = solve_all(arm, arm.fk(q))
+    assert found.completeness == "infinite"
+    near = [np.abs((curve - q + math.pi) % (2 * math.pi) - math.pi).max(axis=1).min() for curve in found.families]
+    assert contains(arm, found.q, q, 0.3) or min(near) < 0.3
+
+
+def test_the_arm_of_sixteen_with_its_first_joint_at_zero():
+    arm, rng = catalogue()["manseur_doty"].arm, np.random.default_rng(1)
+    for _ in range(25):
+        q = np.array([0.0, *rng.uniform(-3.0, 3.0, 5)])
+        found = solve_all(arm, arm.fk(q))
+        assert found.completeness == "complete"
+        assert contains(arm, found.q, q, 1e-5)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10])
+def test_two_neighbouring_axes_nearly_one_line(size):
+    """What moves the tool by less than what counts as reached is a family; nothing of it is unreachable."""
+    rng = np.random.default_rng(int(-math.log10(size)))
+    for _ in range(5):
+        rows = [
+            ["R", *rng.uniform(-1.0, 1.0, 1), rng.uniform(-3.0, 3.0), rng.uniform(-1.0, 1.0), 0.0] for _ in range(6)
+        ]
+        k = int(rng.integers(0, 5))
+        rows[k][1] = rows[k][2] = size
+        arm, q = Arm.from_dh(rows, task="pose"), rng.uniform(-3.0, 3.0, 6)
+        T = np.asarray(arm.fk(q))
+        found = solve_all(arm, T)
+        is_true(arm, q, found, T)
+        assert len(found) > 0
+
+
+@pytest.mark.parametrize("size", [1e-2, 1e-4, 1e-6, 1e-7, 1e-8])
+def test_arms_that_are_nearly_special(size):
+    rng = np.random.default_rng(int(-math.log10(size)))
+    for lattice in (False, False, False, True, True):
+        arm = moved(structured(rng), size, rng)
+        q = rng.integers(-2, 3, 6) * H if lattice else rng.uniform(-3.0, 3.0, 6)
+        T = np.asarray(arm.fk(q))
+        found = solve_all(arm, T)
+        is_true(arm, q, found, T)
+        if not lattice:
+            assert found.completeness == "complete"
+
+
+@pytest.mark.parametrize("key", ["puma560", "ur5e"])
+@pytest.mark.parametrize("size", [1e-3, 1e-4])
+def test_calibrated_arms_keep_their_proof(key, size):
+    rng = np.random.default_rng(5)
+    arm = moved(catalogue()[key].arm, size, rng)
+    for _ in range(4):
+        q = rng.uniform(-3.0, 3.0, 6)
+        found = solve_all(arm, arm.fk(q))
+        assert found.completeness == "complete"
+        assert contains(arm, found.q, q)
+
+
+@pytest.mark.parametrize("gap", [1e-2, 2e-4, 1e-5, 2e-6])
+@pytest.mark.parametrize("key", ["puma560", "irb140"])
+def test_two_solutions_near_each_other_are_two(key, gap):
+    """An elbow that is bent by half the gap: the other solution is bent as much the other way."""
+    arm, rng = catalogue()[key].arm, np.random.default_rng(3)
+    angles = np.linspace(-math.pi, math.pi, 8, endpoint=False)
+    frames = np.asarray(arm.frames(np.column_stack([np.zeros((8, 2)), angles, np.zeros((8, 3))])))
+    far = np.linalg.norm(frames[:, 4, :3, 3] - frames[:, 1, :3, 3], axis=1)
+    # The cosine law: the square of the distance is a constant plus a multiple of cos(q3 - straight).
+    c, s = np.cos(angles) @ far**2, np.sin(angles) @ far**2
+    for _ in range(3):
+        q = rng.uniform(-1.5, 1.5, 6)
+        q[4] = 0.7
+        q[2] = math.atan2(s, c) + gap / 2.0
+        found = solve_all(arm, arm.fk(q))
+        assert contains(arm, found.q, q, gap / 10.0)
+        away = np.sort(apart(arm, found.q, q))
+        assert 0.3 * gap < away[1] < 5.0 * gap
+
+
+def test_where_two_solutions_merge_one_is_listed():
+    arm = catalogue()["planar_2r"].arm
+    assert len(solve_all(arm, arm.fk([0.4, 0.0]))) == 1
+
+
+@pytest.mark.parametrize("key", ["planar_2r", "planar_2r_unequal", "elbow_3r"])
+def test_a_pose_typed_with_eight_decimals_for_a_stretched_arm_is_reached_by_both(key):
+    arm, rng = catalogue()[key].arm, np.random.default_rng(8)
+    for _ in range(20):
+        q = rng.uniform(-1.2, 1.2, arm.n)
+        q[-1] = 0.0
+        T = np.round(np.asarray(arm.fk(q)), 8)
+        assert solve(arm, T, q).success
+        found = solve_all(arm, T)
+        assert contains(arm, found.q, q, 1e-3)
+        assert worst_error(arm, found.q, T) < REACHED_M
+
+
+def test_how_far_out_of_reach_is_said():
+    arm = Arm.from_dh([("R", 1.0, 0, 0, 0)] * 2)
+    for beyond, words in ((3e-6, "It is 3 µm out of reach."), (4e-4, "It is 400 µm out of reach.")):
+        T = np.asarray(arm.fk([0.3, 0.0])).copy()
+        T[:2, 3] *= 1.0 + beyond / 2.0
+        found = solve_all(arm, T)
+        assert found.completeness == "none"
+        assert words in found.sentence
+
+
+def test_one_meaning_of_reached():
+    """Just inside and just outside of it `solve` and `solve_all` agree."""
+    arm = Arm.from_dh([("R", 1.0, 0, 0, 0)] * 2)
+    for share, there in ((0.9, True), (1.1, False)):
+        T = np.asarray(arm.fk([0.3, 0.0])).copy()
+        T[:2, 3] *= 1.0 + share * REACHED_M / 2.0
+        assert solve(arm, T, [0.3, 0.0]).success is there
+        assert (len(solve_all(arm, T)) > 0) is there
+    assert REACHED_M == REACHED_RAD == 1e-6
+
+
+@pytest.mark.parametrize(("key", "number"), [("puma560", 8), ("ur5e", 8), ("manseur_doty", 16)])
+def test_the_roots_of_an_arm_are_counted(key, number):
+    search = search_of(catalogue()[key].arm)
+    assert search.number == number
+
+
+def test_a_pose_out_of_reach_is_proven_to_be(rng):
+    arm = catalogue()["manseur_doty"].arm
+    T = np.asarray(arm.fk(rng.uniform(-3.0, 3.0, 6))).copy()
+    T[:3, 3] *= 2.75 / np.linalg.norm(T[:3, 3])
+    found = solve_general(arm, T)
+    assert len(found) == 0
+    assert found.completeness == "complete"
+    assert "none of the 16 roots" in found.reason or "farther" in found.reason
