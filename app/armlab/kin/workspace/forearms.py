@@ -17,12 +17,17 @@ from armlab.kin.arm import Arm
 from armlab.kin.workspace.elbow_points import ElbowPoints
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.half_grid import HalfGrid
+from armlab.kin.workspace.pull import pull
+from armlab.kin.workspace.section_grid import random_configurations
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 CHUNKS, CHUNK, SEED = 40, 32_768, 0
 """Random configurations of the joints in front of the wrist, where there is no closed form."""
+
+PULLED, PULLS, THERE = 2048, 8, 1e-2
+"""Of them in one piece of work, iterations, and the part of a step that is near enough to a node."""
 
 COARSE = 6
 """Parts from -1 to 1 in which a component of an axis counts as the same: forearms of one place that are taken apart."""
@@ -60,32 +65,50 @@ def elbow_forearms(front: Arm, elbow: ElbowPoints, grid: HalfGrid) -> Forearms:
 
 
 def sampled_forearms(front: Arm, grid: HalfGrid) -> Iterator[Forearms | None]:
-    """Yield None after each piece of work of some 30 ms, and at last those that random configurations met near nodes."""
+    """Yield None after each piece of work of some 30 ms, and at last those that were found.
+
+    Random configurations near a node, different ones, are pulled onto it inside the limits; those that get there count.
+    """
     joint, rng = first_joint(front), np.random.default_rng(SEED)
-    low, span = front.limits[:, 0].copy(), front.limits[:, 1] - front.limits[:, 0]
-    low[0] = span[0] = 0.0
-    home = np.asarray(front.fk(np.zeros(front.n)))[:3, :3]
-    keys, nodes, turns, starts = [], [], [], []
+    keys, kept = [], []
     for _ in range(CHUNKS):
-        T = np.asarray(front.fk((low + span * rng.random((CHUNK, front.n))).astype(np.float32)))
-        coordinates = joint.split(T[:, :3, 3])
-        node, on = grid.nearest(coordinates[:, :2])
-        s = coordinates[:, 2]
-        local = joint.axes.T @ (T[:, :3, :3] @ home.T)
-        c, n = np.cos(s)[:, None], np.sin(s)[:, None]
-        turn = np.stack([c * local[:, 0] + n * local[:, 1], c * local[:, 1] - n * local[:, 0], local[:, 2]], axis=1)
+        q = random_configurations(joint, CHUNK, rng).astype(np.float32)
+        node, turn, _, on = _stands(front, q, grid)
         level = np.clip((turn[:, :, :2] + 1.0) * (0.5 * COARSE), 0, COARSE - 1e-6).astype(np.int64).reshape(-1, 6)
         key = node.astype(np.int64) * COARSE**6 + level @ (COARSE ** np.arange(6))
         _, first = np.unique(key[on], return_index=True)
         some = np.flatnonzero(on)[first]
         keys.append(key[some])
-        nodes.append(node[some])
-        turns.append(turn[some].astype(np.float32))
-        starts.append(s[some] + joint.low)
+        kept.append(q[some])
         yield None
-    _, first = np.unique(np.concatenate(keys), return_index=True)
+    key, first = np.unique(np.concatenate(keys), return_index=True)
+    q, node = np.concatenate(kept)[first].astype(np.float64), key // COARSE**6
+    q[:, 1:] = np.clip(q[:, 1:], *front.limits[1:].T)
+    there = np.zeros(len(q), dtype=bool)
+    places = grid.places.reshape(-1, 2)
     yield None
-    yield Forearms(np.concatenate(nodes)[first], np.concatenate(turns)[first], np.concatenate(starts)[first])
+    for begin in range(0, len(q), PULLED):
+        some = slice(begin, begin + PULLED)
+        tolerance = THERE * grid.step
+        q[some], error = pull(joint, q[some], places[node[some]], tolerance, iterations=PULLS)
+        there[some] = error <= tolerance
+        yield None
+    _, turn, s, _ = _stands(front, q[there], grid)
+    yield Forearms(node[there], turn, s + joint.low)
+
+
+def _stands(front: Arm, q: NDArray[np.floating], grid: HalfGrid) -> tuple[Indices, Floats, Floats, NDArray[np.bool_]]:
+    """Return the nearest nodes of configurations, the turn of the forearm, s, and which have a node."""
+    joint = first_joint(front)
+    T = np.asarray(front.fk(q), dtype=np.float64)
+    home = np.asarray(front.fk(np.zeros(front.n)))[:3, :3]
+    coordinates = joint.split(T[:, :3, 3])
+    node, on = grid.nearest(coordinates[:, :2])
+    s = coordinates[:, 2]
+    local = joint.axes.T @ (T[:, :3, :3] @ home.T)
+    c, n = np.cos(s)[:, None], np.sin(s)[:, None]
+    turn = np.stack([c * local[:, 0] + n * local[:, 1], c * local[:, 1] - n * local[:, 0], local[:, 2]], axis=1)
+    return node, turn, s, on
 
 
 def rank(node: Indices) -> Indices:

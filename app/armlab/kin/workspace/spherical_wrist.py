@@ -260,8 +260,7 @@ def _counted(words: NDArray[np.uint64], length: float) -> Iterator[NDArray[np.fl
     U, V = words.shape[:2]
     u = np.arange(U)[:, None]
     psi = np.arange(AROUND) * (math.tau / AROUND)
-    planes = np.zeros((RINGS * AROUND).bit_length(), dtype=object)
-    planes = [np.zeros((U, V), dtype=np.uint64) for _ in planes]
+    planes = [np.zeros((U, V), dtype=np.uint64) for _ in range((RINGS * AROUND).bit_length())]
     number = 0
     by_ring = np.ascontiguousarray(words.transpose(2, 3, 0, 1))
     yield None
