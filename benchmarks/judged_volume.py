@@ -107,7 +107,9 @@ class _Points:
     def _cells(self, coordinates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         cells, _ = self.grid.cell_of(coordinates[:, :2])
         rows, columns = np.divmod(cells, self.grid.shape[1])
-        return cells, rows // self.grid.coarser * -(-self.grid.shape[1] // self.grid.coarser) + columns // self.grid.coarser
+        return cells, rows // self.grid.coarser * -(
+            -self.grid.shape[1] // self.grid.coarser
+        ) + columns // self.grid.coarser
 
     def says(self, coordinates: np.ndarray) -> np.ndarray:
         cells, coarse = self._cells(coordinates)

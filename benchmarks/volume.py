@@ -42,7 +42,7 @@ class Trial(NamedTuple):
 
     @property
     def verdict(self) -> str:
-        """"inside", "outside", or "unclear" where the judge is not sure enough of it."""
+        """ "inside", "outside", or "unclear" where the judge is not sure enough of it."""
         if abs(self.off) <= self.stated:
             return "inside"
         return "unclear" if abs(self.off) <= self.stated + self.unclear else "outside"

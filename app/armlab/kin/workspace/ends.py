@@ -28,6 +28,9 @@ PULLED = 1024
 OUTERMOST = 2
 """Bins at each end of a run from which its end is looked for."""
 
+NEAR, SCARCELY = 0.75, 1e-6
+"""Of a cell: how near a place is to a centre that was reached; and the weight of a centre that was not."""
+
 THERE = 1e-3
 """Of a cell: as near to a place as that is there."""
 
@@ -62,10 +65,8 @@ class Ends:
         self.filling, self.around = filling, filling.around
         self.joint: FirstJoint = filling.joint
         self.single = len(self.joint.moving) <= (1 if filling.grid.flat else 2)
-        self.cells, fine = _representatives(filling, filling.around)
-        self.places = filling.grid.centres(fine)
-        rough = ~filling.centred[fine]
-        self.places[rough] = self.joint.split(self.joint.arm.position(filling.q[fine[rough]]))[:, :2]
+        self.cells, self.fine, self.places = _representatives(filling, filling.around)
+        self._stay(~filling.centred[self.fine])
         self.starts, self.owner, self.run, self.onward, self.begin, self.count = _runs(self.around, self.cells)
         C = len(self.cells)
         self.least = np.full((C, MOST_ARCS), np.inf)
@@ -75,6 +76,10 @@ class Ends:
     def find(self) -> Iterator[None]:
         """Find the ends, a piece at a time."""
         yield from self._try(self.starts, self.owner, self.run, self.onward)
+        missed = (self.count > 0) & ~np.isfinite(self.least).any(axis=1)
+        self._stay(missed)
+        of = np.flatnonzero(missed)
+        self._count(self.filling.q[self.fine[of]], of, np.zeros_like(of), np.full(len(of), np.nan))
         for _ in range(SWEEPS):
             yield from self._try(*self._neighbours())
 
@@ -110,6 +115,11 @@ class Ends:
             good = np.flatnonzero(error <= tolerance)
             self._count(far[good], of[good], which[good], s[good])
             yield
+
+    def _stay(self, which: Bools) -> None:
+        """Let the places of some cells be where the configuration is that fills them."""
+        q = self.filling.q[self.fine[which]]
+        self.places[which] = self.joint.split(self.joint.arm.position(q))[:, :2]
 
     def _s(self, q: Floats) -> Floats:
         return np.asarray(self.joint.split(self.joint.arm.position(q))[:, 2])
@@ -179,17 +189,23 @@ def along(joint: FirstJoint, q: Floats, places: Floats, wanted: Floats) -> Float
     return least_squares(joint, q, residual, rates, joint.moving, 0.0, ALONG)[0]
 
 
-def _representatives(filling: Filling, around: Around) -> tuple[Indices, Indices]:
-    """Return the coarse cells with a filled cell, and for each the filled one nearest to its middle, centred if any."""
+def _representatives(filling: Filling, around: Around) -> tuple[Indices, Indices, Floats]:
+    """Return the coarse cells with a filled cell, one filled cell of each, and the place that stands for them, (C, 2).
+
+    The middle of the cells whose centre was reached, so that what is covered is neither too much nor too little where
+    it rises or falls; the filled cell is the nearest to it.
+    """
     fine = np.flatnonzero(filling.filled)
-    coarse = around.coarse(fine)
-    rows, columns = np.divmod(fine, filling.grid.shape[1])
-    width = around.width
-    away = np.hypot(rows % width - 0.5 * (width - 1), 0.0 if filling.grid.flat else columns % width - 0.5 * (width - 1))
-    rank = away + np.where(filling.centred[fine], 0.0, 10.0 * width)
-    order = np.lexsort((rank, coarse))
-    cells, first = np.unique(coarse[order], return_index=True)
-    return cells, fine[order][first]
+    cells, of = np.unique(around.coarse(fine), return_inverse=True)
+    centres, centred = filling.grid.centres(fine), filling.centred[fine]
+    weight = np.where(centred, 1.0, SCARCELY)
+    total = np.bincount(of, weight)
+    middle = np.stack([np.bincount(of, weight * centres[:, k]) / total for k in range(2)], axis=1)
+    away = np.linalg.norm(centres - middle[of], axis=1) / filling.grid.step
+    order = np.lexsort((away + np.where(centred, 0.0, 10.0 * around.width), of))
+    first = order[np.unique(of[order], return_index=True)[1]]
+    near = (away[first] <= NEAR) & centred[first]
+    return cells, fine[first], np.where(near[:, None], middle, centres[first])
 
 
 def _runs(around: Around, cells: Indices) -> tuple[Floats, Indices, Indices, Floats, Floats, Indices]:
@@ -233,7 +249,9 @@ def _runs(around: Around, cells: Indices) -> tuple[Floats, Indices, Indices, Flo
     widest = np.argmax(np.where(cut, gap, -np.inf), axis=1)
     rows = np.arange(C)
     begin = np.where(count > 0, least[rows, widest], 0.0)
-    begin = begin - np.where(np.isfinite(gap[rows, widest]), 0.5 * np.maximum(gap[rows, widest], 0.0), 1.0) * (count > 0)
+    begin = begin - np.where(np.isfinite(gap[rows, widest]), 0.5 * np.maximum(gap[rows, widest], 0.0), 1.0) * (
+        count > 0
+    )
     # Bins in turn from the one after the widest gap.
     order = (widest[:, None] + position) % BINS
     cut_o, found_o = np.take_along_axis(cut, order, 1), np.take_along_axis(found, order, 1)

@@ -309,7 +309,9 @@ def _at_voxels(
         total = np.zeros(len(index))
         for i, wi in _beside(u / step, U):
             for j, wj in _beside((v - grid.low) / step, V):
-                for k, wk in _beside(np.mod(s, math.tau) * (turns / math.tau), turns, True) if turns > 1 else [(0, 1.0)]:
+                for k, wk in (
+                    _beside(np.mod(s, math.tau) * (turns / math.tau), turns, True) if turns > 1 else [(0, 1.0)]
+                ):
                     total += wi * wj * wk * flat[(i * V + j) * turns + k]
         result[index] = total
         yield None

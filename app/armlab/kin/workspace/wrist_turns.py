@@ -141,4 +141,6 @@ def wrist_turns(arm: Arm) -> WristTurns:
     assert centre is not None
     home, length = arm.fk(np.zeros(arm.n)), float(np.linalg.norm(centre))
     tool = home[:3, 2] if length <= NO_TOOL else -home[:3, :3] @ centre / length
-    return WristTurns(screws_of(arm).z[-3:] @ arm.base[:3, :3].T, np.asarray(tool), length, arm.limits[-3:], turns_freely(arm))
+    return WristTurns(
+        screws_of(arm).z[-3:] @ arm.base[:3, :3].T, np.asarray(tool), length, arm.limits[-3:], turns_freely(arm)
+    )
