@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -231,13 +232,12 @@ LIMITED = {
 def test_coverage_is_what_thousands_of_directions_say(case):
     name, limits = LIMITED[case]
     arm = arm_of(name) if limits is None else with_wrist(name, limits)
-    found, rng = coverage(arm, 64), np.random.default_rng(7)
-    p = arm.position(random_q(arm, rng, 150))
-    wanted = np.array([coverage_at(found, point) for point in p])
-    off = found.at(p) - wanted
-    # Nodes are 4 cm apart here: what happens on the way from one to the next is lost, to either side.
+    found, rng = coverage(arm), np.random.default_rng(7)
+    p = arm.position(random_q(arm, rng, 60))
+    off = found.at(p) - np.array([coverage_at(found, point, 1024) for point in p])
+    # 512 directions: a few of them lie at an edge; and some change suddenly between two nodes.
     assert np.abs(off).max() < 0.12
-    assert np.abs(off).mean() < 0.015
+    assert np.abs(off).mean() < 0.012
     assert abs(off.mean()) < 0.006
 
 
@@ -280,7 +280,7 @@ def test_a_direction_is_possible_where_inverse_kinematics_says_so(name):
 def test_a_direction_in_which_the_arm_was_met_counts_as_possible(name):
     """Forward: at the tool point of a random configuration the share is not zero, and the wrist allows its direction."""
     arm, rng = arm_of(name), np.random.default_rng(9)
-    q, turns = random_q(arm, rng, 400), wrist_turns(arm)
+    q, turns = random_q(arm, rng, 200), wrist_turns(arm)
     front, T = front_of(arm), arm.fk(q)
     home, turned = front.fk(np.zeros(front.n))[:3, :3], front.fk(q[:, : front.n])[:, :3, :3]
     d = T[:, :3, :3] @ tool_of(arm)
@@ -295,36 +295,35 @@ def test_a_tool_beside_axis_6_turns_with_joint_6():
     tool = np.eye(4)
     tool[:3, 3] = [0.1, 0.05, 0.1]
     arm, rng = Arm.from_dh(arm.rows, arm.convention, tool=tool, limits=arm.limits), np.random.default_rng(10)
-    turns, q = wrist_turns(arm), random_q(arm, rng, 3000)
+    turns, q = wrist_turns(arm), random_q(arm, rng, 100_000)
     front = front_of(arm)
     turned = front.fk(q[:, :3])[:, :3, :3] @ front.fk(np.zeros(3))[:3, :3].T
     met = np.einsum("kij,ki->kj", turned, arm.fk(q)[:, :3, :3] @ tool_of(arm))
-    assert turns.allows(met).mean() > 0.995  # 180 values of q6 stand for all
+    assert turns.allows(met[:2000]).mean() > 0.99  # 180 values of q6 stand for all
     d = spread(3000)
-    nearest = (d @ met.T).max(axis=1)
-    far = d[nearest < math.cos(math.radians(8.0))]
-    assert len(far) > 500
+    far = d[cKDTree(met).query(d)[0] > math.radians(8.0)]
+    assert len(far) > 300
     assert not turns.allows(far).any()
 
 
 def test_a_limited_wrist_of_the_stanford_arm_has_its_share_and_not_all_of_the_sphere():
-    """From inverse kinematics with all limits, and any roll, of 1000 directions at each of these points."""
+    """The elbow slides: there is no closed form of the forearm. Against inverse kinematics with all limits and any roll."""
     arm = arm_of("stanford")
     found = coverage(arm, 64)
     assert 0.3 < found.fraction.max() < 0.55
     assert found.volume == 0.0
     rng = np.random.default_rng(11)
-    d = spread(60)
-    p = arm.position(random_q(arm, rng, 8))
+    d = spread(40)
+    p = arm.position(random_q(arm, rng, 6))
     wanted = [np.mean([possible(arm, point, direction) for direction in d]) for point in p]
-    # 60 directions: one standard deviation is up to 0.06 at a point.
-    assert abs(np.mean(found.at(p) - wanted)) < 0.03
+    # 40 directions: one standard deviation is up to 0.08 at a point, 0.03 of six.
+    assert abs(np.mean(found.at(p) - wanted)) < 0.06
 
 
 @pytest.mark.parametrize("limits", [[[-180, 180], [-100, 100], [-180, 180]], FREE])
 def test_joint_1_that_slides_leaves_an_upper_bound_that_says_so(limits):
-    rows = [("P", 0.0, np.pi / 2, 0.1, 0.0), ("R", 0.5, 0.0, 0.0, 0.0), ("R", 0.0, np.pi / 2, 0.0, 0.0)]
-    rows += [("R", 0, -np.pi / 2, 0.4, 0), ("R", 0, np.pi / 2, 0, 0), ("R", 0, 0, 0.1, 0)]
+    rows = [("P", 0.0, 0.0, 0.1, 0.0), ("R", 0.5, 0.0, 0.0, 0.0), ("R", 0.4, np.pi / 2, 0.0, 0.0)]
+    rows += [("R", 0, -np.pi / 2, 0, 0), ("R", 0, np.pi / 2, 0, 0), ("R", 0, 0, 0.1, 0)]
     arm = Arm.from_dh(rows, limits=[[0, 1], [-2, 2], [-2, 2], *np.radians(limits)])
     found = coverage(arm, 32)
     assert found.proper is (limits is FREE)

@@ -25,7 +25,7 @@ PULLS = 24
 MARGIN = 2
 """Empty cells on each side."""
 
-COARSER = {True: 2, False: 4}
+COARSER = {True: 2, False: 3}
 """Cells along a side of one in which s is counted, by whether (u, v) leave single values of s: intervals need more
 samples."""
 

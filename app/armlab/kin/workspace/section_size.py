@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,19 +74,22 @@ def size(section: Section) -> Size:
     """Return the volume that an arm reaches; of a planar arm the area.
 
     Pappus: V = integral of (length of the path on which joint 1 carries a place of the section) over the section, with
-    the boundary inside cells found by inverse kinematics. The error adds what changes when every second cell is left
-    out, what the crossings of the boundary may be off, filled cells that lie too much by themselves to be counted, and
-    one and a half times what changes when s is counted in cells of twice the side: s spreads in a cell as its side, and
-    what it adds is taken off. It says nothing of parts that no search came upon.
+    the boundary inside cells found by inverse kinematics, and what joint 1 covers at one place of each coarse cell.
+
+    The error is an estimate, not a bound: the root mean square of what changes when the outline is known at every
+    second centre alone, and s at every second place, for all such choices, which is some three times what one expects;
+    what the crossings of the boundary may be off; and filled cells that lie too much by themselves to be counted. It
+    says nothing of parts that no search came upon. ``python3 benchmarks volume`` holds it against a judge.
     """
     grid = section.grid
     unit: Literal["m³", "m²"] = "m²" if grid.flat else "m³"
     if dimension(section.joint) < (1 if grid.flat else 2):
         return Size(0.0, 0.0, unit)
-    value = _integral(section, section.outline, section.covered)
+    pieces = _pieces(section, section.outline)
+    value = pieces.times(section.covered)
     error = _outlined(section, value) + _edges(section) + _alone(section)
     if section.arcs is not None:
-        error += _turning(section, value)
+        error += _turning(section, pieces, value)
     if not grid.flat or section.arcs is not None:
         error = max(error, FINEST * value)
     return Size(value, error, unit)
@@ -135,27 +138,38 @@ def dimension(joint: FirstJoint) -> int:
     return int((values > RANK * (joint.arm.reach or 1.0)).sum())
 
 
-def _integral(section: Section, outline: Outline, covered: Floats) -> float:
-    """Return the sum over the squares of (path of joint 1) times (piece of the region)."""
+class _Pieces(NamedTuple):
+    """What lies in each square between four centres: its size, or its moment about a joint 1 that turns."""
+
+    sizes: Floats
+    inside: NDArray[np.bool_]
+    flat: bool
+    at_axis: bool
+
+    def times(self, covered: Floats) -> float:
+        """Return the sum over the squares of (path of joint 1) times (piece of the region)."""
+        if self.flat:
+            covered = np.tile(covered, (1, 2))
+        if self.at_axis:
+            covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
+        return float((self.sizes * _mean_inside(covered, self.inside)).sum())
+
+
+def _pieces(section: Section, outline: Outline) -> _Pieces:
     grid = section.grid
-    inside = outline.inside
     if grid.flat:
         # A strip of height 1.
         twice = (1, 2)
         outline = Outline(
             outline.u,
             np.array([0.0, 1.0]),
-            np.tile(inside, twice),
+            np.tile(outline.inside, twice),
             np.tile(outline.along_u, twice),
-            np.full((len(inside), 1), 0.5),
+            np.full((len(outline.inside), 1), 0.5),
         )
-        covered = np.tile(covered, twice)
     whole = with_axis(outline, grid)
-    if grid.at_axis:
-        covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
     area, moment = whole.pieces
-    path = _mean_inside(covered, whole.inside)
-    return float(((moment if section.joint.revolute else area) * path).sum())
+    return _Pieces(moment if section.joint.revolute else area, whole.inside, grid.flat, grid.at_axis)
 
 
 def _mean_inside(covered: Floats, inside: NDArray[np.bool_]) -> Floats:
@@ -176,7 +190,7 @@ def _outlined(section: Section, value: float) -> float:
                 outline.u[i:], outline.v[j:], outline.inside[i:, j:], outline.along_u[i:, j:], outline.along_v[i:, j:]
             )
             covered = section.covered[i::2, j :: 1 if flat else 2]
-            changes.append(_integral(section, _halved(some, flat), covered) - value)
+            changes.append(_pieces(section, _halved(some, flat)).times(covered) - value)
     return float(np.sqrt(np.mean(np.square(changes))))
 
 
@@ -210,7 +224,7 @@ def _alone(section: Section) -> float:
     return float((path * lonely(section.filled, section.outline.inside)).sum() * cell)
 
 
-def _turning(section: Section, value: float) -> float:
+def _turning(section: Section, pieces: _Pieces, value: float) -> float:
     """Return what changes when s is known in every second coarse cell each way alone, as a root mean square of all."""
     assert section.arcs is not None
     rows, columns = section.filled.shape
@@ -220,10 +234,9 @@ def _turning(section: Section, value: float) -> float:
     changes = []
     for i in range(2):
         for j in range(1 if section.grid.flat else 2):
-            wide = covered.copy()
             wide = _spread(covered, i, j, section.grid.flat)
             fine = np.repeat(np.repeat(wide, side, 0), side, 1)[:rows, :columns]
-            changes.append(_integral(section, section.outline, np.where(section.filled, fine, 0.0)) - value)
+            changes.append(pieces.times(np.where(section.filled, fine, 0.0)) - value)
     return SAFETY * float(np.sqrt(np.mean(np.square(changes))))
 
 

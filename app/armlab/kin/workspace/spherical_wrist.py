@@ -194,9 +194,15 @@ def coverage_at(found: Coverage, where: ArrayLike, count: int = 4096) -> float:
     directions = spread(count)
     if not found.proper or found.turns.free:
         return float(found.points.holds(np.asarray(where) - found.tool * directions).mean())
-    if not isinstance(found.points, ElbowPoints):
-        return float(found.at(where))
-    return float(directed(found.points, found.turns, where, directions).mean())
+    if isinstance(found.points, ElbowPoints):
+        return float(directed(found.points, found.turns, where, directions).mean())
+    return float(found.at(where))
+
+
+def tried_at(found: Coverage, count: int) -> int:
+    """Return of how many directions `coverage_at` speaks when it is asked for ``count``."""
+    by_grid = found.proper and not found.turns.free and not isinstance(found.points, ElbowPoints)
+    return RINGS * AROUND if by_grid else count
 
 
 def directed(elbow: ElbowPoints, turns: WristTurns, where: ArrayLike, directions: Floats) -> NDArray[np.bool_]:
