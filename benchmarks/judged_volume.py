@@ -1,4 +1,4 @@
-"""The size of a workspace from random points in space, each tried by inverse kinematics from the nearest of many samples.
+"""The size of a workspace from random points in space, each tried by inverse kinematics from the nearest samples.
 
 What is said of the size is wrong by what is said wrongly of the points: so points are drawn where the section is less
 sure, and elsewhere a few, and the size is corrected by those on which the two disagree. The correction has no bias,

@@ -17,8 +17,8 @@ from armlab.kin.workspace.planar import lengths_of, planar_workspace, tool_angle
 from armlab.kin.workspace.sampled_points import sampling
 from armlab.kin.workspace.solution_count import counts
 from armlab.kin.workspace.spherical_wrist import ALL, coverage, coverage_at, coverages, directed
-from armlab.kin.workspace.wrist_turns import turns_freely, wrist_turns
 from armlab.kin.workspace.wrist_points import front_of
+from armlab.kin.workspace.wrist_turns import turns_freely, wrist_turns
 from armlab.kin.wrist import wrist_centre
 from support.arms import random_pose, random_q
 
@@ -278,7 +278,7 @@ def test_a_direction_is_possible_where_inverse_kinematics_says_so(name):
 
 @pytest.mark.parametrize("name", ["puma560", "stanford", "iiwa7", "kr6r900"])
 def test_a_direction_in_which_the_arm_was_met_counts_as_possible(name):
-    """Forward: at the tool point of a random configuration the share is not zero, and the wrist allows its direction."""
+    """Forward: at the tool point of a random configuration the share is not zero; the wrist allows its direction."""
     arm, rng = arm_of(name), np.random.default_rng(9)
     q, turns = random_q(arm, rng, 200), wrist_turns(arm)
     front, T = front_of(arm), arm.fk(q)
@@ -307,7 +307,7 @@ def test_a_tool_beside_axis_6_turns_with_joint_6():
 
 
 def test_a_limited_wrist_of_the_stanford_arm_has_its_share_and_not_all_of_the_sphere():
-    """The elbow slides: there is no closed form of the forearm. Against inverse kinematics with all limits and any roll."""
+    """The elbow slides: there is no closed form of the forearm. Against inverse kinematics with all limits."""
     arm = arm_of("stanford")
     found = coverage(arm, 64)
     assert 0.3 < found.fraction.max() < 0.55

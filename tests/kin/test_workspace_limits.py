@@ -11,8 +11,8 @@ from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar_regions import regions
 from armlab.kin.workspace.section import section
 from armlab.kin.workspace.section_size import size
-from armlab.kin.workspace.wrist_turns import turns_freely
 from armlab.kin.workspace.wrist_points import wrist_points
+from armlab.kin.workspace.wrist_turns import turns_freely
 
 ELBOW = [("R", 0, pi / 2, 0.4, 0), ("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)]
 BEFORE_WRIST = [("R", 0, pi / 2, 0.4, 0), ("R", 0.5, 0, 0, 0), ("R", 0, pi / 2, 0, 0), ("R", 0, -pi / 2, 0.4, 0)]

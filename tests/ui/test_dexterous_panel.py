@@ -1,7 +1,6 @@
 """The page of orientations as a browser gets it, its words and units, and its pictures."""
 
 import math
-from dataclasses import replace
 from itertools import combinations
 from types import SimpleNamespace
 

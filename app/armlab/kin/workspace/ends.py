@@ -1,14 +1,13 @@
 """Where s ends at one place of each coarse cell, found by inverse kinematics with u and v held.
 
-Samples tell about which s are met somewhere in a cell. What is covered is wanted at a place: there the outermost of each
-run of neighbouring s are pulled to the place, and along s as far as it goes.
+Samples tell about which s are met somewhere in a cell. What is covered is wanted at a place: the outermost of each run
+of neighbouring s are pulled to the place, and along s as far as it goes.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray

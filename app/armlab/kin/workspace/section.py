@@ -224,8 +224,8 @@ def _filled(filling: Filling, samples: int, rng: np.random.Generator) -> Iterato
 
 def _section(filling: Filling, crossings: Crossings | None, arcs: Arcs | None = None) -> Section:
     grid = filling.grid
-    filled = filling.filled.reshape(grid.shape).copy()
-    q = filling.q.reshape(*grid.shape, -1).copy()
+    filled, q = filling.copies()
+    filled, q = filled.reshape(grid.shape), q.reshape(*grid.shape, -1)
     inside = filled if crossings is None else crossings.inside
     rows, columns = grid.shape
     along_u = np.full((rows - 1, columns), 0.5) if crossings is None else crossings.along_u

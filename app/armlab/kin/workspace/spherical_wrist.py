@@ -226,14 +226,16 @@ def _by_joint_1(
     if isinstance(points, ElbowPoints):
         forearms = elbow_forearms(front, points, grid)
     else:
-        for forearms in sampled_forearms(front, grid):
+        for found in sampled_forearms(front, grid):
+            forearms = found
             yield None
     assert forearms is not None
     words = np.zeros((grid.shape[0] * grid.shape[1], RINGS * AROUND), dtype=np.uint64)
     for _ in _noted(words, forearms, turns, joint.high - joint.low):
         yield None
     counts: NDArray[np.float32] | None = None
-    for counts in _counted(words.reshape(*grid.shape, RINGS, AROUND), turns.length / step):
+    for share in _counted(words.reshape(*grid.shape, RINGS, AROUND), turns.length / step):
+        counts = share
         yield None
     assert counts is not None
     yield from _at_voxels(counts, grid, joint, low, step, resolution)
