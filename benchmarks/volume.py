@@ -71,7 +71,7 @@ def measured(arms: Iterable[int], effort: float = 0.3, resolution: int = RESOLUT
 def table(trials: Iterable[Trial]) -> Iterator[str]:
     """Yield a row for each kind, and one for all."""
     found = list(trials)
-    yield "| arms | inside | unclear | outside | mean of off / stated | off: median, largest | stated: median, largest |"
+    yield "| arms | inside | unclear | outside | mean of off / stated | off: median, most | stated: median, most |"
     yield "| --- | --- | --- | --- | --- | --- | --- |"
     for kind in (*KINDS, "all"):
         some = [trial for trial in found if kind in ("all", trial.kind)]

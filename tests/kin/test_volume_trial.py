@@ -1,4 +1,4 @@
-"""The trial of volumes in ``benchmarks``, small: that its judge finds what has a closed form, and its table is right."""
+"""The trial of volumes in ``benchmarks``, small: its judge finds what has a closed form, and its table is right."""
 
 import math
 import sys

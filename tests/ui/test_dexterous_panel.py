@@ -76,6 +76,8 @@ def test_an_arm_with_a_spherical_wrist_is_computed_shown_and_stopped(url):
         await browser.open("dexterous")
         await browser.until(lambda: "96³" in browser.html() and "wrist too" in browser.html())
         await browser.press("draw body")
+        await browser.until(lambda: "No point has all directions" in browser.html())
+        await browser.press("share 0.5")
         await browser.until(lambda: any(name.endswith("dexterous/body") for name in browser.nodes))
         await browser.press("method sampled")
         await browser.until(lambda: 'data-cell="count 10000000"' in browser.html())

@@ -275,8 +275,8 @@ def _rank(found: Bools, run: Indices) -> Indices:
     total = np.cumsum(found, axis=1)
     base = np.zeros_like(total)
     for k in range(MOST_ARCS):
-        first = np.argmax(run == k, axis=1)
         here = run == k
-        start = np.take_along_axis(total, first[:, None], 1) - np.take_along_axis(found, first[:, None], 1)
+        first = np.argmax(here, axis=1)
+        start: Indices = np.take_along_axis(total, first[:, None], 1) - np.take_along_axis(found, first[:, None], 1)
         base = np.where(here, start, base)
     return np.asarray(total - base)

@@ -66,7 +66,7 @@ class WristTurns:
         return np.linspace(low, high, ROLLS)
 
     def allows(self, directions: ArrayLike) -> Bools:
-        """Return which unit vectors (..., 3) are possible, in the world with the forearm as where all joints are at 0."""
+        """Return which unit vectors (..., 3) are possible: in the world, the forearm as where all joints are at 0."""
         d = np.asarray(directions, dtype=np.float64)
         found = np.zeros(d.shape[:-1], dtype=bool)
         first, second, third = self.axes
