@@ -42,6 +42,9 @@ LIGHT = 0.05
 ALONG, HOME = 16, 10
 """Iterations of a pull along s, and of one to the place."""
 
+APART = 0.2
+"""Radians or metres from a run that make another."""
+
 SWEEPS = 1
 """Times that the ends of neighbouring places are tried."""
 
@@ -80,11 +83,14 @@ class Ends:
         of = np.flatnonzero(missed)
         self._count(self.filling.q[self.fine[of]], of, np.zeros_like(of), np.full(len(of), np.nan))
         for _ in range(SWEEPS):
-            yield from self._try(*self._neighbours())
+            for some in self._neighbours():
+                yield from self._try(*some)
 
     def arcs(self) -> Arcs:
         """Return what joint 1 makes of the runs, for all coarse cells."""
-        arcs = arcs_of(self.least, self.most, self.joint)
+        order = np.argsort(self.least, axis=1)
+        runs = (np.take_along_axis(each, order, axis=1) for each in (self.least, self.most))
+        arcs = arcs_of(*runs, self.joint)
         shape = self.around.shape[0] * self.around.shape[1]
         start, length = np.zeros((shape, MOST_ARCS)), np.full((shape, MOST_ARCS), -1.0)
         covered = np.zeros(shape)
@@ -136,13 +142,12 @@ class Ends:
             best = values.reshape(-1)[flat] == s
             self.q[side].reshape(-1, self.q.shape[-1])[flat[best]] = q[best]
 
-    def _neighbours(self) -> tuple[Floats, Indices, Indices, Floats]:
-        """Return the ends of neighbouring places as starts, with whom they are tried for."""
+    def _neighbours(self) -> Iterator[tuple[Floats, Indices, Indices, Floats]]:
+        """Yield the ends of neighbouring places as starts, with whom they are tried for, each place once at a time."""
         rows, columns = self.around.shape
         at = np.full((rows + 2, columns + 2), -1)
         i, j = np.divmod(self.cells, columns)
         at[i + 1, j + 1] = np.where(self.count > 0, np.arange(len(self.cells)), -1)
-        found: list[tuple[Floats, Indices, Indices, Floats]] = []
         for di, dj in ((0, 1), (2, 1), (1, 0), (1, 2)):
             other = at[i + di, j + dj]
             mine = np.flatnonzero((other >= 0) & (self.count > 0))
@@ -151,17 +156,19 @@ class Ends:
                     there = mine[self.most[other[mine], run] > -np.inf]
                     q = self.q[side, other[there], run]
                     into = self._run_of(q, there)
-                    found.append((q, there, into, np.full(len(q), sign)))
-        return tuple(np.concatenate(each) for each in zip(*found, strict=True))  # type: ignore[return-value]
+                    yield q, there, into, np.full(len(q), sign)
 
     def _run_of(self, q: Floats, of: Indices) -> Indices:
-        """Return the runs of places nearest to the s of configurations."""
+        """Return the runs of places nearest to the s of configurations, or a new one."""
         s = self._s(q) - self.begin[of]
         if self.joint.revolute:
             s = np.mod(s, math.tau)
         low, high = self.least[of], self.most[of]
         away = np.where(high >= low, np.maximum(np.maximum(low - s[:, None], s[:, None] - high), 0.0), np.inf)
-        return np.asarray(np.argmin(away, axis=1))
+        nearest, empty = np.argmin(away, axis=1), np.argmax(high < low, axis=1)
+        # What is far from all runs is another one, as long as there is room.
+        far = (away.min(axis=1) > APART) & (high < low).any(axis=1)
+        return np.where(far, empty, nearest)
 
 
 def along(joint: FirstJoint, q: Floats, places: Floats, wanted: Floats) -> Floats:
