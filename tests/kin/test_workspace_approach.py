@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -15,8 +16,9 @@ from armlab.kin.workspace.half_plane import HalfPlane
 from armlab.kin.workspace.planar import lengths_of, planar_workspace, tool_angles
 from armlab.kin.workspace.sampled_points import sampling
 from armlab.kin.workspace.solution_count import counts
-from armlab.kin.workspace.spherical_wrist import ALL, coverage, coverage_at, coverages, turns_freely
+from armlab.kin.workspace.spherical_wrist import ALL, coverage, coverage_at, coverages, directed
 from armlab.kin.workspace.wrist_points import front_of
+from armlab.kin.workspace.wrist_turns import turns_freely, wrist_turns
 from armlab.kin.wrist import wrist_centre
 from support.arms import random_pose, random_q
 
@@ -202,24 +204,138 @@ def test_the_table_turns_and_shifts_with_joint_1(first):
             assert table.holds(beyond).mean() < 0.9
 
 
-@pytest.mark.parametrize("name", ["puma560", "irb140", "stanford"])
-def test_coverage_is_what_thousands_of_directions_say(name):
-    found, rng = coverage(arm_of(name), 64), np.random.default_rng(7)
-    index = rng.integers(0, 64, (150, 3))
-    p = found.low + (index + 0.5) * found.step
-    wanted = np.array([coverage_at(found.points, found.tool, point) for point in p])
-    got = found.fraction[tuple(index.T)]
-    assert np.abs(got - wanted).max() < 0.05
-    assert np.abs(got - wanted).mean() < 0.005
-    np.testing.assert_allclose(found.at(p), got, atol=1e-6)
+def with_wrist(name, limits_deg):
+    """Return an arm of the catalogue with other limits of its last three joints."""
+    arm = arm_of(name)
+    return Arm.from_dh(
+        arm.rows,
+        arm.convention,
+        arm.base,
+        arm.tool,
+        np.vstack([arm.limits[:-3], np.radians(limits_deg)]),
+        task=arm.task,
+    )
+
+
+FREE = [[-180, 180]] * 3
+LIMITED = {
+    "puma560": ("puma560", None),
+    "irb140": ("irb140", None),
+    "tx60": ("tx60", None),
+    "free": ("irb140", FREE),
+    "one side": ("puma560", [[-180, 180], [10, 100], [-180, 180]]),
+    "narrow": ("kr6r900", [[40, 160], [-120, 20], [0, 50]]),
+}
+
+
+@pytest.mark.parametrize("case", LIMITED)
+def test_coverage_is_what_thousands_of_directions_say(case):
+    name, limits = LIMITED[case]
+    arm = arm_of(name) if limits is None else with_wrist(name, limits)
+    found, rng = coverage(arm), np.random.default_rng(7)
+    p = arm.position(random_q(arm, rng, 60))
+    off = found.at(p) - np.array([coverage_at(found, point, 1024) for point in p])
+    # 512 directions: a few of them lie at an edge; and some change suddenly between two nodes.
+    assert np.abs(off).max() < 0.12
+    assert np.abs(off).mean() < 0.012
+    assert abs(off.mean()) < 0.006
+
+
+def tool_of(arm):
+    """Return the unit vector from the wrist centre to the tool point, in tool axes."""
+    centre = wrist_centre(arm)
+    return -centre / np.linalg.norm(centre)
+
+
+def possible(arm, point, direction):
+    """Return whether inverse kinematics finds a configuration inside the limits, joint 6 turning as it likes."""
+    tool, around = tool_of(arm), np.cross(direction, [0.36, 0.48, 0.8])
+    side = np.cross(tool, [0.6, 0.8, 0.0])
+    T = np.eye(4)
+    T[:3, 3] = point
+    to, of = (
+        np.stack([a, b / np.linalg.norm(b), np.cross(a, b / np.linalg.norm(b))], 1)
+        for a, b in ((direction, around), (tool, side))
+    )
+    T[:3, :3] = to @ of.T
+    low, high = arm.limits[:5].T
+    q = np.array(solve_all(arm, T).q).reshape(-1, arm.n)[:, :5]
+    return bool((np.mod(q - low, math.tau) <= high - low).all(axis=1).any())
+
+
+@pytest.mark.parametrize("name", ["puma560", "irb140", "one side", "narrow"])
+def test_a_direction_is_possible_where_inverse_kinematics_says_so(name):
+    """The tool lies on axis 6 in these arms: its roll is free, whatever joint 6 may do."""
+    key, limits = LIMITED[name]
+    arm = arm_of(key) if limits is None else with_wrist(key, limits)
+    points, turns, rng = elbow_of(front_of(arm)), wrist_turns(arm), np.random.default_rng(8)
+    d = rng.normal(size=(6, 12, 3))
+    d /= np.linalg.norm(d, axis=-1, keepdims=True)
+    for point, some in zip(arm.position(random_q(arm, rng, 6)), d, strict=True):
+        said = directed(points, turns, point, some)
+        assert said.tolist() == [possible(arm, point, direction) for direction in some]
+
+
+@pytest.mark.parametrize("name", ["puma560", "stanford", "iiwa7", "kr6r900"])
+def test_a_direction_in_which_the_arm_was_met_counts_as_possible(name):
+    """Forward: at the tool point of a random configuration the share is not zero; the wrist allows its direction."""
+    arm, rng = arm_of(name), np.random.default_rng(9)
+    q, turns = random_q(arm, rng, 200), wrist_turns(arm)
+    front, T = front_of(arm), arm.fk(q)
+    home, turned = front.fk(np.zeros(front.n))[:3, :3], front.fk(q[:, : front.n])[:, :3, :3]
+    d = T[:, :3, :3] @ tool_of(arm)
+    local = np.einsum("kij,ki->kj", turned @ home.T, d)
+    assert turns.allows(local).all()
+    assert turns.looked_up(local.T).mean() > 0.97  # but for those within two degrees of an edge
+    assert (coverage(arm, 48).at(T[:, :3, 3]) > 0.0).mean() > 0.98
+
+
+def test_a_tool_beside_axis_6_turns_with_joint_6():
+    arm = with_wrist("irb140", [[-100, 60], [-50, 80], [-30, 90]])
+    tool = np.eye(4)
+    tool[:3, 3] = [0.1, 0.05, 0.1]
+    arm, rng = Arm.from_dh(arm.rows, arm.convention, tool=tool, limits=arm.limits), np.random.default_rng(10)
+    turns, q = wrist_turns(arm), random_q(arm, rng, 100_000)
+    front = front_of(arm)
+    turned = front.fk(q[:, :3])[:, :3, :3] @ front.fk(np.zeros(3))[:3, :3].T
+    met = np.einsum("kij,ki->kj", turned, arm.fk(q)[:, :3, :3] @ tool_of(arm))
+    assert turns.allows(met[:2000]).mean() > 0.99  # 180 values of q6 stand for all
+    d = spread(3000)
+    far = d[cKDTree(met).query(d)[0] > math.radians(8.0)]
+    assert len(far) > 300
+    assert not turns.allows(far).any()
+
+
+def test_a_limited_wrist_of_the_stanford_arm_has_its_share_and_not_all_of_the_sphere():
+    """The elbow slides: there is no closed form of the forearm. Against inverse kinematics with all limits."""
+    arm = arm_of("stanford")
+    found = coverage(arm, 64)
+    assert 0.3 < found.fraction.max() < 0.55
+    assert found.volume == 0.0
+    rng = np.random.default_rng(11)
+    d = spread(40)
+    p = arm.position(random_q(arm, rng, 6))
+    wanted = [np.mean([possible(arm, point, direction) for direction in d]) for point in p]
+    # 40 directions: one standard deviation is up to 0.08 at a point, 0.03 of six.
+    assert abs(np.mean(found.at(p) - wanted)) < 0.06
+
+
+@pytest.mark.parametrize("limits", [[[-180, 180], [-100, 100], [-180, 180]], FREE])
+def test_joint_1_that_slides_leaves_an_upper_bound_that_says_so(limits):
+    rows = [("P", 0.0, 0.0, 0.1, 0.0), ("R", 0.5, 0.0, 0.0, 0.0), ("R", 0.4, np.pi / 2, 0.0, 0.0)]
+    rows += [("R", 0, -np.pi / 2, 0, 0), ("R", 0, np.pi / 2, 0, 0), ("R", 0, 0, 0.1, 0)]
+    arm = Arm.from_dh(rows, limits=[[0, 1], [-2, 2], [-2, 2], *np.radians(limits)])
+    found = coverage(arm, 32)
+    assert found.proper is (limits is FREE)
+    assert found.fraction.max() > 0.9
 
 
 def test_ws2_is_inside_ws1_and_all_directions_are_possible_there():
-    found = coverage(arm_of("kr6r900"), 64)
+    found = coverage(with_wrist("kr6r900", FREE), 64)
     assert 0.0 < found.volume < found.reached
     inside = np.argwhere(found.dexterous)[::40]
     for cell in inside:
-        assert coverage_at(found.points, found.tool, found.low + (cell + 0.5) * found.step) > 2 * ALL - 1.0 - 0.01
+        assert coverage_at(found, found.low + (cell + 0.5) * found.step) > 2 * ALL - 1.0 - 0.01
 
 
 def test_an_elbow_without_limits_has_the_coverage_of_two_spheres():
@@ -227,7 +343,7 @@ def test_an_elbow_without_limits_has_the_coverage_of_two_spheres():
     rows = [("R", 0, np.pi / 2, 0.3, 0), ("R", 0.5, 0, 0, 0), ("R", 0, np.pi / 2, 0, 0)]
     rows += [("R", 0, -np.pi / 2, 0.5, 0), ("R", 0, np.pi / 2, 0, 0), ("R", 0, 0, 0.2, 0)]
     found = coverage(Arm.from_dh(rows), 96)
-    assert found.free_wrist
+    assert found.turns.free
     assert found.points.exact
     assert found.tool == pytest.approx(0.2)
     assert abs(found.volume - 4 / 3 * np.pi * 0.8**3) <= found.volume_error < 0.15 * found.volume

@@ -11,8 +11,8 @@ from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar_regions import regions
 from armlab.kin.workspace.section import section
 from armlab.kin.workspace.section_size import size
-from armlab.kin.workspace.spherical_wrist import turns_freely
 from armlab.kin.workspace.wrist_points import wrist_points
+from armlab.kin.workspace.wrist_turns import turns_freely
 
 ELBOW = [("R", 0, pi / 2, 0.4, 0), ("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)]
 BEFORE_WRIST = [("R", 0, pi / 2, 0.4, 0), ("R", 0.5, 0, 0, 0), ("R", 0, pi / 2, 0, 0), ("R", 0, -pi / 2, 0.4, 0)]
@@ -104,3 +104,12 @@ def test_a_plane_that_a_locked_joint_stands_on_is_not_planar_in_its_coordinates(
 def test_a_wrist_turns_freely_where_its_middle_joint_makes_every_angle(middle, free):
     rows = [*BEFORE_WRIST, ("R", 0, pi / 2, 0, 0), ("R", 0, 0, 0.1, 0)]
     assert turns_freely(Arm.from_dh(rows, limits=[[-pi, pi]] * 4 + [middle] + [[-pi, pi]])) is free
+
+
+def test_an_arc_in_front_and_one_behind_stay_two_wherever_they_are_found():
+    """Shoulder and elbow turn all the way: each place is reached at s = 0 and at s = pi, 120 degrees about each."""
+    arm = catalogue()["elbow_3r"].arm
+    limited = Arm.from_dh(arm.rows, arm.convention, limits=[[-pi / 3, pi / 3], *arm.limits[1:]])
+    covered = section(limited, 48, 20_000).arcs.covered
+    assert np.ptp(covered[covered > 0.0]) < 1e-6
+    assert covered.max() == pytest.approx(4 * pi / 3)

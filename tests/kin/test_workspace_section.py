@@ -84,6 +84,62 @@ def test_both_sides_of_a_limited_elbow_count_where_joint_1_carries_them():
     assert abs(found.value - exact) <= found.error <= 0.02 * exact
 
 
+def covered_of_3r(arm, resolution=2000):
+    """Return the area of a planar 3R with limits, from the s of a fine grid of q2 and q3 in rings of u.
+
+    Each ring counts the union of s + [low, high] of what falls into it; so it is too large by what s spreads in a ring.
+    """
+    joint, stroke = first_joint(arm), np.ptp(arm.limits[0])
+    q = np.stack(np.meshgrid([0.0], *(np.linspace(*limits, resolution) for limits in arm.limits[1:])), axis=-1)
+    u, _, s = joint.split(arm.position(q.reshape(-1, 3))).T
+    width = 2e-3
+    order = np.lexsort((s, (u / width).astype(int)))
+    ring, s = (u[order] / width).astype(int), s[order]
+    begin = np.flatnonzero(np.diff(ring, prepend=-1))
+    end = np.append(begin[1:], len(ring))
+    total = 0.0
+    for a, b in zip(begin, end, strict=True):
+        gaps = np.diff(s[a:b], append=s[a] + 2 * math.pi)
+        total += (ring[a] + 0.5) * width**2 * (2 * math.pi - np.maximum(gaps - stroke, 0.0).sum())
+    return total
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_areas_of_arms_with_a_limited_joint_1_are_within_their_stated_error_and_that_below_a_percent(seed):
+    """At the resolution of these tests the first of them were off by up to 2 %, with errors stated up to 6 %."""
+    rng = np.random.default_rng(seed)
+    span, middle = rng.uniform([0.5, 0.5, 0.5], [3.0, 4.0, 4.0]), rng.uniform(-3, 3, 3)
+    arm = planar(rng.uniform(0.3, 1.0, 3), limits=np.stack([middle - span / 2, middle + span / 2], axis=1))
+    found, exact = size(of(arm, 128)), covered_of_3r(arm)
+    assert found.error <= 0.01 * exact
+    # The judge's rings are 2 mm wide: a few thousandths more.
+    assert abs(found.value - exact) <= found.error + 0.003 * exact
+
+
+@pytest.mark.parametrize("limits", [[-0.3, 0.4], [0.2, 1.5], [-2.0, 2.5]])
+def test_the_volume_of_a_limited_joint_1_is_that_part_of_a_whole_turn_where_branches_do_not_meet(limits):
+    """An elbow that stays in front of axis 1: every place is reached at one s, so V = (high - low) / 2 pi of all."""
+    rows = [("R", 0, math.pi / 2, 0.4, 0), ("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)]
+    others = [[-0.5, 1.5], [-2.3, 0.0]]
+    volumes = [size(of(Arm.from_dh(rows, limits=[first, *others]))) for first in (limits, [-math.pi, math.pi])]
+    part = (limits[1] - limits[0]) / (2 * math.pi)
+    assert abs(volumes[0].value - part * volumes[1].value) <= volumes[0].error
+    assert volumes[0].error <= 0.01 * volumes[0].value
+
+
+def test_the_mean_of_errors_is_small_beside_what_is_stated():
+    """Six elbows with narrow joints: signed errors, as parts of the stated ones, average to about zero."""
+    rng, parts = np.random.default_rng(12), []
+    for _ in range(6):
+        l1, l2, turn, low = rng.uniform([0.5, 0.3, 0.4, 0.1], [1.0, 0.9, 2.5, 1.0])
+        high = low + rng.uniform(0.6, 1.8)
+        found = size(of(planar([l1, l2], limits=[[-0.5 * turn, 0.5 * turn], [low, high]])))
+        exact = sector(l1, l2, high, turn) - sector(l1, l2, low, turn)
+        parts.append((found.value - exact) / found.error)
+    assert np.abs(parts).max() <= 1.0
+    assert abs(np.mean(parts)) <= 0.35
+
+
 @pytest.mark.parametrize("key", ["planar_3r", "puma560", "panda", "cartesian_3p", "scara"])
 def test_every_cell_is_filled_by_a_configuration_inside_the_limits_whose_point_lies_in_it(key):
     arm = named(key)

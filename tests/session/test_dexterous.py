@@ -225,7 +225,7 @@ def test_the_wrist_is_shown_as_a_slice_or_as_a_body_cut_open():
     point = shown.corner + shown.step * ((cell[0] + 0.5) * shown.right + (cell[1] + 0.5) * shown.up)
     assert wrist.at(point) == pytest.approx(shown.values[cell], abs=1e-6)
     assert body_shown(state) is None
-    bodies = [body_shown(apply(state, LookAtDexterous(draw="body", share=share))).sum() for share in (0.25, 0.5, 1.0)]
+    bodies = [body_shown(apply(state, LookAtDexterous(draw="body", share=share))).sum() for share in (0.25, 0.5, 0.75)]
     assert bodies[0] > bodies[1] > bodies[2] > 0
     assert bodies[0] < 0.7 * (wrist.fraction > 0.25).sum()
     here = at_tool(state)
@@ -363,7 +363,7 @@ def test_joints_without_a_range_turn_nothing():
 
 def test_the_largest_share_is_one_that_a_voxel_has():
     most = {key: largest_share(study_of(studied(state_of(key))).wrist) for key in ("puma560", "irb140")}
-    assert most == {"puma560": 0.95, "irb140": 1.0}
+    assert most == {"puma560": 0.5, "irb140": 0.75}
 
 
 def test_what_is_none_of_the_choices_is_refused():

@@ -1,7 +1,6 @@
 """The page of orientations as a browser gets it, its words and units, and its pictures."""
 
 import math
-from dataclasses import replace
 from itertools import combinations
 from types import SimpleNamespace
 
@@ -75,8 +74,10 @@ def test_an_arm_with_a_spherical_wrist_is_computed_shown_and_stopped(url):
     async def main():
         browser = await student(url, path="/robot/irb140")
         await browser.open("dexterous")
-        await browser.until(lambda: "96³" in browser.html() and "at most" in browser.html())
+        await browser.until(lambda: "96³" in browser.html() and "wrist too" in browser.html())
         await browser.press("draw body")
+        await browser.until(lambda: "No point has all directions" in browser.html())
+        await browser.press("share 0.5")
         await browser.until(lambda: any(name.endswith("dexterous/body") for name in browser.nodes))
         await browser.press("method sampled")
         await browser.until(lambda: 'data-cell="count 10000000"' in browser.html())
@@ -147,14 +148,18 @@ def test_limits_are_not_passed_over_in_silence():
     assert "in its cell" in tool_line(state, found)
 
 
-def test_what_is_known_of_a_wrist_is_at_most_and_of_samples_at_least():
+def test_what_is_known_of_a_wrist_counts_its_limits_and_samples_say_at_least():
     state = studied(state_of("puma560"))
     found = study_of(state)
     said = proven(state, found, units_of(state))
-    assert "upper bound" in said
+    assert "those of the wrist too" in said
+    assert "upper bound" not in said
     assert "closed form" in said
     assert "none" in said
-    assert "at most" in tool_line(state, found)
+    assert "at most" not in tool_line(state, found)
+    # The limits of joint 5 alone leave (1 + sin 10°) / 2 of the sphere, and not all of that.
+    assert "Largest share" in said
+    assert 0.5 < found.wrist.fraction.max() < 0.5 * (1.0 + math.sin(math.radians(10.0))) + 0.1
     state = studied(apply(state, LookAtDexterous(method="sampled")))
     found = study_of(state)
     assert "at least" in proven(state, found, units_of(state))
@@ -182,22 +187,24 @@ def chosen(state):
 
 def test_where_no_point_has_the_share_of_a_body_another_is_named():
     state = studied(state_of("puma560", draw="body"))
-    assert "No point has all directions; try 95 %." in chosen(state)
-    assert "No point" not in chosen(apply(state, LookAtDexterous(share=0.95)))
+    assert "No point has all directions; try 50 %." in chosen(state)
+    assert "No point" not in chosen(apply(state, LookAtDexterous(share=0.5)))
     assert "No point" not in chosen(apply(state, LookAtDexterous(draw="slice")))
 
 
 def test_a_volume_without_the_limits_of_the_wrist_is_called_so_and_no_bound():
-    arm = catalogue()["puma560"].arm
-    rows = [replace(row, a=0.7) if i == 1 else row for i, row in enumerate(arm.rows)]
-    longer = Arm.from_dh(rows, limits=arm.limits, task=arm.task)
-    state = studied(apply(State.initial(own_robot(longer, "longer")), LookAtDexterous(count=COUNTS[0])))
+    """Joint 1 slides: then the limits of the wrist are left out."""
+    rows = [("P", 0, 0, 0.1, 0), ("R", 0.6, 0, 0, 0), ("R", 0.4, np.pi / 2, 0, 0), ("R", 0, -np.pi / 2, 0, 0)]
+    rows += [("R", 0, np.pi / 2, 0, 0), ("R", 0, 0, 0.1, 0)]
+    arm = Arm.from_dh(rows, limits=[[0, 1.5], *[[-3, 3]] * 2, *[[-2, 2]] * 3])
+    state = studied(apply(State.initial(own_robot(arm, "sliding")), LookAtDexterous(count=COUNTS[0])))
     found = study_of(state)
     assert found.wrist.volume > 0.0
     said = proven(state, found, units_of(state))
     assert "WS₂ without wrist limits" in said
+    assert "upper bound" in said
     assert with_error(Size(found.wrist.volume, found.wrist.volume_error, "m³")) in said
-    assert "at most" not in said
+    assert "at most" in tool_line(state, found)
 
 
 def test_a_tool_that_never_turns_has_one_orientation_and_no_share():

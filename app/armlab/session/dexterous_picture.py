@@ -15,7 +15,7 @@ from armlab.kin.workspace.approach import MOST, directions
 from armlab.kin.workspace.sheet import Sheet
 from armlab.kin.workspace.sheet_maps import SheetMap, sheet_of
 from armlab.kin.workspace.solution_count import count_of
-from armlab.kin.workspace.spherical_wrist import ALL, Coverage, coverage_at
+from armlab.kin.workspace.spherical_wrist import ALL, Coverage, coverage_at, tried_at
 from armlab.session.dexterous_study import Study
 from armlab.session.parts.dexterous import SHARES, Dexterous, slice_of, study_of
 from armlab.session.parts.joints import Joints
@@ -146,7 +146,7 @@ def at_tool(state: State) -> AtTool | None:
     if found is None:
         return None
     if found.wrist is not None:
-        return AtTool(coverage_at(found.wrist.points, found.wrist.tool, point, _TRIED), _TRIED)
+        return AtTool(coverage_at(found.wrist, point, _TRIED), tried_at(found.wrist, _TRIED))
     assert found.map is not None
     if found.question.method == "count":
         # In the middle of its cell there may be others: at the rim of the workspace, and where the arm is stretched.

@@ -19,9 +19,6 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
-COARSER = 4
-"""Cells of the section along a side of one in which s is counted: each needs many samples."""
-
 BINS = 72
 """Of s: what is found within one (5 degrees) counts as all that lies between."""
 
@@ -34,9 +31,10 @@ class Around:
 
     def __init__(self, grid: Grid) -> None:
         self.grid = grid
+        self.width = grid.coarser
         self.joint: FirstJoint = grid.joint
         joint = grid.joint
-        self.shape = tuple(-(-n // COARSER) for n in grid.shape)
+        self.shape = tuple(-(-n // self.width) for n in grid.shape)
         reach = 2.0 * (joint.arm.reach or 1.0) + float(np.abs(joint.origin).sum())
         self.span = (-math.pi, math.pi) if joint.revolute else (-reach, reach)
         cells = self.shape[0] * self.shape[1]
@@ -47,7 +45,7 @@ class Around:
     def coarse(self, cells: Indices) -> Indices:
         """Return the coarse cells in which cells of the section lie."""
         columns = self.grid.shape[1]
-        return np.asarray((cells // columns) // COARSER * self.shape[1] + (cells % columns) // COARSER)
+        return np.asarray((cells // columns) // self.width * self.shape[1] + (cells % columns) // self.width)
 
     def add(self, cells: Indices, s: Floats, q: NDArray[np.floating]) -> None:
         """Count values of s (k,) of configurations (k, n) with q_1 = 0 in cells of the section (k,)."""
@@ -61,17 +59,6 @@ class Around:
     def arcs(self) -> Arcs:
         """Return what joint 1 makes of it."""
         return arcs_of(self.least, self.most, self.joint)
-
-    def halved(self) -> tuple[Floats, tuple[int, int]]:
-        """Return how much of s is covered in cells of twice the side, flat, and their shape: to estimate an error."""
-        rows, columns = (-(-n // 2) for n in self.shape)
-        least = np.full((rows * columns, BINS), np.inf)
-        most = np.full((rows * columns, BINS), -np.inf)
-        i, j = np.indices(self.shape)
-        into = (i // 2 * columns + j // 2).reshape(-1)
-        np.minimum.at(least, into, self.least)
-        np.maximum.at(most, into, self.most)
-        return arcs_of(least, most, self.joint).covered, (rows, columns)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,8 +96,8 @@ def arcs_of(least: Floats, most: Floats, joint: FirstJoint) -> Arcs:
 
     Parameters
     ----------
-    least, most : ndarray, shape (C, BINS)
-        Of s in a bin, rad or m; (inf, -inf) in one without.
+    least, most : ndarray, shape (C, k)
+        Of s in intervals in turn, by where they begin, rad or m; (inf, -inf) in one without.
     joint : FirstJoint
     """
     stroke = joint.high - joint.low
@@ -124,15 +111,15 @@ def arcs_of(least: Floats, most: Floats, joint: FirstJoint) -> Arcs:
         length[any_found, 0] = math.tau
         return Arcs(start, length, np.where(any_found, math.tau, 0.0), period)
     first = np.where(found, least, np.inf).min(axis=1)
-    gaps = np.full((cells, BINS), -np.inf)
-    ends = np.zeros((cells, BINS))
+    gaps = np.full(least.shape, -np.inf)
+    ends = np.zeros(least.shape)
     last = np.full(cells, np.nan)
-    for b in range(BINS):
+    for b in range(least.shape[1]):
         rows = np.flatnonzero(found[:, b])
         old = rows[~np.isnan(last[rows])]
         gaps[old, b] = least[old, b] - last[old] - stroke
         ends[old, b] = least[old, b]
-        last[rows] = most[rows, b]
+        last[rows] = np.fmax(last[rows], most[rows, b])
     wrap = first + math.tau - last - stroke if joint.revolute else np.full(cells, np.inf)
     return _between(gaps, ends, np.where(any_found, wrap, -np.inf), first, last, any_found, joint)
 

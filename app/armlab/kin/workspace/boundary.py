@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.workspace.around import BINS, COARSER, Arcs
+from armlab.kin.workspace.around import BINS, Arcs
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.section_grid import Grid
 
@@ -116,8 +116,8 @@ class Boundary:
         where, which = np.nonzero(used)
         begin = arcs.start[cells[where], which]
         s = np.concatenate([begin, begin + arcs.length[cells[where], which]])
-        side = COARSER * self.grid.step
-        i, j = np.divmod(cells[where], -(-self.grid.shape[1] // COARSER))
+        side = self.grid.coarser * self.grid.step
+        i, j = np.divmod(cells[where], -(-self.grid.shape[1] // self.grid.coarser))
         u = self.grid.low[0] + side * (i + 0.5)
         v = np.full(len(u), self.grid.v[0]) if self.grid.flat else self.grid.low[1] + side * (j + 0.5)
         uv = np.tile(np.stack([u, v], axis=1), (2, 1))
@@ -136,11 +136,11 @@ class Boundary:
         """
         arcs = self.arcs
         assert arcs is not None
-        rows, columns = (-(-size // COARSER) for size in self.grid.shape)
+        rows, columns = (-(-size // self.grid.coarser) for size in self.grid.shape)
         known = arcs.covered.reshape(rows, columns) > 0.0
         at, width = self._bins()
         covers = arcs.holds(np.arange(rows * columns)[:, None], at[None, :]).reshape(rows, columns, -1)
-        side, low = COARSER * self.grid.step, self.grid.low
+        side, low = self.grid.coarser * self.grid.step, self.grid.low
         edges, spans = [], []
         for axis in range(1 if self.grid.flat else 2):
             last = covers.shape[axis] - 1
@@ -231,7 +231,7 @@ class Boundary:
 
     def _foot_in(self, uv: Floats, at: Floats, point: Floats, foot: Floats) -> Floats:
         """Return the place of a wall nearest to a point, in the filled cells of some coarse cells with their s."""
-        step, steps = self.grid.step, (np.arange(COARSER) - 0.5 * (COARSER - 1)) * self.grid.step
+        step, steps = self.grid.step, (np.arange(self.grid.coarser) - 0.5 * (self.grid.coarser - 1)) * self.grid.step
         du, dv = (each.reshape(-1) for each in np.meshgrid(steps, [0.0] if self.grid.flat else steps))
         fine = uv[:, None, :] + np.stack([du, dv], axis=1)
         cells, on = self.grid.cell_of(fine)
@@ -256,7 +256,7 @@ class Boundary:
         off = np.abs(ends - foot[2])
         if self.joint.revolute:
             off = np.abs(np.remainder(ends - foot[2] + math.pi, math.tau) - math.pi)
-        near = math.tau / BINS if self.joint.revolute else COARSER * self.grid.step
+        near = math.tau / BINS if self.joint.revolute else self.grid.coarser * self.grid.step
         return bool((off <= near).any())
 
     def _in_outline(self, uv: Floats) -> Bools:
@@ -272,7 +272,7 @@ class Boundary:
         return self._coarse(*np.divmod(cells, self.grid.shape[1]))
 
     def _coarse(self, i: Indices, j: Indices) -> Indices:
-        return np.asarray(i // COARSER * -(-self.grid.shape[1] // COARSER) + j // COARSER)
+        return np.asarray(i // self.grid.coarser * -(-self.grid.shape[1] // self.grid.coarser) + j // self.grid.coarser)
 
 
 def with_axis(outline: Outline, grid: Grid) -> Outline:

@@ -11,6 +11,7 @@ Notes 4.83-4.105; Siciliano et al., *Robotics*, 2.12.4.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,10 +20,11 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.kin.arm import Arm
 from armlab.kin.ik.screws import Screws, screws_of
 from armlab.kin.lines import PARALLEL_ANGLE
-from armlab.kin.workspace.first_joint import FULL_TURN
+from armlab.kin.workspace.wrist_turns import within
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
+Indices = NDArray[np.intp]
 
 BLOCK = 65_536
 """Points that are tested at once."""
@@ -76,20 +78,38 @@ class ElbowPoints:
         return found
 
     def _holds(self, points: Floats) -> Bools:
-        local = (points - self.foot) @ self.axes
         found = np.zeros(len(points), dtype=bool)
+        for rows, q1, _, inside in self.ways(points):
+            found[rows] |= inside & within(self.limits[0], q1)
+        return found
+
+    def ways(self, points: Floats) -> Iterator[tuple[Indices, Floats, Floats, Bools]]:
+        """Yield up to four ways to reach points (k, 3) in the world.
+
+        Yields
+        ------
+        rows : ndarray, shape (m,)
+            Which points.
+        q1, bend : ndarray, shape (m,)
+            Angles by which joint 1, and by which joints 2 and 3 together, turn the forearm, rad; see `forearm`.
+        inside : ndarray of bool, shape (m,)
+            Whether joints 2 and 3 can do so inside their limits; joint 1 is not asked.
+        """
+        local = (points - self.foot) @ self.axes
         ahead2 = local[:, 0] ** 2 + local[:, 2] ** 2 - self.beside**2
-        outside = np.flatnonzero(ahead2 >= 0.0)
-        ahead, height = np.sqrt(ahead2[outside]), local[outside, 1]
+        rows = np.flatnonzero(ahead2 >= 0.0)
+        ahead, height = np.sqrt(ahead2[rows]), local[rows, 1]
         # Turning about axis 1 by q1 takes the direction of axis 2 towards the outward one.
-        bearing = local[outside, 2] + 1j * local[outside, 0]
+        bearing = local[rows, 2] + 1j * local[rows, 0]
         for facing in (ahead, -ahead):
             q1 = np.angle(bearing * np.conj(self.beside + 1j * facing))
-            w = facing + 1j * height - self.shoulder
-            for q2, q3, real in self._bent(w):
-                inside = real & self._within(0, q1) & self._within(1, q2) & self._within(2, q3)
-                found[outside] |= inside
-        return found
+            for q2, q3, real in self._bent(facing + 1j * height - self.shoulder):
+                yield rows, q1, q2 + q3, real & within(self.limits[1], q2) & within(self.limits[2], q3)
+
+    def forearm(self, q1: Floats, bend: Floats) -> Floats:
+        """Return by how much the forearm is turned in the world from where all joints are at 0, shape (k, 3, 3)."""
+        about = [_turns(self.axes[:, k], angle) for k, angle in ((1, q1), (2, bend))]
+        return np.asarray(about[0] @ about[1])
 
     def _bent(self, w: NDArray[np.complex128]) -> list[tuple[Floats, Floats, Bools]]:
         """Return (q2, q3, whether the triangle closes) for both elbows."""
@@ -104,11 +124,12 @@ class ElbowPoints:
             found.append((q2, q3, real))
         return found
 
-    def _within(self, joint: int, q: Floats) -> Bools:
-        low, high = self.limits[joint]
-        if high - low >= math.tau - FULL_TURN:
-            return np.ones(q.shape, dtype=bool)
-        return np.asarray(np.mod(q - low, math.tau) <= high - low)
+
+def _turns(axis: Floats, angles: Floats) -> Floats:
+    """Return rotations (k, 3, 3) about a unit vector."""
+    across = np.cross(np.eye(3), axis)
+    c, s = np.cos(angles)[:, None, None], np.sin(angles)[:, None, None]
+    return np.asarray(np.eye(3) + s * across + (1.0 - c) * (across @ across))
 
 
 def elbow_of(arm: Arm) -> ElbowPoints | None:

@@ -66,9 +66,11 @@ class Filling:
         self.around = None if grid.joint.full else Around(grid)
         self._tried: Bools = np.zeros((len(SHIFTS), cells), dtype=bool)
         self._turn = 0
+        self._copies: tuple[Bools, Floats] | None = None
 
     def add(self, q: Floats) -> None:
         """Take configurations (k, n) into account, whichever cells they fall in."""
+        self._copies = None
         coordinates = self.joint.split(self.joint.arm.position(q))
         cells, on = self.grid.cell_of(coordinates[:, :2])
         cells, q, s = cells[on], q[on], coordinates[on, 2]
@@ -80,6 +82,12 @@ class Filling:
         fresh = ~self.filled[cells]
         self.q[cells[fresh]] = q[fresh]
         self.filled[cells[fresh]] = True
+
+    def copies(self) -> tuple[Bools, Floats]:
+        """Return copies of ``filled`` and ``q`` that stay as they are; the same ones until something is added."""
+        if self._copies is None:
+            self._copies = self.filled.copy(), self.q.copy()
+        return self._copies
 
     def sample(self, count: int, rng: np.random.Generator) -> Iterator[None]:
         """Fill cells from random configurations, a piece at a time."""
@@ -130,6 +138,7 @@ class Filling:
             there = error <= AT_CENTRE * self.grid.step
             self.q[target[there]] = q[there]
             self.centred[target[there]] = True
+            self._copies = None
             yield
 
     def _neighbours(self, shift: tuple[int, int], of: Bools, beside: Bools) -> tuple[Indices, Indices]:

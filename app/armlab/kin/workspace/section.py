@@ -18,9 +18,10 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
-from armlab.kin.workspace.around import COARSER, Arcs, Around
+from armlab.kin.workspace.around import Arcs, Around
 from armlab.kin.workspace.boundary import Boundary, To
 from armlab.kin.workspace.crossings import Crossings
+from armlab.kin.workspace.ends import Ends
 from armlab.kin.workspace.filling import SWEEPS, Filling
 from armlab.kin.workspace.first_joint import FirstJoint, first_joint
 from armlab.kin.workspace.nearest import nearest_configuration
@@ -93,8 +94,9 @@ class Section:
         if self.arcs is None:
             return np.where(self.filled, 2.0 * np.pi, 0.0)
         rows, columns = self.filled.shape
-        coarse = self.arcs.covered.reshape(-(-rows // COARSER), -(-columns // COARSER))
-        return np.where(self.filled, np.repeat(np.repeat(coarse, COARSER, 0), COARSER, 1)[:rows, :columns], 0.0)
+        wide = self.grid.coarser
+        coarse = self.arcs.covered.reshape(-(-rows // wide), -(-columns // wide))
+        return np.where(self.filled, np.repeat(np.repeat(coarse, wide, 0), wide, 1)[:rows, :columns], 0.0)
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -110,7 +112,7 @@ class Section:
         """Return which points of the world, shape (..., 3), are reached inside the limits.
 
         Points nearer than a cell to the boundary may be told wrong; where joint 1 is limited and s is counted in cells
-        `COARSER` times as large, nearer than one and a half of those.
+        `Grid.coarser` times as large, nearer than one and a half of those.
         """
         return self.boundary.holds(np.asarray(points, dtype=np.float64))
 
@@ -186,7 +188,10 @@ def _sought(arm: Arm, resolution: int, samples: int, seed: int) -> Iterator[Sect
     crossings = Crossings(filling)
     for _ in crossings.find():
         yield _section(filling, None)
-    yield _section(filling, crossings)
+    ends = None if filling.around is None else Ends(filling)
+    for _ in ends.find() if ends is not None else ():
+        yield _section(filling, None)
+    yield _section(filling, crossings, None if ends is None else ends.arcs())
 
 
 @dataclass(frozen=True)
@@ -217,16 +222,13 @@ def _filled(filling: Filling, samples: int, rng: np.random.Generator) -> Iterato
         yield from filling.centre()
 
 
-def _section(filling: Filling, crossings: Crossings | None) -> Section:
+def _section(filling: Filling, crossings: Crossings | None, arcs: Arcs | None = None) -> Section:
     grid = filling.grid
-    filled = filling.filled.reshape(grid.shape).copy()
-    q = filling.q.reshape(*grid.shape, -1).copy()
+    filled, q = filling.copies()
+    filled, q = filled.reshape(grid.shape), q.reshape(*grid.shape, -1)
     inside = filled if crossings is None else crossings.inside
     rows, columns = grid.shape
     along_u = np.full((rows - 1, columns), 0.5) if crossings is None else crossings.along_u
     along_v = np.full((rows, columns - 1), 0.5) if crossings is None else crossings.along_v
     outline = Outline(grid.u, grid.v, inside, along_u, along_v)
-    around = filling.around
-    # What is known of s is counted in place, and only looked at when no more is added.
-    arcs = None if around is None or crossings is None else around.arcs()
-    return Section(grid, filled, q, outline, around, arcs, crossings is not None)
+    return Section(grid, filled, q, outline, filling.around, arcs, crossings is not None)

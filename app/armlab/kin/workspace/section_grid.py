@@ -25,6 +25,10 @@ PULLS = 24
 MARGIN = 2
 """Empty cells on each side."""
 
+COARSER = {True: 2, False: 3}
+"""Cells along a side of one in which s is counted, by whether (u, v) leave single values of s: intervals need more
+samples."""
+
 PLANAR_FINER = 8
 """A planar arm has one row of cells; they can be as many times finer."""
 
@@ -48,6 +52,8 @@ class Grid:
         Whether the first cells begin on the axis of a joint 1 that turns: nothing is beyond.
     flat : bool
         Whether v is the same everywhere.
+    coarser : int
+        Cells along a side of one in which s is counted.
     """
 
     joint: FirstJoint
@@ -57,6 +63,7 @@ class Grid:
     extremes: Floats
     at_axis: bool
     flat: bool
+    coarser: int
 
     @property
     def u(self) -> Floats:
@@ -118,8 +125,9 @@ def grid_for(joint: FirstJoint, resolution: int, rng: np.random.Generator) -> tu
         first[0] = 0
     cells = np.floor(extremes[:, 1] / step).astype(int) + 1 + MARGIN - first
     low_v = float(extremes[1].mean()) if flat else float(first[1] * step)
+    coarser = COARSER[len(joint.moving) <= (1 if flat else 2)]
     shape = (int(cells[0]), 1 if flat else int(cells[1]))
-    return Grid(joint, step, (float(first[0] * step), low_v), shape, extremes, bool(at_axis), flat), q
+    return Grid(joint, step, (float(first[0] * step), low_v), shape, extremes, bool(at_axis), flat, coarser), q
 
 
 def _pulled_out(joint: FirstJoint, q: Floats, uv: Floats) -> Floats:

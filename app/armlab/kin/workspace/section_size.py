@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.workspace.around import COARSER
 from armlab.kin.workspace.boundary import lonely, with_axis
 from armlab.kin.workspace.crossings import FINE
 from armlab.kin.workspace.extremes import Objective, climbed
@@ -24,8 +23,11 @@ STARTS = 2
 """Cells from which the way to an extreme is begun."""
 
 LOOKED_AT = 256
-SPREAD_TWICE = 1.5
-"""Of what changes with cells of twice the side: counted as an error."""
+FINEST = 1e-3
+"""Of the size: no smaller error is stated but of one number alone; none could be verified."""
+
+SAFETY = 1.0
+"""Of what changes when three of four places are left out: counted as an error."""
 
 RANK = 1e-9
 """Singular values below this part of the largest are zero."""
@@ -72,22 +74,24 @@ def size(section: Section) -> Size:
     """Return the volume that an arm reaches; of a planar arm the area.
 
     Pappus: V = integral of (length of the path on which joint 1 carries a place of the section) over the section, with
-    the boundary inside cells found by inverse kinematics. The error adds what changes when every second cell is left
-    out, what the crossings of the boundary may be off, filled cells that lie too much by themselves to be counted, and
-    one and a half times what changes when s is counted in cells of twice the side: s spreads in a cell as its side, and
-    what it adds is taken off. It says nothing of parts that no search came upon.
+    the boundary inside cells found by inverse kinematics, and what joint 1 covers at one place of each coarse cell.
+
+    The error is an estimate, not a bound: the root mean square of what changes when the outline is known at every
+    second centre alone, and s at every second place, for all such choices, which is some three times what one expects;
+    what the crossings of the boundary may be off; and filled cells that lie too much by themselves to be counted. It
+    says nothing of parts that no search came upon. ``python3 benchmarks volume`` holds it against a judge.
     """
     grid = section.grid
     unit: Literal["m³", "m²"] = "m²" if grid.flat else "m³"
     if dimension(section.joint) < (1 if grid.flat else 2):
         return Size(0.0, 0.0, unit)
-    value = _integral(section, section.outline, section.covered)
-    coarser = _integral(section, _halved(section.outline, grid.flat), section.covered[::2, :: 1 if grid.flat else 2])
-    error = abs(value - coarser) + _edges(section) + _alone(section)
-    if section.arcs is not None and section.around is not None:
-        spread = _integral(section, section.outline, _covered_coarsely(section)) - value
-        value -= spread
-        error += SPREAD_TWICE * abs(spread)
+    pieces = _pieces(section, section.outline)
+    value = pieces.times(section.covered)
+    error = _outlined(section, value) + _edges(section) + _alone(section)
+    if section.arcs is not None:
+        error += _turning(section, pieces, value)
+    if not grid.flat or section.arcs is not None:
+        error = max(error, FINEST * value)
     return Size(value, error, unit)
 
 
@@ -134,27 +138,38 @@ def dimension(joint: FirstJoint) -> int:
     return int((values > RANK * (joint.arm.reach or 1.0)).sum())
 
 
-def _integral(section: Section, outline: Outline, covered: Floats) -> float:
-    """Return the sum over the squares of (path of joint 1) times (piece of the region)."""
+class _Pieces(NamedTuple):
+    """What lies in each square between four centres: its size, or its moment about a joint 1 that turns."""
+
+    sizes: Floats
+    inside: NDArray[np.bool_]
+    flat: bool
+    at_axis: bool
+
+    def times(self, covered: Floats) -> float:
+        """Return the sum over the squares of (path of joint 1) times (piece of the region)."""
+        if self.flat:
+            covered = np.tile(covered, (1, 2))
+        if self.at_axis:
+            covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
+        return float((self.sizes * _mean_inside(covered, self.inside)).sum())
+
+
+def _pieces(section: Section, outline: Outline) -> _Pieces:
     grid = section.grid
-    inside = outline.inside
     if grid.flat:
         # A strip of height 1.
         twice = (1, 2)
         outline = Outline(
             outline.u,
             np.array([0.0, 1.0]),
-            np.tile(inside, twice),
+            np.tile(outline.inside, twice),
             np.tile(outline.along_u, twice),
-            np.full((len(inside), 1), 0.5),
+            np.full((len(outline.inside), 1), 0.5),
         )
-        covered = np.tile(covered, twice)
     whole = with_axis(outline, grid)
-    if grid.at_axis:
-        covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
     area, moment = whole.pieces
-    path = _mean_inside(covered, whole.inside)
-    return float(((moment if section.joint.revolute else area) * path).sum())
+    return _Pieces(moment if section.joint.revolute else area, whole.inside, grid.flat, grid.at_axis)
 
 
 def _mean_inside(covered: Floats, inside: NDArray[np.bool_]) -> Floats:
@@ -164,6 +179,19 @@ def _mean_inside(covered: Floats, inside: NDArray[np.bool_]) -> Floats:
     w = inside.astype(np.float64)
     count = w[:-1, :-1] + w[1:, :-1] + w[:-1, 1:] + w[1:, 1:]
     return np.asarray(total / np.maximum(count, 1.0))
+
+
+def _outlined(section: Section, value: float) -> float:
+    """Return what changes when the outline is known at every second centre alone, a root mean square of all choices."""
+    outline, flat, changes = section.outline, section.grid.flat, []
+    for i in range(2):
+        for j in range(1 if flat else 2):
+            some = Outline(
+                outline.u[i:], outline.v[j:], outline.inside[i:, j:], outline.along_u[i:, j:], outline.along_v[i:, j:]
+            )
+            covered = section.covered[i::2, j :: 1 if flat else 2]
+            changes.append(_pieces(section, _halved(some, flat)).times(covered) - value)
+    return float(np.sqrt(np.mean(np.square(changes))))
 
 
 def _halved(outline: Outline, flat: bool) -> Outline:
@@ -185,7 +213,8 @@ def _edges(section: Section) -> float:
     a, b = section.boundary.edges
     u = 0.5 * (a[:, 0] + b[:, 0]) if section.joint.revolute else np.ones(len(a))
     length = np.ones(len(a)) if section.grid.flat else np.linalg.norm(b - a, axis=1)
-    return float((u * length).sum() * FINE * section.step * section.covered.max())
+    covered = 2.0 * np.pi if section.arcs is None else section.arcs.covered[section.boundary.edge_cells]
+    return float((u * length * covered).sum() * 0.5 * FINE * section.step)
 
 
 def _alone(section: Section) -> float:
@@ -195,10 +224,28 @@ def _alone(section: Section) -> float:
     return float((path * lonely(section.filled, section.outline.inside)).sum() * cell)
 
 
-def _covered_coarsely(section: Section) -> Floats:
-    assert section.around is not None
-    covered, shape = section.around.halved()
+def _turning(section: Section, pieces: _Pieces, value: float) -> float:
+    """Return what changes when s is known in every second coarse cell each way alone, as a root mean square of all."""
+    assert section.arcs is not None
     rows, columns = section.filled.shape
-    side = 2 * COARSER
-    large = np.repeat(np.repeat(covered.reshape(shape), side, 0), side, 1)[:rows, :columns]
-    return np.where(section.filled, large, 0.0)
+    side = section.grid.coarser
+    shape = (-(-rows // side), -(-columns // side))
+    covered = section.arcs.covered.reshape(shape)
+    changes = []
+    for i in range(2):
+        for j in range(1 if section.grid.flat else 2):
+            wide = _spread(covered, i, j, section.grid.flat)
+            fine = np.repeat(np.repeat(wide, side, 0), side, 1)[:rows, :columns]
+            changes.append(pieces.times(np.where(section.filled, fine, 0.0)) - value)
+    return SAFETY * float(np.sqrt(np.mean(np.square(changes))))
+
+
+def _spread(covered: Floats, i: int, j: int, flat: bool) -> Floats:
+    """Return what is covered in cells of twice the side, each as one of its cells says where it is reached."""
+    rows, columns = covered.shape
+    wide = np.zeros((rows + rows % 2, columns + (0 if flat else columns % 2)))
+    wide[:rows, :columns] = covered
+    step = 1 if flat else 2
+    here = wide[i::2, j::step]
+    found = np.repeat(np.repeat(here, 2, 0), step, 1)
+    return np.asarray(np.where(found > 0.0, found, wide)[:rows, :columns])

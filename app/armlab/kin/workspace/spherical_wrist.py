@@ -1,10 +1,16 @@
 """From which directions a spherical wrist brings the tool to a point, for all points at once.
 
-With a wrist that turns freely the wrist centre can be anywhere on the sphere of radius L about the tool point, L the
-distance between the two. So the directions possible at p are the part of this sphere that lies in the workspace W of
-the wrist centre: W convolved with a spherical shell of mass 1. One FFT gives it on a grid of the whole space.
+The wrist centre is at the distance L from the tool point p. A direction d, from the wrist centre to the tool point, is
+possible at p where an arm with the wrist centre at p - L d exists, inside the limits, whose forearm stands so that the
+wrist can turn the tool into d.
 
-What the wrist joints cannot do for their limits is not counted: the fraction is an upper bound then.
+Joint 1 turns all of it. So places in the half plane behind joint 1 are enough, with directions on rings about its axis:
+for each node, ring and angle of the direction there is a word of which each bit is an angle of the node about the axis,
+and says whether the direction is possible there. Words of the nodes a tool's length behind each other are turned into
+place and their bits counted.
+
+Where joint 1 slides, the wrist's own limits are left out: then the part of the sphere about p that lies in the
+workspace W of the wrist centre is counted, W convolved with a spherical shell by FFT, and each share is an upper bound.
 """
 
 from __future__ import annotations
@@ -19,11 +25,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.ik.screws import screws_of
-from armlab.kin.lines import PARALLEL_ANGLE
 from armlab.kin.workspace.approach import spread
-from armlab.kin.workspace.first_joint import FULL_TURN
-from armlab.kin.workspace.wrist_points import WristPoints, finding_wrist_points
+from armlab.kin.workspace.elbow_points import ElbowPoints
+from armlab.kin.workspace.first_joint import FirstJoint, first_joint
+from armlab.kin.workspace.forearms import Forearms, elbow_forearms, rank, sampled_forearms, turned, whole_turn
+from armlab.kin.workspace.half_grid import HalfGrid
+from armlab.kin.workspace.wrist_points import WristPoints, finding_wrist_points, front_of
+from armlab.kin.workspace.wrist_turns import NO_TOOL, WristTurns, turns_freely, within, wrist_turns
 from armlab.kin.wrist import wrist_centre
 
 Floats = NDArray[np.float64]
@@ -40,8 +48,11 @@ SHELL = 20_000
 BLOCK = 24_576
 """Voxels that are tested in one piece of work."""
 
-NO_TOOL = 1e-9
-"""Metres below which the tool point is the wrist centre."""
+RINGS, AROUND, TURNS = 16, 32, 64
+"""Rings of directions about axis 1, of equal areas; directions on each; angles about axis 1, one a bit."""
+
+FOREARMS = 4096
+"""Forearms whose directions are looked up in one piece of work."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,8 +71,10 @@ class Coverage:
         L, metres.
     points : WristPoints
         Where the wrist centre can be.
-    free_wrist : bool
-        Whether the wrist's own limits leave it every orientation; else the fraction is an upper bound.
+    turns : WristTurns
+        What the wrist can do.
+    proper : bool
+        Whether the limits of the wrist are counted, or leave it every orientation; else the fraction is an upper bound.
     finished : bool
         Whether the grid is as fine as was asked for.
     """
@@ -71,7 +84,8 @@ class Coverage:
     fraction: NDArray[np.float32]
     tool: float
     points: WristPoints
-    free_wrist: bool
+    turns: WristTurns
+    proper: bool
     finished: bool = True
 
     @cached_property
@@ -119,7 +133,7 @@ class Coverage:
 def coverage(arm: Arm, resolution: int = RESOLUTIONS[-1]) -> Coverage:
     """Return the fraction of approach directions of an arm with a spherical wrist, everywhere.
 
-    The limits of the joints in front of the wrist are respected, those of the wrist are not (`Coverage.free_wrist`).
+    The limits of all joints are respected, but those of the wrist where joint 1 slides (`Coverage.proper`).
 
     Parameters
     ----------
@@ -151,59 +165,195 @@ def coverages(arm: Arm, resolutions: tuple[int, ...] = RESOLUTIONS) -> Iterator[
     """
     if not all(8 <= resolution <= 256 for resolution in resolutions):
         raise InputError(f"resolution: expected 8 to 256 voxels along an edge, got {list(resolutions)}")
-    centre = wrist_centre(arm)
-    if centre is None:
+    if wrist_centre(arm) is None:
         raise InputError("arm: expected joints in front of a spherical wrist")
-    tool, free = float(np.linalg.norm(centre)), turns_freely(arm)
+    turns, front = wrist_turns(arm), front_of(arm)
+    revolves = bool(front.revolute[0])
     points: WristPoints | None = None
     for found in finding_wrist_points(arm):
         points = found
         yield None
     assert points is not None
     for resolution in resolutions:
-        half = points.radius + tool
-        step = 2.0 * half / (resolution - 2)
+        step = 2.0 * (points.radius + turns.length) / (resolution - 2)
         low = points.centre - 0.5 * resolution * step
-        inside = np.zeros(resolution**3, dtype=np.float32)
-        for start in range(0, resolution**3, BLOCK):
-            index = np.arange(start, min(start + BLOCK, resolution**3))
-            cells = np.stack(np.unravel_index(index, (resolution,) * 3), axis=-1)
-            inside[index] = points.holds(low + (cells + 0.5) * step)
+        pieces = _by_joint_1(front, points, turns, low, step, resolution) if revolves else None
+        fraction = np.zeros((resolution,) * 3, dtype=np.float32)
+        for piece in pieces or _by_shell(points, turns.length, low, step, resolution):
+            fraction = fraction if piece is None else piece
             yield None
-        fraction = inside.reshape((resolution,) * 3)
-        if tool > NO_TOOL:
-            for piece in _convolved(fraction, tool / step):
-                fraction = piece
-                yield None
-        yield Coverage(low, step, fraction, tool, points, free, resolution == resolutions[-1])
+        proper = revolves or turns_freely(arm)
+        yield Coverage(low, step, fraction, turns.length, points, turns, proper, resolution == resolutions[-1])
 
 
-def coverage_at(points: WristPoints, tool: float, where: ArrayLike, count: int = 4096) -> float:
-    """Return the fraction of directions at one point (3,) in the world, metres, from ``count`` of them."""
-    about = np.asarray(where, dtype=np.float64) - tool * spread(count)
-    return float(points.holds(about).mean())
+def coverage_at(found: Coverage, where: ArrayLike, count: int = 4096) -> float:
+    """Return the fraction of directions at one point (3,) in the world, metres, from ``count`` of them.
 
-
-def turns_freely(arm: Arm) -> bool:
-    """Return whether the limits of the last three joints let a spherical wrist take every orientation.
-
-    Its outer joints turn all the way round, and the middle one makes every angle between their axes.
+    Where no closed form tells how the forearm stands, what the grid says about there.
     """
-    first, second, third = screws_of(arm).z[-3:]
-    spans = arm.limits[-3:, 1] - arm.limits[-3:, 0]
-    if min(spans[0], spans[2]) < math.tau - FULL_TURN:
-        return False
-    low, high = arm.limits[-2]
-    along = (first @ second) * (second @ third)
-    across = third - second * (second @ third)
-    x, y = float(first @ across), float(first @ np.cross(second, across))
-    # The cosine of the angle between the outer axes is along + x cos q + y sin q: extreme at the limits, or where its
-    # derivative is zero.
-    turn = math.atan2(y, x)
-    steps = np.arange(math.ceil((low - turn) / math.pi), math.floor((high - turn) / math.pi) + 1)
-    q = np.array([low, high, *(turn + math.pi * steps)])
-    cosine = along + x * np.cos(q) + y * np.sin(q)
-    return bool(cosine.min() <= PARALLEL_ANGLE - 1.0 and cosine.max() >= 1.0 - PARALLEL_ANGLE)
+    directions = spread(count)
+    if not found.proper or found.turns.free:
+        return float(found.points.holds(np.asarray(where) - found.tool * directions).mean())
+    if isinstance(found.points, ElbowPoints):
+        return float(directed(found.points, found.turns, where, directions).mean())
+    return float(found.at(where))
+
+
+def tried_at(found: Coverage, count: int) -> int:
+    """Return of how many directions `coverage_at` speaks when it is asked for ``count``."""
+    by_grid = found.proper and not found.turns.free and not isinstance(found.points, ElbowPoints)
+    return RINGS * AROUND if by_grid else count
+
+
+def directed(elbow: ElbowPoints, turns: WristTurns, where: ArrayLike, directions: Floats) -> NDArray[np.bool_]:
+    """Return which directions (k, 3) an elbow with a wrist brings the tool to a point (3,) in, limits respected."""
+    possible = np.zeros(len(directions), dtype=bool)
+    for rows, q1, bend, inside in elbow.ways(np.asarray(where, dtype=np.float64) - turns.length * directions):
+        some = np.flatnonzero(inside & within(elbow.limits[0], q1))
+        turn = elbow.forearm(q1[some], bend[some])
+        possible[rows[some]] |= turns.allows(np.einsum("kij,ki->kj", turn, directions[rows[some]]))
+    return possible
+
+
+def _by_joint_1(
+    front: Arm, points: WristPoints, turns: WristTurns, low: Floats, step: float, resolution: int
+) -> Iterator[NDArray[np.float32] | None]:
+    """Yield None a piece of work, and at last the fraction at the voxels."""
+    joint = first_joint(front)
+    middle = float(joint.split(points.centre)[1])
+    grid = HalfGrid(middle - 0.5 * (resolution - 1) * step, step, (resolution // 2 + 1, resolution))
+    forearms: Forearms | None = None
+    if isinstance(points, ElbowPoints):
+        forearms = elbow_forearms(front, points, grid)
+    else:
+        for found in sampled_forearms(front, grid):
+            forearms = found
+            yield None
+    assert forearms is not None
+    words = np.zeros((grid.shape[0] * grid.shape[1], RINGS * AROUND), dtype=np.uint64)
+    for _ in _noted(words, forearms, turns, joint.high - joint.low):
+        yield None
+    counts: NDArray[np.float32] | None = None
+    for share in _counted(words.reshape(*grid.shape, RINGS, AROUND), turns.length / step):
+        counts = share
+        yield None
+    assert counts is not None
+    yield from _at_voxels(counts, grid, joint, low, step, resolution)
+
+
+def _ring_directions() -> NDArray[np.float32]:
+    """Return directions (3, RINGS * AROUND), those of a ring one after the other."""
+    height = 1.0 - (2.0 * np.arange(RINGS) + 1.0) / RINGS
+    across, angle = np.sqrt(1.0 - height**2), np.arange(AROUND) * (math.tau / AROUND)
+    x, y = across[:, None] * np.cos(angle), across[:, None] * np.sin(angle)
+    return np.stack([x, y, np.broadcast_to(height[:, None], x.shape)]).reshape(3, -1).astype(np.float32)
+
+
+def _noted(words: NDArray[np.uint64], forearms: Forearms, turns: WristTurns, stroke: float) -> Iterator[None]:
+    """Set the bits of what each forearm makes possible, for directions as seen from the half plane of its node."""
+    directions, masks = _ring_directions(), whole_turn(forearms.start, stroke, TURNS)
+    order = rank(forearms.node)
+    for k in range(int(order.max(initial=-1)) + 1):
+        of_rank = np.flatnonzero(order == k)
+        for begin in range(0, len(of_rank), FOREARMS):
+            some = of_rank[begin : begin + FOREARMS]
+            # The direction in the axes of the forearm: turn^T d.
+            local = np.einsum("kji,jd->ikd", forearms.turn[some].astype(np.float32), directions, optimize=True)
+            words[forearms.node[some]] |= np.where(turns.looked_up(local), masks[some, None], np.uint64(0))
+            yield
+
+
+def _counted(words: NDArray[np.uint64], length: float) -> Iterator[NDArray[np.float32] | None]:
+    """Yield None a piece of work, and at last the share of directions, (U, V, TURNS); the tool's length in steps."""
+    U, V = words.shape[:2]
+    u = np.arange(U)[:, None]
+    psi = np.arange(AROUND) * (math.tau / AROUND)
+    planes = [np.zeros((U, V), dtype=np.uint64) for _ in range((RINGS * AROUND).bit_length())]
+    number = 0
+    by_ring = np.ascontiguousarray(words.transpose(2, 3, 0, 1))
+    yield None
+    for ring in range(RINGS):
+        height = 1.0 - (2.0 * ring + 1.0) / RINGS
+        across = length * math.sqrt(1.0 - height * height)
+        x, y = u - across * np.cos(psi), -across * np.sin(psi)
+        behind, turn = np.minimum(np.rint(np.hypot(x, y)).astype(int), U - 1), np.arctan2(y, x)
+        seen = np.mod(np.rint((psi - turn) * (AROUND / math.tau)).astype(int), AROUND)
+        by = np.mod(np.rint(turn * (TURNS / math.tau)).astype(int), TURNS).astype(np.uint64)
+        shift = round(length * height)
+        to, source = slice(max(shift, 0), V + min(shift, 0)), slice(max(-shift, 0), V - max(shift, 0))
+        for k in range(AROUND):
+            found = np.zeros((U, V), dtype=np.uint64)
+            found[:, to] = by_ring[ring, seen[:, k], behind[:, k], source]
+            number += 1
+            _add(planes, turned(found, by[:, k, None]), number)
+        yield None
+    total = np.zeros((U, V, TURNS), dtype=np.float32)
+    for power, plane in enumerate(planes):
+        bits = np.unpackbits(plane.view(np.uint8).reshape(U, V, 8), axis=-1, bitorder="little")
+        total += np.float32(2**power / (RINGS * AROUND)) * bits
+    yield total
+
+
+def _add(planes: list[NDArray[np.uint64]], carry: NDArray[np.uint64], number: int) -> None:
+    """Add a bit to each counter; the bits of the counters lie in planes, and none is above ``number``."""
+    for plane in planes[: number.bit_length()]:
+        after = plane & carry
+        plane ^= carry
+        carry = after
+
+
+def _at_voxels(
+    counts: NDArray[np.float32], grid: HalfGrid, joint: FirstJoint, low: Floats, step: float, resolution: int
+) -> Iterator[NDArray[np.float32] | None]:
+    """Yield None a piece of work, and at last what is between the nodes, at the centres of voxels."""
+    U, V, turns = counts.shape
+    flat = counts.reshape(-1) if not joint.full else counts[:, :, 0].reshape(-1)
+    turns = turns if not joint.full else 1
+    result = np.zeros(resolution**3, dtype=np.float32)
+    for start in range(0, resolution**3, BLOCK):
+        index = np.arange(start, min(start + BLOCK, resolution**3))
+        cells = np.stack(np.unravel_index(index, (resolution,) * 3), axis=-1)
+        u, v, s = np.moveaxis(joint.split(low + (cells + 0.5) * step), -1, 0)
+        total = np.zeros(len(index))
+        for i, wi in _beside(u / step, U):
+            for j, wj in _beside((v - grid.low) / step, V):
+                for k, wk in (
+                    _beside(np.mod(s, math.tau) * (turns / math.tau), turns, True) if turns > 1 else [(0, 1.0)]
+                ):
+                    total += wi * wj * wk * flat[(i * V + j) * turns + k]
+        result[index] = total
+        yield None
+    yield result.reshape((resolution,) * 3)
+
+
+def _beside(at: Floats, count: int, around: bool = False) -> list[tuple[NDArray[np.intp], Floats]]:
+    """Return the nodes on both sides of places, with their weights; none beyond the last."""
+    below = np.floor(at).astype(np.intp)
+    part = at - below
+    if around:
+        return [(np.mod(below, count), 1.0 - part), (np.mod(below + 1, count), part)]
+    return [
+        (np.clip(node, 0, count - 1), np.where((node >= 0) & (node < count), weight, 0.0))
+        for node, weight in ((below, 1.0 - part), (below + 1, part))
+    ]
+
+
+def _by_shell(
+    points: WristPoints, tool: float, low: Floats, step: float, resolution: int
+) -> Iterator[NDArray[np.float32] | None]:
+    """Yield None a piece of work, and at last the fraction at the voxels, the wrist's own limits left out."""
+    inside = np.zeros(resolution**3, dtype=np.float32)
+    for start in range(0, resolution**3, BLOCK):
+        index = np.arange(start, min(start + BLOCK, resolution**3))
+        cells = np.stack(np.unravel_index(index, (resolution,) * 3), axis=-1)
+        inside[index] = points.holds(low + (cells + 0.5) * step)
+        yield None
+    fraction = inside.reshape((resolution,) * 3)
+    if tool > NO_TOOL:
+        for piece in _convolved(fraction, tool / step):
+            fraction = piece
+            yield None
+    yield fraction
 
 
 def _convolved(inside: NDArray[np.float32], radius: float) -> Iterator[NDArray[np.float32]]:

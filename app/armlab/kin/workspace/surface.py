@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.kin.workspace.around import COARSER
 from armlab.kin.workspace.section import Section
 
 Floats = NDArray[np.float64]
@@ -97,7 +96,8 @@ def _intervals(section: Section, place: Floats) -> list[tuple[float, float]]:
     rows, columns = section.filled.shape
     i = int(np.clip(np.rint((place[0] - section.u[0]) / section.step), 0, rows - 1))
     j = int(np.clip(np.rint((place[1] - section.v[0]) / section.step), 0, columns - 1))
-    cell = i // COARSER * -(-columns // COARSER) + j // COARSER
+    wide = section.grid.coarser
+    cell = i // wide * -(-columns // wide) + j // wide
     pairs = zip(section.arcs.start[cell].tolist(), section.arcs.length[cell].tolist(), strict=True)
     return [(start, length) for start, length in pairs if length > 0.0]
 
@@ -107,8 +107,9 @@ def _walls(section: Section) -> Floats:
     arcs = section.arcs
     if arcs is None:
         return np.zeros((0, 4, 3))
-    columns = -(-section.filled.shape[1] // COARSER)
-    side, u0, v0 = COARSER * section.step, section.u[0] - 0.5 * section.step, section.v[0] - 0.5 * section.step
+    wide = section.grid.coarser
+    columns = -(-section.filled.shape[1] // wide)
+    side, u0, v0 = wide * section.step, section.u[0] - 0.5 * section.step, section.v[0] - 0.5 * section.step
     cells, which = np.nonzero((arcs.length > 0.0) & (arcs.length < arcs.period * (1.0 - 1e-9)))
     u, v = u0 + side * (cells // columns), v0 + side * (cells % columns)
     found = []
@@ -132,10 +133,10 @@ def _near_walls(section: Section, split: Floats, width: float) -> Bools:
     arcs = section.arcs
     if arcs is None:
         return np.zeros(len(split), dtype=bool)
-    rows, columns = section.filled.shape
-    i = np.clip(np.rint((split[:, 0] - section.u[0]) / section.step), 0, rows - 1).astype(int) // COARSER
-    j = np.clip(np.rint((split[:, 1] - section.v[0]) / section.step), 0, columns - 1).astype(int) // COARSER
-    cell = i * -(-columns // COARSER) + j
+    (rows, columns), wide = section.filled.shape, section.grid.coarser
+    i = np.clip(np.rint((split[:, 0] - section.u[0]) / section.step), 0, rows - 1).astype(int) // wide
+    j = np.clip(np.rint((split[:, 1] - section.v[0]) / section.step), 0, columns - 1).astype(int) // wide
+    cell = i * -(-columns // wide) + j
     start, length = arcs.start[cell], arcs.length[cell]
     limited = (length > 0.0) & (length < arcs.period * (1.0 - 1e-9))
     away = np.full(len(split), np.inf)

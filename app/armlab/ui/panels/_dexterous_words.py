@@ -213,20 +213,23 @@ def _wrist_words(found: Study, units: Units) -> str:
     assert wrist is not None
     body = "a closed form" if wrist.points.exact else "a table of samples"
     size = measured.with_error(Size(wrist.volume, wrist.volume_error, "m³"))
-    of = "WS₂, all directions" if wrist.free_wrist else "WS₂ without wrist limits"
+    of = "WS₂, all directions" if wrist.proper else "WS₂ without wrist limits"
+    most = float(wrist.fraction.max())
     rows = [
         (of, size if wrist.volume > 0.0 else "none"),
+        ("Largest share", f"{'about' if wrist.proper else 'at most'} {_percent(most)}"),
         ("Wrist centre to tool", units.length(wrist.tool)),
         ("Voxels", f"{wrist.fraction.shape[0]}³ of {units.length(wrist.step)}"),
     ]
-    limits = (
-        "The wrist turns freely."
-        if wrist.free_wrist
-        else "The limits of the wrist's own joints are left out: each share is an upper bound, up to the voxels."
-    )
+    if not wrist.proper:
+        counted = "The limits of the wrist's own joints are left out: each share is an upper bound, up to the voxels."
+    elif wrist.turns.free:
+        counted = "All joint limits are counted; the wrist turns freely."
+    else:
+        counted = "All joint limits are counted, those of the wrist too."
     return pairs(rows) + (
-        '<p class="dim">The share of the sphere about the tool point on which the wrist centre can be, by convolution. '
-        f"Where the wrist centre can be is {body}, with the limits of the joints in front. {limits}</p>"
+        '<p class="dim">The share of the directions from the wrist centre to the tool point, the roll about them not '
+        f"counted. Where the wrist centre can be is {body}. {counted}</p>"
     )
 
 
@@ -248,7 +251,7 @@ def _at_tool(here: AtTool, found: Study) -> str:
     if math.isnan(here.value):
         return "nothing was met in its cell"
     if found.wrist is not None:
-        most = "" if found.wrist.free_wrist else "at most "
+        most = "" if found.wrist.proper else "at most "
         return f"{most}{_percent(here.value)} of the directions, of {here.of} tried"
     if never_turns(found.question.arm):
         return "one orientation, as everywhere"

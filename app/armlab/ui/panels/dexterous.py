@@ -51,7 +51,7 @@ TITLES = {
     "count": "Solutions",
 }
 
-HINTS = "How orientations are found: by a formula, by convolution, from samples; or how many solutions there are"
+HINTS = "How orientations are found: by a formula, by the wrist, from samples; or how many solutions there are"
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
