@@ -106,7 +106,6 @@ def covered_of_3r(arm, resolution=2000):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_areas_of_arms_with_a_limited_joint_1_are_within_their_stated_error_and_that_below_a_percent(seed):
-    """At the resolution of these tests the first of them were off by up to 2 %, with errors stated up to 6 %."""
     rng = np.random.default_rng(seed)
     span, middle = rng.uniform([0.5, 0.5, 0.5], [3.0, 4.0, 4.0]), rng.uniform(-3, 3, 3)
     arm = planar(rng.uniform(0.3, 1.0, 3), limits=np.stack([middle - span / 2, middle + span / 2], axis=1))

@@ -89,8 +89,8 @@ class Ends:
     def arcs(self) -> Arcs:
         """Return what joint 1 makes of the runs, for all coarse cells."""
         order = np.argsort(self.least, axis=1)
-        runs = (np.take_along_axis(each, order, axis=1) for each in (self.least, self.most))
-        arcs = arcs_of(*runs, self.joint)
+        least, most = (np.take_along_axis(each, order, axis=1) for each in (self.least, self.most))
+        arcs = arcs_of(least, most, self.joint)
         shape = self.around.shape[0] * self.around.shape[1]
         start, length = np.zeros((shape, MOST_ARCS)), np.full((shape, MOST_ARCS), -1.0)
         covered = np.zeros(shape)
@@ -168,7 +168,7 @@ class Ends:
         nearest, empty = np.argmin(away, axis=1), np.argmax(high < low, axis=1)
         # What is far from all runs is another one, as long as there is room.
         far = (away.min(axis=1) > APART) & (high < low).any(axis=1)
-        return np.where(far, empty, nearest)
+        return np.asarray(np.where(far, empty, nearest))
 
 
 def along(joint: FirstJoint, q: Floats, places: Floats, wanted: Floats) -> Floats:

@@ -82,18 +82,18 @@ def sampled_forearms(front: Arm, grid: HalfGrid) -> Iterator[Forearms | None]:
         kept.append(q[some])
         yield None
     key, first = np.unique(np.concatenate(keys), return_index=True)
-    q, node = np.concatenate(kept)[first].astype(np.float64), key // COARSE**6
-    q[:, 1:] = np.clip(q[:, 1:], *front.limits[1:].T)
-    there = np.zeros(len(q), dtype=bool)
+    pulled, node = np.concatenate(kept)[first].astype(np.float64), key // COARSE**6
+    pulled[:, 1:] = np.clip(pulled[:, 1:], *front.limits[1:].T)
+    there = np.zeros(len(pulled), dtype=bool)
     places = grid.places.reshape(-1, 2)
     yield None
-    for begin in range(0, len(q), PULLED):
-        some = slice(begin, begin + PULLED)
+    for begin in range(0, len(pulled), PULLED):
+        block = slice(begin, begin + PULLED)
         tolerance = THERE * grid.step
-        q[some], error = pull(joint, q[some], places[node[some]], tolerance, iterations=PULLS)
-        there[some] = error <= tolerance
+        pulled[block], error = pull(joint, pulled[block], places[node[block]], tolerance, iterations=PULLS)
+        there[block] = error <= tolerance
         yield None
-    _, turn, s, _ = _stands(front, q[there], grid)
+    _, turn, s, _ = _stands(front, pulled[there], grid)
     yield Forearms(node[there], turn, s + joint.low)
 
 

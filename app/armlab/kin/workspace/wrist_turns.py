@@ -102,7 +102,7 @@ class WristTurns:
     def looked_up(self, directions: NDArray[np.floating]) -> Bools:
         """Return about what `allows` does, from the table: unit vectors (3, ...), components first."""
         at = np.minimum((directions * (0.5 * SIDE) + 0.5 * SIDE).astype(np.int32), SIDE - 1)
-        return self.table[(at[0] * SIDE + at[1]) * SIDE + at[2]]
+        return np.asarray(self.table[(at[0] * SIDE + at[1]) * SIDE + at[2]])
 
 
 def within(limits: Floats, q: Floats) -> Bools:
