@@ -23,8 +23,8 @@ from rounds import quantile, sized
 from support.fake_browser import CAMERA, FakeBrowser, cookie_of
 
 TITLE = "Strangers: random frames and requests beside a student who drags"
-FRAMES = sized(100_000, 400)
-REQUESTS = sized(2_000, 20)
+FRAMES = sized(20_000, 400)
+REQUESTS = sized(1_000, 20)
 STRANGERS = sized(20, 2)
 SEED = 13
 TOGETHER = 40

@@ -250,12 +250,18 @@ def changed(i, **cells):
     return of_rows([replace(row, **cells) if k == i else row for k, row in enumerate(ROWS, start=1)])
 
 
+def test_degrees_written_as_radians_are_named_where_they_are_less_than_a_turn():
+    asked = check(R3.replace("alpha_deg = 90", "alpha_deg = 3"))
+    rows = [replace(ROWS[0], alpha=3.0), *ROWS[1:]]
+    assert not asked.is_met(of_rows(rows))
+    assert "Row 1, α: this is the value in degrees, not in radians." in asked.says(of_rows(rows))
+
+
 @pytest.mark.parametrize(
     ("cells", "says"),
     [
         ({"i": 1, "alpha": -math.pi / 2}, "Row 1, α: the sign is the other one."),
         ({"i": 1, "alpha": math.radians(math.pi / 2)}, "Row 1, α: this is the value in radians where degrees"),
-        ({"i": 1, "alpha": 90.0}, "Row 1, α: this is the value in degrees, not in radians."),
         ({"i": 1, "d": 600.0}, "Row 1, d: this is the value in millimetres, not in metres."),
         ({"i": 1, "d": 0.0006}, "Row 1, d: this is a thousandth"),
         ({"i": 1, "a": 0.6, "d": 0.0}, "Row 1, a: a and d have changed places."),

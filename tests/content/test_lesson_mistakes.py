@@ -53,7 +53,7 @@ BROKEN = [
         "The hand is at",
         "introduction: the live value 'q3' is not there for this arm: the arm has 2",
     ),
-    ("{{px}}", "{{px", "The hand is at", "introduction: unknown live value"),
+    ("{{px}}", "{{px", "The hand is at", r"introduction: expected \}\} after \{\{px, the determinant"),
     ("{{=reach : .2f}}", "{{=reech : .2f}}", "The hand is at", "unknown name 'reech'; did you mean 'reach'"),
     ("{{=reach : .2f}}", "{{=reach : 2q}}", "The hand is at", "expected a form such as .2f"),
     ("{{=reach : .2f}}", "{{=side : .2f}}", "The hand is at", "'left' is a text and takes no form"),

@@ -10,7 +10,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.kin import ik
-from armlab.kin.motion import ToolPath, Trajectory, coordinated, follow, held, law_type, law_types, path_type
+from armlab.kin.motion import Limits, ToolPath, Trajectory, coordinated, follow, held, law_type, law_types, path_type
 from armlab.kin.velocity import determinant, singularities, subspaces
 from armlab.kin.workspace import section, size
 
@@ -70,9 +70,10 @@ def results():
     yield "singularities", singularities(arm, np.zeros(6))
     yield "subspaces", subspaces(arm.jacobian(Q))
     yield "determinant", determinant(arm)
-    for law in law_types():
-        yield f"trajectory, {law}", Trajectory(path, law_type(law).law(duration=2.0))
-    yield "coordinated", coordinated(Q, Q + 1.0, v_max=1.0, a_max=1.0)
+    limits = Limits(velocity=1.0, acceleration=2.0, jerk=10.0)
+    for law, kind in law_types().items():
+        yield f"trajectory, {law}", Trajectory(path, kind.along(path, limits, jumps=True))
+    yield "coordinated", coordinated(Q, Q + 1.0, limits=limits, jumps=True)
     start, end = small.position([0.3, 1.0]), small.position([0.5, 1.4])
     yield "followed", follow(small, ToolPath(path_type("line").path([start, end]), held(np.eye(3))), s=20)
 
