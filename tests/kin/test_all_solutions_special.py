@@ -134,6 +134,17 @@ def test_two_solutions_near_each_other_are_two(key, gap):
         assert 0.3 * gap < away[1] < 5.0 * gap
 
 
+def test_a_wrist_that_is_straight_but_for_a_nanoradian_hides_nothing():
+    """Its last angle then comes from parts of vectors of 1e-9, and here the elbow is nearly folded, too."""
+    arm = catalogue()["ur10_notes"].arm
+    q = np.array([-1.960795944164644, 2.05025386665724, 0.549362085116783, 4.476897910822949, -8.57e-10, -0.035])
+    for wrist in (-8.57e-10, 2e-10, 1e-8, 3e-7):
+        q[4] = wrist
+        found = solve_all(arm, arm.fk(q))
+        assert np.abs(found.q[:, 0] - q[0]).min() < 1e-6
+        assert found.completeness != "complete" or contains(arm, found.q, q, 1e-4)
+
+
 def test_where_two_solutions_merge_one_is_listed():
     arm = catalogue()["planar_2r"].arm
     assert len(solve_all(arm, arm.fk([0.4, 0.0]))) == 1
