@@ -1,6 +1,7 @@
 """What is said of all solutions at special poses and of special arms: complete, infinitely many, none. All true."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -161,6 +162,30 @@ def test_a_pose_typed_with_eight_decimals_for_a_stretched_arm_is_reached_by_both
         found = solve_all(arm, T)
         assert contains(arm, found.q, q, 1e-3)
         assert worst_error(arm, found.q, T) < REACHED_M
+
+
+@pytest.mark.parametrize("width", [1e-3, 3e-2])
+def test_a_family_of_a_straight_wrist_is_shown_inside_narrow_limits(width):
+    """Listed are members every 45 degrees; within a degree there is one that no list of them has."""
+    arm, q = catalogue()["puma560"].arm, np.array([0.3, 0.4, 0.5, 0.37, 0.0, 0.2])
+    narrow = replace(arm, limits=np.stack([q - 0.3 * width, q + 0.7 * width], axis=1))
+    T = np.asarray(arm.fk(q))
+    found = solve_all(narrow, T)
+    assert found.completeness == "infinite"
+    assert found.within_limits.any()
+    assert worst_error(arm, found.q, T) < 1e-9
+
+
+def test_a_double_root_at_a_limit_is_inside():
+    """Rounding moves it by 1e-8, which is outside limits that end there."""
+    arm, q = catalogue()["ur10e"].arm, np.radians([-45.0, 0.0, 180.0, -90.0, -90.0, -90.0])
+    T = np.asarray(arm.fk(q))
+    width = np.array([0.003, 0.03, 0.01, 0.02, 0.01, 0.03])
+    for side in (0.0, 1.0):
+        narrow = replace(arm, limits=np.stack([q - side * width, q + (1.0 - side) * width], axis=1))
+        found = solve_all(narrow, T)
+        assert found.within_limits.sum() == 1
+        assert worst_error(arm, found.q, T) < 1e-9
 
 
 def test_how_far_out_of_reach_is_said():
