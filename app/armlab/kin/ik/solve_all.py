@@ -118,7 +118,7 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     why = f"{form.title}: {why}"
     if some.rows and found.families and _is_family(arm, T, some.rows):
         return Answer(some.rows, "infinite", " ".join(found.families), form.key, why)
-    # Values of a free joint that were tried and led to none, as for a wrist that is only nearly straight, prove nothing.
+    # Values of a free joint that were tried and led to none, as for a nearly straight wrist, prove nothing.
     if some.doubtful or (some.rows and (found.families or found.sampled)):
         if _is_general(arm):
             return _by_elimination(arm, T, f"{why} Branches merge at this pose or nearly: solved as a general 6R.")
