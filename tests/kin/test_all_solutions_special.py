@@ -135,6 +135,42 @@ def test_two_solutions_near_each_other_are_two(key, gap):
         assert 0.3 * gap < away[1] < 5.0 * gap
 
 
+def test_two_solutions_of_one_flat_valley_are_two():
+    """Between them, 2e-5 rad apart, the error is 4e-13: a Newton step from there leads far out before it comes back."""
+    table = [
+        (0.0, H, 0.19163226741930317),
+        (0.0, H, -0.19956488729206345),
+        (0.4602996818173577, -H, 0.4695077009830575),
+        (-0.07578421121243983, -H, 0.0),
+        (0.0, -H, 0.7179613097248765),
+        (-0.5748595284510465, 0.0, 0.41758501836741346),
+    ]
+    arm = Arm.from_dh([("R", a, alpha, d, 0.0) for a, alpha, d in table], task="pose")
+    q = np.array([1.66921528508314, -0.00865982837418373, 1.4451241389555205, -1.935731540189043, 1.0418052026048263,
+                  -1.0813376797164078])  # fmt: skip
+    found = solve_all(arm, arm.fk(q))
+    away = np.sort(apart(arm, found.q, q))
+    # Known to the rounding over the singular value 1e-7.
+    assert away[0] < 1e-7
+    assert 1e-5 < away[1] < 1.5e-5
+
+
+def test_two_solutions_that_rounding_hardly_tells_apart_are_one():
+    """Half-way between them, 3e-7 rad apart, the error is some ten roundings."""
+    numbers = [
+        (8.033470360243704e-08, 1.570796387639008, 0.9070892516602884),
+        (-0.4454345584080685, -1.5707963825687705, 6.595277493838439e-08),
+        (0.2191217821695391, 1.5707962535123319, -3.062825405099281e-08),
+        (0.9568093876655797, 1.5707962830279627, 1.8547568214099707e-08),
+        (7.162917770693687e-08, -1.5707963144237262, -0.6812657106189365),
+        (-0.3176568519686602, -1.5707962702330025, 6.236899167807265e-08),
+    ]
+    arm = Arm.from_dh([("R", a, alpha, d, 0.0) for a, alpha, d in numbers], task="pose")
+    q = np.array([H, H, math.pi, -H, H, 0.0])
+    found = solve_all(arm, arm.fk(q))
+    assert (apart(arm, found.q, q) < 1e-3).sum() == 1
+
+
 def test_a_wrist_that_is_straight_but_for_a_nanoradian_hides_nothing():
     """Its last angle then comes from parts of vectors of 1e-9, and here the elbow is nearly folded, too."""
     arm = catalogue()["ur10_notes"].arm
