@@ -12,6 +12,7 @@ from armlab.kin.ik.general_6r import search_of, solve_general
 from armlab.kin.ik.problem import REACHED_M, REACHED_RAD
 from armlab.kin.ik.solve import solve
 from armlab.kin.ik.solve_all import solve_all
+from armlab.kin.rotations import rotation_from_axis_angle
 from support.solutions import apart, contains, no_duplicates, worst_error
 
 H = math.pi / 2
@@ -222,6 +223,23 @@ def test_a_double_root_at_a_limit_is_inside():
         found = solve_all(narrow, T)
         assert found.within_limits.sum() == 1
         assert worst_error(arm, found.q, T) < 1e-9
+
+
+@pytest.mark.parametrize("size", [1e-7, 4e-7, 5.5e-7, 6e-7])
+def test_where_branches_merge_just_beyond_a_pose_every_one_of_them_is_listed(size):
+    """Pushed off a stretched elbow by less than counts as reached, by a way and a turn at once; both shoulders."""
+    arm = catalogue()["tx60"].arm
+    q = np.array(
+        [-1.0347946141629303, -2.2048536858479606, 0.0, -2.549761780868626, 0.52447204165695, 3.04035367923579]
+    )
+    T, L = np.asarray(arm.fk(q)).copy(), arm.length_scale
+    lost = np.linalg.svd(np.asarray(arm.jacobian(q)) / np.repeat([L, 1.0], 3)[:, None])[0][:, -1]
+    lost = lost * math.copysign(size, lost[:3] @ T[:3, 3])
+    T[:3, 3] += L * lost[:3]
+    T[:3, :3] = rotation_from_axis_angle(lost[3:] / np.linalg.norm(lost[3:]), np.linalg.norm(lost[3:])) @ T[:3, :3]
+    found = solve_all(arm, T)
+    assert len(found) == 4
+    assert apart(arm, found.q, q).min() < 1e-3
 
 
 def test_how_far_out_of_reach_is_said():

@@ -132,11 +132,13 @@ def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = N
         Of the largest singular value: along directions with smaller ones the arm can hardly move its tool.
     steps : int
     """
-    found, best = q.copy(), np.full(len(q), np.inf)
+    found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
     for _ in range(steps):
         errors, columns, sizes = errors_and_columns(links, q, hands)
-        better = sizes < best
-        found[better], best[better] = q[better], sizes[better]
+        # Steps make the sum of squares least, and may make the largest entry grow.
+        squares = (errors * errors).sum(axis=1) + (sizes >= 1.0)
+        better = squares < least
+        found[better], best[better], least[better] = q[better], sizes[better], squares[better]
         if not (best > EXACT).any():
             break
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
