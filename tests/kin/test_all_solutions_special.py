@@ -1,6 +1,7 @@
 """What is said of all solutions at special poses and of special arms: complete, infinitely many, none. All true."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from armlab.kin.ik.general_6r import search_of, solve_general
 from armlab.kin.ik.problem import REACHED_M, REACHED_RAD
 from armlab.kin.ik.solve import solve
 from armlab.kin.ik.solve_all import solve_all
+from armlab.kin.rotations import rotation_from_axis_angle
 from support.solutions import apart, contains, no_duplicates, worst_error
 
 H = math.pi / 2
@@ -134,6 +136,53 @@ def test_two_solutions_near_each_other_are_two(key, gap):
         assert 0.3 * gap < away[1] < 5.0 * gap
 
 
+def test_two_solutions_of_one_flat_valley_are_two():
+    """Between them, 2e-5 rad apart, the error is 4e-13: a Newton step from there leads far out before it comes back."""
+    table = [
+        (0.0, H, 0.19163226741930317),
+        (0.0, H, -0.19956488729206345),
+        (0.4602996818173577, -H, 0.4695077009830575),
+        (-0.07578421121243983, -H, 0.0),
+        (0.0, -H, 0.7179613097248765),
+        (-0.5748595284510465, 0.0, 0.41758501836741346),
+    ]
+    arm = Arm.from_dh([("R", a, alpha, d, 0.0) for a, alpha, d in table], task="pose")
+    q = np.array([1.66921528508314, -0.00865982837418373, 1.4451241389555205, -1.935731540189043, 1.0418052026048263,
+                  -1.0813376797164078])  # fmt: skip
+    found = solve_all(arm, arm.fk(q))
+    away = np.sort(apart(arm, found.q, q))
+    # Known to the rounding over the singular value 1e-7.
+    assert away[0] < 1e-7
+    assert 1e-5 < away[1] < 1.5e-5
+
+
+def test_two_solutions_that_rounding_hardly_tells_apart_are_one():
+    """Half-way between them, 3e-7 rad apart, the error is some ten roundings."""
+    numbers = [
+        (8.033470360243704e-08, 1.570796387639008, 0.9070892516602884),
+        (-0.4454345584080685, -1.5707963825687705, 6.595277493838439e-08),
+        (0.2191217821695391, 1.5707962535123319, -3.062825405099281e-08),
+        (0.9568093876655797, 1.5707962830279627, 1.8547568214099707e-08),
+        (7.162917770693687e-08, -1.5707963144237262, -0.6812657106189365),
+        (-0.3176568519686602, -1.5707962702330025, 6.236899167807265e-08),
+    ]
+    arm = Arm.from_dh([("R", a, alpha, d, 0.0) for a, alpha, d in numbers], task="pose")
+    q = np.array([H, H, math.pi, -H, H, 0.0])
+    found = solve_all(arm, arm.fk(q))
+    assert (apart(arm, found.q, q) < 1e-3).sum() == 1
+
+
+def test_a_wrist_that_is_straight_but_for_a_nanoradian_hides_nothing():
+    """Its last angle then comes from parts of vectors of 1e-9, and here the elbow is nearly folded, too."""
+    arm = catalogue()["ur10_notes"].arm
+    q = np.array([-1.960795944164644, 2.05025386665724, 0.549362085116783, 4.476897910822949, -8.57e-10, -0.035])
+    for wrist in (-8.57e-10, 2e-10, 1e-8, 3e-7):
+        q[4] = wrist
+        found = solve_all(arm, arm.fk(q))
+        assert np.abs(found.q[:, 0] - q[0]).min() < 1e-6
+        assert found.completeness != "complete" or contains(arm, found.q, q, 1e-4)
+
+
 def test_where_two_solutions_merge_one_is_listed():
     arm = catalogue()["planar_2r"].arm
     assert len(solve_all(arm, arm.fk([0.4, 0.0]))) == 1
@@ -150,6 +199,47 @@ def test_a_pose_typed_with_eight_decimals_for_a_stretched_arm_is_reached_by_both
         found = solve_all(arm, T)
         assert contains(arm, found.q, q, 1e-3)
         assert worst_error(arm, found.q, T) < REACHED_M
+
+
+@pytest.mark.parametrize("width", [1e-3, 3e-2])
+def test_a_family_of_a_straight_wrist_is_shown_inside_narrow_limits(width):
+    """Listed are members every 45 degrees; within a degree there is one that no list of them has."""
+    arm, q = catalogue()["puma560"].arm, np.array([0.3, 0.4, 0.5, 0.37, 0.0, 0.2])
+    narrow = replace(arm, limits=np.stack([q - 0.3 * width, q + 0.7 * width], axis=1))
+    T = np.asarray(arm.fk(q))
+    found = solve_all(narrow, T)
+    assert found.completeness == "infinite"
+    assert found.within_limits.any()
+    assert worst_error(arm, found.q, T) < 1e-9
+
+
+def test_a_double_root_at_a_limit_is_inside():
+    """Rounding moves it by 1e-8, which is outside limits that end there."""
+    arm, q = catalogue()["ur10e"].arm, np.radians([-45.0, 0.0, 180.0, -90.0, -90.0, -90.0])
+    T = np.asarray(arm.fk(q))
+    width = np.array([0.003, 0.03, 0.01, 0.02, 0.01, 0.03])
+    for side in (0.0, 1.0):
+        narrow = replace(arm, limits=np.stack([q - side * width, q + (1.0 - side) * width], axis=1))
+        found = solve_all(narrow, T)
+        assert found.within_limits.sum() == 1
+        assert worst_error(arm, found.q, T) < 1e-9
+
+
+@pytest.mark.parametrize("size", [1e-7, 4e-7, 5.5e-7, 6e-7])
+def test_where_branches_merge_just_beyond_a_pose_every_one_of_them_is_listed(size):
+    """Pushed off a stretched elbow by less than counts as reached, by a way and a turn at once; both shoulders."""
+    arm = catalogue()["tx60"].arm
+    q = np.array(
+        [-1.0347946141629303, -2.2048536858479606, 0.0, -2.549761780868626, 0.52447204165695, 3.04035367923579]
+    )
+    T, L = np.asarray(arm.fk(q)).copy(), arm.length_scale
+    lost = np.linalg.svd(np.asarray(arm.jacobian(q)) / np.repeat([L, 1.0], 3)[:, None])[0][:, -1]
+    lost = lost * math.copysign(size, lost[:3] @ T[:3, 3])
+    T[:3, 3] += L * lost[:3]
+    T[:3, :3] = rotation_from_axis_angle(lost[3:] / np.linalg.norm(lost[3:]), np.linalg.norm(lost[3:])) @ T[:3, :3]
+    found = solve_all(arm, T)
+    assert len(found) == 4
+    assert apart(arm, found.q, q).min() < 1e-3
 
 
 def test_how_far_out_of_reach_is_said():

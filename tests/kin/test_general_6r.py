@@ -8,6 +8,7 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.ik import general_family
 from armlab.kin.ik.general_6r import solve_general, solve_general_batch
 from armlab.kin.ik.general_complex import Roots
 from armlab.kin.ik.general_search import Search
@@ -200,3 +201,15 @@ def test_a_pass_that_misses_a_root_is_not_believed(monkeypatch):
     again = solve_general(arm, T)
     assert again.passes > whole.passes
     assert same_set(arm, again.q, whole.q)
+
+
+def test_curves_are_followed_for_a_number_of_steps_in_all(monkeypatch):
+    """Here the wrist is straight with the hand at either of two places; what is not followed is known to move."""
+    arm = catalogue()["puma560"].arm
+    T = arm.fk([0.0, H, H, 0.0, 0.0, 0.0])
+    all_of_them = solve_general(arm, T)
+    monkeypatch.setattr(general_family, "MOST_POINTS", 10)
+    some = solve_general(arm, T)
+    assert len(all_of_them.families) == 2
+    assert len(some.families) == 1
+    assert some.completeness == "infinite"

@@ -78,6 +78,18 @@ def test_a_limit_stops_it_exactly():
         assert arm.within_limits(end)
 
 
+def test_a_step_across_a_narrow_range_ends_at_the_other_limit():
+    """A step is longer than this range of 2 degrees, and it begins at the one end of it."""
+    arm = Arm.from_dh(
+        [("R", length, 0.0, 0.0, 0.0) for length in (1.0, 1.0, 1.0)], task="xy", limits=[[0.30, 0.34], [-3, 3], [-3, 3]]
+    )
+    for start in (0.30, 0.34):
+        q = np.array([start, -0.43, 0.80])
+        motion = trace_self_motion(arm, q, np.asarray(arm.fk(q)))
+        assert motion.stops == (0, 0)
+        assert np.ptp(motion.q[:, 0]) == pytest.approx(0.04, abs=1e-9)
+
+
 def test_limits_that_are_left_already_do_not_count():
     arm = Arm.from_dh(
         [("R", length, 0.0, 0.0, 0.0) for length in (1.0, 0.8, 0.5)], task="xy", limits=[[1.0, 1.5], [-3, 3], [-3, 3]]

@@ -87,12 +87,9 @@ def verified(arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[in
     return Verified(in_order(arm, [one.q for one in good], mask), len(loose), missed, dropped or singular)
 
 
-def verified_rows(
-    arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None, *, loose: bool = True
-) -> list[Vector]:
-    """Return only the solutions of `verified`; without ``loose`` none of them where some are not exact."""
-    found = verified(arm, T, candidates, held)
-    return found.rows if loose or not found.loose else []
+def verified_rows(arm: Arm, T: Vector, candidates: Sequence[Vector]) -> list[Vector]:
+    """Return only the solutions of `verified`."""
+    return verified(arm, T, candidates).rows
 
 
 def _is_nearly_singular(J: Vector) -> bool:

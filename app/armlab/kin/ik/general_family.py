@@ -31,6 +31,9 @@ MOST_STEPS = 60
 MOST_CURVES, MOST_TRIED = 8, 12
 """So many curves are followed and so many other members tried; that there are infinitely many is known long before."""
 
+MOST_POINTS = 200
+"""Of all curves together, after which no other is followed."""
+
 REPRESENTATIVES = 4
 """Of a curve, or of the members of families that are more than curves."""
 
@@ -76,7 +79,7 @@ def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp], reac
     for i in np.flatnonzero(losses):
         if any(_distances(curve, q[i]).min() < STEP for curve in curves):
             isolated[i] = False
-        elif losses[i] > 1 or len(curves) == MOST_CURVES:
+        elif losses[i] > 1 or len(curves) == MOST_CURVES or sum(map(len, curves)) >= MOST_POINTS:
             # Where so many can move, others are taken to do so as well.
             isolated[i] = len(more) < MOST_TRIED and not _can_move(links, q[i], hand, reached)
             more += [] if isolated[i] else [q[i]]

@@ -12,7 +12,7 @@ import numpy as np
 from armlab.kin.ik.general_loop import Floats
 from armlab.kin.ik.general_polish import errors_and_columns, nearest, polish
 
-ROUNDING = 1e-14
+ROUNDING = 3e-14
 """Error of the pose, in radians and units of length, that some ten products of matrices may make."""
 
 REFINED = 1e-15
@@ -58,16 +58,22 @@ def merged(links: Floats, q: Floats, hand: Floats) -> Floats:
 
 
 def _refined(links: Floats, q: Floats, sizes: Floats, hand: Floats) -> tuple[Floats, Floats]:
-    """Return candidates after Newton steps without damping, which at multiple roots would end them early."""
+    """Return candidates after Newton steps without damping, which at multiple roots would end them early.
+
+    Half-way between two roots a step leads far out, and the next ones come back: each candidate may do so once.
+    """
     rows = np.flatnonzero((sizes > REFINED) & (sizes < WORTH))
     q, sizes, going = q.copy(), sizes.copy(), q[rows]
+    last, jumped = sizes.copy(), np.zeros(len(q), dtype=bool)
     for _ in range(STEPS):
         if not len(rows):
             break
         errors, columns, now = errors_and_columns(links, going, np.broadcast_to(hand, (len(rows), 4, 4)))
         better = now < sizes[rows]
         q[rows[better]], sizes[rows[better]] = going[better], now[better]
-        on = (now > REFINED) & (now <= 2.0 * sizes[rows])
+        steady = now <= 2.0 * last[rows]
+        on = (now > REFINED) & (steady | (~jumped[rows] & (last[rows] > ROUNDING) & (now < WORTH)))
+        last[rows], jumped[rows] = now, jumped[rows] | ~steady
         rows, going = rows[on], going[on]
         going = going + (errors[on, None] @ np.linalg.pinv(columns[on], rcond=CUTOFF))[:, 0]
     return q, sizes

@@ -20,6 +20,9 @@ PATIENCE = 4
 NEAREST = 4
 """Steps to the nearest configuration: what is near is there after two."""
 
+SETTLED = 2
+"""Steps after which one that does not halve the sum of squares is the last."""
+
 FLOOR = 1e-13
 """Damping that is always there: some hundred roundings of J J^T, so that it can be solved with at singular poses."""
 
@@ -132,12 +135,15 @@ def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = N
         Of the largest singular value: along directions with smaller ones the arm can hardly move its tool.
     steps : int
     """
-    found, best = q.copy(), np.full(len(q), np.inf)
-    for _ in range(steps):
+    found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
+    for step in range(steps):
         errors, columns, sizes = errors_and_columns(links, q, hands)
-        better = sizes < best
-        found[better], best[better] = q[better], sizes[better]
-        if not (best > EXACT).any():
+        # Steps make the sum of squares least, and may make the largest entry grow.
+        squares = (errors * errors).sum(axis=1) + (sizes >= 1.0)
+        still, better = squares > 0.5 * least, squares < least
+        found[better], best[better], least[better] = q[better], sizes[better], squares[better]
+        # They converge quadratically to what is nearest, and then stand still.
+        if ((best <= EXACT) | (still & (step >= SETTLED))).all():
             break
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
     return found, best

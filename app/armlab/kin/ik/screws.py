@@ -116,7 +116,9 @@ def rotation(axis: Vector, angle: float) -> Vector:
 
 def angle_about(z: Vector, start: Vector, end: Vector) -> float:
     """Return the angle about z from one direction to another, as seen along z; 0 where one is along z."""
-    return math.atan2(float(z @ cross(start, end)), float(start @ end - (start @ z) * (end @ z)))
+    # By their parts across z, each turned by a quarter: products of the whole would cancel where these are small.
+    one, other = cross(z, start), cross(z, end)
+    return math.atan2(float(z @ cross(one, other)), float(one @ other))
 
 
 def across(z: Vector, v: Vector) -> float:

@@ -258,8 +258,11 @@ class _Tracer:
         self, q: Vector, heading: Vector, length: float, there: Vector, joint: int
     ) -> tuple[Vector, float] | None:
         """Return the point at which a joint is at its limit and how far on it is, by false position (Illinois)."""
-        least, under = 0.0, float(self._over(q)[joint])
-        most, over = length, float(self._over(there)[joint])
+        # Of the limit it has come to: a step across a narrow range begins at the other one.
+        sign, limit = (1.0, self.high[joint]) if there[joint] > self.high[joint] else (-1.0, self.low[joint])
+        out = sign / self.scales[joint]
+        least, under = 0.0, float(out * (q[joint] - limit))
+        most, over = length, float(out * (there[joint] - limit))
         before = 0
         for _ in range(LIMIT_STEPS):
             if under > -AT_LIMIT:
@@ -268,7 +271,7 @@ class _Tracer:
             point = self.corrected(q + middle * heading * self.scales)
             if point is None:
                 return None
-            beyond = float(self._over(point)[joint])
+            beyond = float(out * (point[joint] - limit))
             if abs(beyond) <= AT_LIMIT:
                 return point, middle
             side = 1 if beyond > 0.0 else -1

@@ -16,6 +16,7 @@ from armlab.kin.ik.branches import branch_names
 from armlab.kin.ik.closed_form import SAMPLES, closed_form_of, known_structure
 from armlab.kin.ik.general_6r import solve_general
 from armlab.kin.ik.held import checked_held, with_held
+from armlab.kin.ik.inside_limits import with_those_inside
 from armlab.kin.ik.many_starts import STARTS, many_starts
 from armlab.kin.ik.self_motion import trace_self_motion
 from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits
@@ -83,6 +84,10 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
 
 
 def _solve(arm: Arm, T: Vector, seed: int) -> Answer:
+    return with_those_inside(arm, T, seed, _by_structure(arm, T, seed))
+
+
+def _by_structure(arm: Arm, T: Vector, seed: int) -> Answer:
     if closed_form_of(arm) is not None:
         answer = _by_closed_form(arm, T, seed)
         if answer is not None:
@@ -113,7 +118,8 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     why = f"{form.title}: {why}"
     if some.rows and found.families and _is_family(arm, T, some.rows):
         return Answer(some.rows, "infinite", " ".join(found.families), form.key, why)
-    if some.doubtful or (some.rows and found.families):
+    # Values of a free joint that were tried and led to none, as for a nearly straight wrist, prove nothing.
+    if some.doubtful or (some.rows and (found.families or found.sampled)):
         if _is_general(arm):
             return _by_elimination(arm, T, f"{why} Branches merge at this pose or nearly: solved as a general 6R.")
         if some.rows:

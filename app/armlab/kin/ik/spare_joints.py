@@ -9,9 +9,9 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.answer import BEYOND, SURFACE, Answer, in_order, is_beyond, verified_rows
 from armlab.kin.ik.closed_form import known_structure
 from armlab.kin.ik.dimension import local_dimension, null_dimension
+from armlab.kin.ik.inside_limits import exact_inside
 from armlab.kin.ik.many_starts import STARTS, many_starts
 from armlab.kin.ik.method import methods
-from armlab.kin.ik.rest import AT
 from armlab.kin.ik.search import Begin, inside_solutions
 from armlab.kin.ik.self_motion import STEP, SelfMotion, distance_to, evenly, trace_self_motion
 from armlab.kin.ik.solutions import Completeness, beyond_limits, wrapped_rows
@@ -63,17 +63,11 @@ def _found(arm: Arm, T: Vector, seed: int, wanted: int) -> list[Vector]:
     inside = [q for q in found if arm.within_limits(q)]
     if len(inside) < wanted:
         begin = Begin(arm, None, None, seed, max(INSIDE_STARTS, 2 * wanted))
-        more = inside_solutions(begin, task_error_of(arm).target(T), methods()["dls"], wanted - len(inside))
-        exact = [row for q in more for row in _verified_inside(arm, T, q)]
+        target = task_error_of(arm).target(T)
+        more = inside_solutions(begin, target, methods()["dls"], wanted - len(inside))
+        exact = [row for q in more if (row := exact_inside(arm, q, target)) is not None]
         inside = in_order(arm, distinct(arm, [*inside, *exact]))
     return inside or found or verified_rows(arm, T, list(many_starts(arm, G, seed=seed + 1)))
-
-
-def _verified_inside(arm: Arm, T: Vector, q: Vector) -> list[Vector]:
-    """Return the exact solution at one inside the limits, if it is inside; a joint at a limit stays there."""
-    low, high = arm.limits.T
-    at_limit = {int(i): float(q[i]) for i in np.flatnonzero((q <= low + AT) | (q >= high - AT))}
-    return [row for row in verified_rows(arm, T, [q], at_limit, loose=False) if arm.within_limits(row)]
 
 
 def _of_surfaces(arm: Arm, T: Vector, found: list[Vector]) -> tuple[Completeness, str]:
