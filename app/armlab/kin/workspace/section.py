@@ -9,7 +9,7 @@ as out of reach: a part that no sample hit and that hangs together with nothing 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -27,6 +27,7 @@ from armlab.kin.workspace.first_joint import FirstJoint, first_joint
 from armlab.kin.workspace.nearest import nearest_configuration
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.section_grid import Grid, grid_for
+from armlab.kin.workspace.section_size import is_thin
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -178,19 +179,37 @@ def sections(arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, see
 
 
 def _sought(arm: Arm, resolution: int, samples: int, seed: int) -> Iterator[Section]:
+    """Yield sections until one is finished with `resolution` cells, or with as many more as `is_thin` asks for."""
+    joint, cells, known = first_joint(arm), resolution, None
+    while True:
+        for found in _at(joint, cells, samples, seed, known):
+            if not found.finished:
+                yield found
+        yield (known := replace(found, finished=False))
+        if not is_thin(found, resolution):
+            yield found
+            return
+        cells *= 2
+
+
+def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Section | None) -> Iterator[Section]:
+    """Yield sections with so many cells, the last one finished; begun from one with fewer where there is one."""
     rng = np.random.default_rng(seed)
-    grid, first = grid_for(first_joint(arm), resolution, rng)
+    grid, first = grid_for(joint, resolution, rng)
     filling = Filling(grid)
     filling.add(first)
-    yield _section(filling, None)
+    if known is not None:
+        filling.add(known.q[known.filled])
+    # Copies of many cells are only made where they are looked at.
+    yield known or _section(filling, None)
     for _ in _filled(filling, samples, rng):
-        yield _section(filling, None)
+        yield known or _section(filling, None)
     crossings = Crossings(filling)
     for _ in crossings.find():
-        yield _section(filling, None)
+        yield known or _section(filling, None)
     ends = None if filling.around is None else Ends(filling)
     for _ in ends.find() if ends is not None else ():
-        yield _section(filling, None)
+        yield known or _section(filling, None)
     yield _section(filling, crossings, None if ends is None else ends.arcs())
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +14,10 @@ from armlab.kin.workspace.extremes import Objective, climbed
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.pull import section_rates
-from armlab.kin.workspace.section import Section
-from armlab.kin.workspace.section_grid import random_configurations
+from armlab.kin.workspace.section_grid import PLANAR_FINER, random_configurations
+
+if TYPE_CHECKING:
+    from armlab.kin.workspace.section import Section
 
 Floats = NDArray[np.float64]
 
@@ -28,6 +30,12 @@ FINEST = 1e-3
 
 SAFETY = 1.0
 """Of what changes when three of four places are left out: counted as an error."""
+
+WANTED = 0.01
+"""Of the size: a larger error asks for smaller cells."""
+
+MOST_FILLED, MOST_CELLS = 2.0, 16.0
+"""Times the square of the resolution: cells that may be filled, and cells of the whole grid, when they are halved."""
 
 RANK = 1e-9
 """Singular values below this part of the largest are zero."""
@@ -93,6 +101,28 @@ def size(section: Section) -> Size:
     if not grid.flat or section.arcs is not None:
         error = max(error, FINEST * value)
     return Size(value, error, unit)
+
+
+def is_thin(section: Section, resolution: int) -> bool:
+    """Return whether cells of half the side would make the error smaller, which is too large, and are few enough.
+
+    Of a sliver few cells are filled, so that it has as much as an ordinary arm only with smaller ones. What that costs
+    is bounded by numbers of cells: where they are reached, the larger error stays what `size` states.
+
+    Parameters
+    ----------
+    section : Section
+        Finished.
+    resolution : int
+        With which it was begun.
+    """
+    across = resolution * (PLANAR_FINER if section.grid.flat else 1)
+    usual = across if section.grid.flat else across**2
+    more = 2 if section.grid.flat else 4
+    if more * section.filled.sum() > MOST_FILLED * usual or more * section.filled.size > MOST_CELLS * usual:
+        return False
+    found = size(section)
+    return found.error > WANTED * found.value
 
 
 def reach(section: Section) -> Reach:
