@@ -34,7 +34,7 @@ SAFETY = 1.0
 WANTED = 0.01
 """Of the size: a larger error asks for smaller cells."""
 
-MOST_FILLED, MOST_CELLS = 2.0, 16.0
+MOST_FILLED, MOST_CELLS = 4.0, 64.0
 """Times the square of the resolution: cells that may be filled, and cells of the whole grid, when they are halved."""
 
 RANK = 1e-9
@@ -103,7 +103,7 @@ def size(section: Section) -> Size:
     return Size(value, error, unit)
 
 
-def is_thin(section: Section, resolution: int) -> bool:
+def is_thin(section: Section, resolution: int, wanted: float) -> bool:
     """Return whether cells of half the side would make the error smaller, which is too large, and are few enough.
 
     Of a sliver few cells are filled, so that it has as much as an ordinary arm only with smaller ones. What that costs
@@ -115,6 +115,8 @@ def is_thin(section: Section, resolution: int) -> bool:
         Finished.
     resolution : int
         With which it was begun.
+    wanted : float
+        Error as a part of the size that is small enough.
     """
     across = resolution * (PLANAR_FINER if section.grid.flat else 1)
     usual = across if section.grid.flat else across**2
@@ -122,7 +124,7 @@ def is_thin(section: Section, resolution: int) -> bool:
     if more * section.filled.sum() > MOST_FILLED * usual or more * section.filled.size > MOST_CELLS * usual:
         return False
     found = size(section)
-    return found.error > WANTED * found.value
+    return found.error > wanted * found.value
 
 
 def reach(section: Section) -> Reach:
