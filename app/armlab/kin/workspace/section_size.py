@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from armlab.kin.workspace.section import Section
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 STARTS = 2
 """Cells from which the way to an extreme is begun."""
@@ -184,7 +185,9 @@ class _Pieces(NamedTuple):
             covered = np.tile(covered, (1, 2))
         if self.at_axis:
             covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
-        return float((self.sizes * _mean_inside(covered, self.inside)).sum())
+        # Of a sliver most squares are empty.
+        some = np.nonzero(self.sizes)
+        return float((self.sizes[some] * _mean_inside(covered, self.inside, some)).sum())
 
 
 def _pieces(section: Section, outline: Outline) -> _Pieces:
@@ -204,12 +207,14 @@ def _pieces(section: Section, outline: Outline) -> _Pieces:
     return _Pieces(moment if section.joint.revolute else area, whole.inside, grid.flat, grid.at_axis)
 
 
-def _mean_inside(covered: Floats, inside: NDArray[np.bool_]) -> Floats:
-    """Return the mean of what is covered at the corners of each square that are inside."""
-    weighed = np.where(inside, covered, 0.0)
-    total = weighed[:-1, :-1] + weighed[1:, :-1] + weighed[:-1, 1:] + weighed[1:, 1:]
-    w = inside.astype(np.float64)
-    count = w[:-1, :-1] + w[1:, :-1] + w[:-1, 1:] + w[1:, 1:]
+def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices, ...]) -> Floats:
+    """Return the mean of what is covered at the corners of some squares that are inside."""
+    i, j = some
+    total, count = np.zeros(len(i)), np.zeros(len(i))
+    for corner in ((i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)):
+        here = inside[corner]
+        total += np.where(here, covered[corner], 0.0)
+        count += here
     return np.asarray(total / np.maximum(count, 1.0))
 
 
