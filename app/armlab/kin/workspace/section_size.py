@@ -172,9 +172,13 @@ def dimension(joint: FirstJoint) -> int:
 
 
 class _Pieces(NamedTuple):
-    """What lies in each square between four centres: its size, or its moment about a joint 1 that turns."""
+    """What lies in each square between four centres: its size, or its moment about a joint 1 that turns.
+
+    Of a sliver most squares are empty: ``some`` are those that are not.
+    """
 
     sizes: Floats
+    some: tuple[Indices, ...]
     inside: NDArray[np.bool_]
     flat: bool
     at_axis: bool
@@ -185,9 +189,7 @@ class _Pieces(NamedTuple):
             covered = np.tile(covered, (1, 2))
         if self.at_axis:
             covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
-        # Of a sliver most squares are empty.
-        some = np.nonzero(self.sizes)
-        return float((self.sizes[some] * _mean_inside(covered, self.inside, some)).sum())
+        return float((self.sizes[self.some] * _mean_inside(covered, self.inside, self.some)).sum())
 
 
 def _pieces(section: Section, outline: Outline) -> _Pieces:
@@ -204,7 +206,8 @@ def _pieces(section: Section, outline: Outline) -> _Pieces:
         )
     whole = with_axis(outline, grid)
     area, moment = whole.pieces
-    return _Pieces(moment if section.joint.revolute else area, whole.inside, grid.flat, grid.at_axis)
+    sizes = moment if section.joint.revolute else area
+    return _Pieces(sizes, np.nonzero(sizes != 0.0), whole.inside, grid.flat, grid.at_axis)
 
 
 def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices, ...]) -> Floats:
