@@ -26,6 +26,9 @@ PIECE = 20_480
 RESOLUTION, SECTION_SAMPLES = 96, 32_768
 """Cells along the section, and the samples it begins with: enough to compare two arms, in about a second."""
 
+WANTED = 0.05
+"""Of a size: as an error enough to compare two arms; a thin workspace takes a little longer for it."""
+
 ROUGH = 8
 """Pieces of work after which a section is known well enough for a first figure, about a tenth of a second."""
 
@@ -179,7 +182,7 @@ def _looking(arm: Arm, known: _Known) -> Iterator[None]:
     """Work until there are rough figures, and on until they are refined."""
     if known.refined is not None:
         return
-    for k, found in enumerate(sections(arm, RESOLUTION, SECTION_SAMPLES, SEED)):
+    for k, found in enumerate(sections(arm, RESOLUTION, SECTION_SAMPLES, SEED, WANTED)):
         yield
         if k == ROUGH and not found.finished:
             seen = found if found.around is None else replace(found, arcs=found.around.arcs())

@@ -22,12 +22,27 @@ Indices = NDArray[np.intp]
 BINS = 72
 """Of s: what is found within one (5 degrees) counts as all that lies between."""
 
+FIRST_ROWS = 4096
+"""Coarse cells for which there is room at first; it is doubled as it is needed."""
+
 MOST_ARCS = 4
 """Separate intervals of s at one place that are kept; with more the smallest gaps are taken for covered."""
 
 
 class Around:
-    """Collects the values of s at q_1 = 0 with a configuration for each."""
+    """Collects the values of s at q_1 = 0 with a configuration for each.
+
+    Only coarse cells that were met have room: of a sliver they are few among many.
+
+    Attributes
+    ----------
+    row : ndarray, shape (C,)
+        Where in the following the coarse cells are; -1 for one that was not met.
+    least, most : ndarray, shape (rows, BINS)
+        Of the s met in a bin, rad or m; (inf, -inf) in one without.
+    q : ndarray, shape (rows, BINS, n)
+        A configuration of each, rad and m.
+    """
 
     def __init__(self, grid: Grid) -> None:
         self.grid = grid
@@ -37,10 +52,11 @@ class Around:
         self.shape = tuple(-(-n // self.width) for n in grid.shape)
         reach = 2.0 * (joint.arm.reach or 1.0) + float(np.abs(joint.origin).sum())
         self.span = (-math.pi, math.pi) if joint.revolute else (-reach, reach)
-        cells = self.shape[0] * self.shape[1]
-        self.least = np.full((cells, BINS), np.inf)
-        self.most = np.full((cells, BINS), -np.inf)
-        self.q = np.zeros((cells, BINS, joint.arm.n), dtype=np.float32)
+        self.row = np.full(self.shape[0] * self.shape[1], -1)
+        self.met = 0
+        self.least = np.full((FIRST_ROWS, BINS), np.inf)
+        self.most = np.full((FIRST_ROWS, BINS), -np.inf)
+        self.q = np.zeros((FIRST_ROWS, BINS, joint.arm.n), dtype=np.float32)
 
     def coarse(self, cells: Indices) -> Indices:
         """Return the coarse cells in which cells of the section lie."""
@@ -51,14 +67,29 @@ class Around:
         """Count values of s (k,) of configurations (k, n) with q_1 = 0 in cells of the section (k,)."""
         low, high = self.span
         bins = np.clip(((s - low) * (BINS / (high - low))).astype(np.intp), 0, BINS - 1)
-        flat = self.coarse(cells) * BINS + bins
+        coarse = self.coarse(cells)
+        self._make_room(np.unique(coarse[self.row[coarse] < 0]))
+        flat = self.row[coarse] * BINS + bins
         np.minimum.at(self.least.reshape(-1), flat, s)
         np.maximum.at(self.most.reshape(-1), flat, s)
         self.q.reshape(-1, q.shape[1])[flat] = q
 
     def arcs(self) -> Arcs:
         """Return what joint 1 makes of it."""
-        return arcs_of(self.least, self.most, self.joint)
+        least, most = (np.full((len(self.row), BINS), sign * np.inf) for sign in (1.0, -1.0))
+        met = np.flatnonzero(self.row >= 0)
+        least[met], most[met] = self.least[self.row[met]], self.most[self.row[met]]
+        return arcs_of(least, most, self.joint)
+
+    def _make_room(self, fresh: Indices) -> None:
+        """Give rows to coarse cells that were not met before."""
+        self.row[fresh] = self.met + np.arange(len(fresh))
+        self.met += len(fresh)
+        more = max(self.met, 2 * len(self.least)) - len(self.least)
+        if self.met > len(self.least):
+            self.least = np.concatenate([self.least, np.full((more, BINS), np.inf)])
+            self.most = np.concatenate([self.most, np.full((more, BINS), -np.inf)])
+            self.q = np.concatenate([self.q, np.zeros((more, *self.q.shape[1:]), dtype=np.float32)])
 
 
 @dataclass(frozen=True, eq=False)

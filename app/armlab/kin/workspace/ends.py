@@ -231,7 +231,8 @@ def _runs(around: Around, cells: Indices) -> tuple[Floats, Indices, Indices, Flo
     count : ndarray, shape (C,)
         Runs; 0 where everything is covered.
     """
-    least, most, joint = around.least[cells], around.most[cells], around.joint
+    rows_of, joint = around.row[cells], around.joint
+    least, most = around.least[rows_of], around.most[rows_of]
     C = len(cells)
     found = most >= least
     stroke = joint.high - joint.low
@@ -267,7 +268,7 @@ def _runs(around: Around, cells: Indices) -> tuple[Floats, Indices, Indices, Flo
     starts, owner, of, onward = [], [], [], []
     for rank, sign in ((from_start, -1.0), (from_end, 1.0)):
         c, b = np.nonzero(found_o & (rank <= OUTERMOST) & (count > 0)[:, None])
-        starts.append(around.q[cells[c], order[c, b]].astype(np.float64))
+        starts.append(around.q[rows_of[c], order[c, b]].astype(np.float64))
         owner.append(c)
         of.append(run[c, b])
         onward.append(np.full(len(c), sign))

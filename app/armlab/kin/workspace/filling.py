@@ -89,6 +89,12 @@ class Filling:
             self._copies = self.filled.copy(), self.q.copy()
         return self._copies
 
+    def take(self, q: Floats) -> Iterator[None]:
+        """Take configurations (k, n) into account, a piece at a time."""
+        for first in range(0, len(q), SAMPLED):
+            self.add(q[first : first + SAMPLED])
+            yield
+
     def sample(self, count: int, rng: np.random.Generator) -> Iterator[None]:
         """Fill cells from random configurations, a piece at a time."""
         for _ in range(-(-count // SAMPLED)):
@@ -143,14 +149,12 @@ class Filling:
 
     def _neighbours(self, shift: tuple[int, int], of: Bools, beside: Bools) -> tuple[Indices, Indices]:
         """Return cells of a kind, and their neighbours in a direction, where those are of another kind."""
-        rows, columns = self.grid.shape
-        i, j = np.divmod(np.flatnonzero(of), columns)
-        i2, j2 = i + shift[0], j + shift[1]
-        inside = (i2 >= 0) & (i2 < rows) & (j2 >= 0) & (j2 < columns)
-        cells = (i * columns + j)[inside]
-        neighbours = (i2 * columns + j2)[inside]
-        chosen = beside[neighbours]
-        return cells[chosen], neighbours[chosen]
+        shape, columns = self.grid.shape, self.grid.shape[1]
+        here = tuple(slice(max(0, -by), count - max(0, by)) for by, count in zip(shift, shape, strict=True))
+        there = tuple(slice(max(0, by), count - max(0, -by)) for by, count in zip(shift, shape, strict=True))
+        i, j = np.nonzero(of.reshape(shape)[here] & beside.reshape(shape)[there])
+        cells = (i + here[0].start) * columns + j + here[1].start
+        return cells, cells + shift[0] * columns + shift[1]
 
     def _untried(self) -> tuple[Indices, Floats]:
         """Return empty cells and configurations of neighbours, each pair once, a few neighbours of a cell at a time."""

@@ -61,9 +61,9 @@ def _starts(section: Section, point: Floats) -> Floats:
     around = section.around
     if around is None:
         return starts
-    coarse = np.unique(around.coarse(i[nearest] * grid.shape[1] + j[nearest]))
-    found = around.most[coarse] >= around.least[coarse]
-    others = np.clip(around.q[coarse][found].astype(np.float64), *joint.arm.limits.T)
+    rows = around.row[np.unique(around.coarse(i[nearest] * grid.shape[1] + j[nearest]))]
+    found = around.most[rows] >= around.least[rows]
+    others = np.clip(around.q[rows][found].astype(np.float64), *joint.arm.limits.T)
     everywhere = np.clip(around.q[around.most >= around.least].astype(np.float64), *joint.arm.limits.T)
     brought = np.linalg.norm(joint.arm.position(with_first(joint, everywhere, point)) - point, axis=1)
     best = np.argpartition(brought, min(FAR_CELLS, len(brought) - 1))[:FAR_CELLS]

@@ -9,7 +9,7 @@ as out of reach: a part that no sample hit and that hangs together with nothing 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -27,6 +27,7 @@ from armlab.kin.workspace.first_joint import FirstJoint, first_joint
 from armlab.kin.workspace.nearest import nearest_configuration
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.section_grid import Grid, grid_for
+from armlab.kin.workspace.section_size import WANTED, is_thin
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -145,7 +146,9 @@ class Section:
         return nearest_configuration(self, given)
 
 
-def sections(arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, seed: int = 0) -> Iterator[Section]:
+def sections(
+    arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, seed: int = 0, wanted: float = WANTED
+) -> Iterator[Section]:
     """Yield the section of an arm, better and better; the last one is finished.
 
     Between two of them lie at most some 30 ms of work. The same arguments give the same sections; of an arm that was
@@ -155,10 +158,12 @@ def sections(arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, see
     ----------
     arm : Arm
     resolution : int
-        Cells along the longer side.
+        Cells along the longer side. It is doubled as often as `is_thin` asks for it.
     samples : int
         Random configurations to begin with.
     seed : int
+    wanted : float
+        Error of the size, as a part of it, above which the cells are halved.
 
     Raises
     ------
@@ -167,9 +172,9 @@ def sections(arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, see
     """
     if resolution < LEAST_RESOLUTION:
         raise InputError(f"resolution: expected at least {LEAST_RESOLUTION} cells, got {resolution}")
-    kept = _kept(arm, resolution, samples, seed)
+    kept = _kept(arm, resolution, samples, seed, wanted)
     if not kept.found:
-        for found in _sought(arm, resolution, samples, seed):
+        for found in _sought(arm, resolution, samples, seed, wanted):
             if found.finished:
                 kept.found.append(found)
             else:
@@ -177,20 +182,39 @@ def sections(arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, see
     yield kept.found[-1]
 
 
-def _sought(arm: Arm, resolution: int, samples: int, seed: int) -> Iterator[Section]:
+def _sought(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -> Iterator[Section]:
+    """Yield sections until one is finished with `resolution` cells, or with as many more as `is_thin` asks for."""
+    joint, cells, known = first_joint(arm), resolution, None
+    while True:
+        for found in _at(joint, cells, samples, seed, known):
+            if not found.finished:
+                yield found
+        yield (known := replace(found, finished=False))
+        if not is_thin(found, resolution, wanted):
+            yield found
+            return
+        cells *= 2
+
+
+def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Section | None) -> Iterator[Section]:
+    """Yield sections with so many cells, the last one finished; begun from one with fewer where there is one."""
     rng = np.random.default_rng(seed)
-    grid, first = grid_for(first_joint(arm), resolution, rng)
+    grid, first = grid_for(joint, resolution, rng)
     filling = Filling(grid)
     filling.add(first)
-    yield _section(filling, None)
+    # What is there already is better than what is begun anew, and copies of many cells take their time.
+    yield known or _section(filling, None)
+    if known is not None:
+        for _ in filling.take(known.q[known.filled]):
+            yield known
     for _ in _filled(filling, samples, rng):
-        yield _section(filling, None)
+        yield known or _section(filling, None)
     crossings = Crossings(filling)
     for _ in crossings.find():
-        yield _section(filling, None)
+        yield known or _section(filling, None)
     ends = None if filling.around is None else Ends(filling)
     for _ in ends.find() if ends is not None else ():
-        yield _section(filling, None)
+        yield known or _section(filling, None)
     yield _section(filling, crossings, None if ends is None else ends.arcs())
 
 
@@ -202,13 +226,15 @@ class _Kept:
 
 
 @lru_cache(maxsize=KEPT)
-def _kept(arm: Arm, resolution: int, samples: int, seed: int) -> _Kept:
+def _kept(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -> _Kept:
     return _Kept()
 
 
-def section(arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, seed: int = 0) -> Section:
+def section(
+    arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, seed: int = 0, wanted: float = WANTED
+) -> Section:
     """Return the finished section of an arm. Arguments as of `sections`."""
-    *_, last = sections(arm, resolution, samples, seed)
+    *_, last = sections(arm, resolution, samples, seed, wanted)
     return last
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +14,13 @@ from armlab.kin.workspace.extremes import Objective, climbed
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.pull import section_rates
-from armlab.kin.workspace.section import Section
-from armlab.kin.workspace.section_grid import random_configurations
+from armlab.kin.workspace.section_grid import PLANAR_FINER, random_configurations
+
+if TYPE_CHECKING:
+    from armlab.kin.workspace.section import Section
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 STARTS = 2
 """Cells from which the way to an extreme is begun."""
@@ -28,6 +31,12 @@ FINEST = 1e-3
 
 SAFETY = 1.0
 """Of what changes when three of four places are left out: counted as an error."""
+
+WANTED = 0.01
+"""Of the size: a larger error asks for smaller cells."""
+
+MOST_FILLED, MOST_CELLS = 4.0, 64.0
+"""Times the square of the resolution: cells that may be filled, and cells of the whole grid, when they are halved."""
 
 RANK = 1e-9
 """Singular values below this part of the largest are zero."""
@@ -95,6 +104,30 @@ def size(section: Section) -> Size:
     return Size(value, error, unit)
 
 
+def is_thin(section: Section, resolution: int, wanted: float) -> bool:
+    """Return whether cells of half the side would make the error smaller, which is too large, and are few enough.
+
+    Of a sliver few cells are filled, so that it has as much as an ordinary arm only with smaller ones. What that costs
+    is bounded by numbers of cells: where they are reached, the larger error stays what `size` states.
+
+    Parameters
+    ----------
+    section : Section
+        Finished.
+    resolution : int
+        With which it was begun.
+    wanted : float
+        Error as a part of the size that is small enough.
+    """
+    across = resolution * (PLANAR_FINER if section.grid.flat else 1)
+    usual = across if section.grid.flat else across**2
+    more = 2 if section.grid.flat else 4
+    if more * section.filled.sum() > MOST_FILLED * usual or more * section.filled.size > MOST_CELLS * usual:
+        return False
+    found = size(section)
+    return found.error > wanted * found.value
+
+
 def reach(section: Section) -> Reach:
     """Return how far an arm reaches: maxima of what it can do, begun from the cells that lie farthest out."""
     i, j = np.nonzero(section.filled)
@@ -139,9 +172,13 @@ def dimension(joint: FirstJoint) -> int:
 
 
 class _Pieces(NamedTuple):
-    """What lies in each square between four centres: its size, or its moment about a joint 1 that turns."""
+    """What lies in each square between four centres: its size, or its moment about a joint 1 that turns.
+
+    Of a sliver most squares are empty: ``some`` are those that are not.
+    """
 
     sizes: Floats
+    some: tuple[Indices, ...]
     inside: NDArray[np.bool_]
     flat: bool
     at_axis: bool
@@ -152,7 +189,7 @@ class _Pieces(NamedTuple):
             covered = np.tile(covered, (1, 2))
         if self.at_axis:
             covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
-        return float((self.sizes * _mean_inside(covered, self.inside)).sum())
+        return float((self.sizes[self.some] * _mean_inside(covered, self.inside, self.some)).sum())
 
 
 def _pieces(section: Section, outline: Outline) -> _Pieces:
@@ -169,15 +206,18 @@ def _pieces(section: Section, outline: Outline) -> _Pieces:
         )
     whole = with_axis(outline, grid)
     area, moment = whole.pieces
-    return _Pieces(moment if section.joint.revolute else area, whole.inside, grid.flat, grid.at_axis)
+    sizes = moment if section.joint.revolute else area
+    return _Pieces(sizes, np.nonzero(sizes != 0.0), whole.inside, grid.flat, grid.at_axis)
 
 
-def _mean_inside(covered: Floats, inside: NDArray[np.bool_]) -> Floats:
-    """Return the mean of what is covered at the corners of each square that are inside."""
-    weighed = np.where(inside, covered, 0.0)
-    total = weighed[:-1, :-1] + weighed[1:, :-1] + weighed[:-1, 1:] + weighed[1:, 1:]
-    w = inside.astype(np.float64)
-    count = w[:-1, :-1] + w[1:, :-1] + w[:-1, 1:] + w[1:, 1:]
+def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices, ...]) -> Floats:
+    """Return the mean of what is covered at the corners of some squares that are inside."""
+    i, j = some
+    total, count = np.zeros(len(i)), np.zeros(len(i))
+    for corner in ((i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)):
+        here = inside[corner]
+        total += np.where(here, covered[corner], 0.0)
+        count += here
     return np.asarray(total / np.maximum(count, 1.0))
 
 
