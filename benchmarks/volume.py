@@ -13,11 +13,13 @@ from armlab.kin.workspace.section import RESOLUTION, section
 from armlab.kin.workspace.section_size import Size, size
 from judged_volume import Judged, judged
 from random_volumes import KINDS, drawn
+from rounds import sized
 
 TITLE = "Volume and area of random arms: stated errors against a judge"
-ARMS = 200
+ARMS = sized(200, 4)
+EFFORT, CELLS = sized((0.3, RESOLUTION), (0.02, 32))
 
-HARDER = 6.0
+HARDER = sized(6.0, 1.0)
 """Times as much effort where the first answer is not clear."""
 
 
@@ -52,7 +54,7 @@ class Trial(NamedTuple):
 
 
 def measure() -> Iterator[str]:
-    yield from table(measured(range(ARMS)))
+    yield from table(measured(range(ARMS), EFFORT, CELLS))
 
 
 def measured(arms: Iterable[int], effort: float = 0.3, resolution: int = RESOLUTION) -> Iterator[Trial]:
