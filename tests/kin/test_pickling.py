@@ -13,6 +13,7 @@ from armlab.kin import ik
 from armlab.kin.motion import Limits, ToolPath, Trajectory, coordinated, follow, held, law_type, law_types, path_type
 from armlab.kin.velocity import determinant, singularities, subspaces
 from armlab.kin.workspace import section, size
+from support.elsewhere import computed
 
 METHODS = ("fk", "frames", "position", "jacobian", "manipulability")
 Q = np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
@@ -93,16 +94,11 @@ def numbers(value):
     return {name: repr(each) for name, each in held_by.items() if isinstance(each, kinds) and not name.startswith("_")}
 
 
-def in_another_process(arm, motion, seen):
-    """Return what the other process computes; module level, since it is sent by name."""
-    return arm.fk(Q), arm.jacobian(np.tile(Q, (5, 1))), motion.at([0.5]), float(seen.filled.sum())
-
-
 def test_another_process_computes_the_same(used):
     motion = Trajectory(path_type("spline").path(WAYPOINTS), law_type("quintic").law(duration=2.0))
     motion.at([0.1])
     seen = section(catalogue()["planar_2r"].arm, resolution=48, samples=2000)
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
-        found = pool.submit(in_another_process, used, motion, seen).result()
-    for there, here in zip(found, in_another_process(used, motion, seen), strict=True):
+        found = pool.submit(computed, used, Q, motion, seen).result()
+    for there, here in zip(found, computed(used, Q, motion, seen), strict=True):
         np.testing.assert_array_equal(there, here)
