@@ -26,7 +26,7 @@ from armlab.session.state import State, apply
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.panels.motion_files import size_text
 from armlab.ui.plugin import layers, panels
-from armlab.ui.recording import LONGEST, POSES_PER_SECOND, Scenario, record
+from armlab.ui.recording import LONGEST, POSES_PER_SECOND, Scenario, maker, record
 from support.student import run, student
 
 
@@ -208,6 +208,24 @@ def test_what_cannot_be_read_is_told_on_the_page_and_the_plan_stays(url):
         await browser.until(lambda: "expected more than 0 and at most 10000, got 0" in browser.html())
         await browser.press("rate", "10000")
         await browser.until(lambda: 'value="10000"' in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_of_files_chosen_while_one_is_read_the_last_is_told(url):
+    async def main():
+        browser = await at_files(url)
+        release = threading.Event()
+        maker().submit(release.wait)
+        for text in ("\0", '{"format": "armlab plan", "version": 1}', ""):
+            await browser.press("read-motion", text)
+        await browser.press("rate", "50")  # what stands before it in the queue has been heard when this has
+        await browser.until(lambda: 'value="50"' in browser.html())
+        release.set()
+        await browser.until(lambda: "the file is empty" in browser.html())
+        assert "Plan of 2 waypoints" in browser.html()
+        assert browser.notices == []
         await browser.close()
 
     run(main())

@@ -47,6 +47,7 @@ class MotionFiles:
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._gui, self._state, self._post = gui, state, post
         self._shown = Shown(RATE, MADE)
+        self._waiting: str | None = None  # text of a file that came while another was made or read: the last one counts
         self._export = gui.fields(lambda cell, text: self._typed(self._export, cell, text))
         self._import = gui.fields(lambda cell, text: self._typed(self._import, cell, text))
 
@@ -77,10 +78,10 @@ class MotionFiles:
             self._try(MakeWaypoints(self._shown.count, "shape"))
         elif cell == "by-time":
             self._try(MakeWaypoints(self._shown.count, "time"))
-        elif self._shown.busy:
-            return
         elif cell == "read-motion":
             self._read(text)
+        elif self._shown.busy:
+            return
         elif cell in ("csv", "python", "json", "html", "viser"):
             self._save(cell)
 
@@ -120,6 +121,9 @@ class MotionFiles:
 
     def _read(self, text: str) -> None:
         """Read a file; what is wrong with it is said here, and the plan stays."""
+        if self._shown.busy:
+            self._waiting = text
+            return
         state, command = self._state, reading(text)
         self._shown = self._shown.but(busy="read")
         self._begin(lambda: command.apply(state), lambda _: self._post(command), "import")
@@ -140,7 +144,11 @@ class MotionFiles:
             self._shown = self._shown.but(refused=what, refused_at=where)
         elif not made.cancelled():
             done(made.result())
-        self.show(self._state)
+        if self._waiting is not None:
+            text, self._waiting = self._waiting, None
+            self._typed(self._import, "read-motion", text)
+        else:
+            self.show(self._state)
 
 
 def _runs(state: State) -> Planned:
