@@ -42,20 +42,6 @@ def posed(R, p, key="puma560"):
     return replace(Observation.of(robot(key).arm, robot(key).home), tool_pose=np.array(transform(R, p)))
 
 
-# --- Places that are marked
-
-
-def test_a_place_is_marked_where_the_author_says_so():
-    place = 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.05\n'
-    assert read_state_check(table(place), robot(), str).goals == ()
-    (goal,) = read_state_check(table(f"{place}marked = true"), robot(), str).goals
-    assert (goal.position.tolist(), goal.within) == ([1.0, 1.0, 0.0], 0.05)
-    both = 'kind = "all_of"\n[[checks]]\nkind = "singular"\nwant = false\n[[checks]]\n' + place + "marked = true"
-    assert len(read_state_check(table(both), robot(), str).goals) == 1
-    with pytest.raises(ContentError, match=r"step 1\.check\.marked: expected true or false, got 1"):
-        check(f"{place}marked = 1")
-
-
 # --- Configurations
 
 
