@@ -167,6 +167,7 @@ def test_a_browser_has_a_handful_of_sockets(url):
     ("data", "codes"),
     # 1006: TCP may drop the reason when the rest of what is too long is still on its way.
     [("text", {1003}), (b"\x00" * (3 << 20), {1009, 1006}), (b"\xc1 not msgpack", {1011})],
+    ids=["text", "too long", "not msgpack"],
 )
 def test_what_is_no_message_closes_only_that_socket(url, data, codes):
     async def main():

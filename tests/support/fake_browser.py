@@ -22,6 +22,7 @@ import msgspec
 import viser
 import websockets
 import zstandard
+from websockets.asyncio.client import connect
 
 from armlab.ui import plugin as plugins
 from armlab.ui.tab import COVERED
@@ -86,7 +87,7 @@ class FakeBrowser:
 
     async def connect(self) -> None:
         headers = {} if self.cookie is None else {"Cookie": self.cookie, "Origin": self.url}
-        self._socket = await websockets.connect(
+        self._socket = await connect(
             self.url.replace("http", "ws", 1) + self.path,
             subprotocols=[websockets.Subprotocol(f"viser-v{viser.__version__}")],
             additional_headers=headers,
@@ -111,7 +112,7 @@ class FakeBrowser:
 
     @property
     def close_code(self) -> int | None:
-        return self._socket.close_code
+        return self._socket.protocol.close_code
 
     async def _read(self) -> None:
         async for frame in self._socket:

@@ -7,6 +7,7 @@ import urllib.request
 
 import viser
 import websockets
+from websockets.asyncio.client import connect
 
 
 def get(url, headers=None, follow=True):
@@ -27,7 +28,7 @@ async def opened(url, headers, protocol=None):
     """Try to open a socket; return the HTTP status of the refusal, or 101."""
     protocol = protocol or f"viser-v{viser.__version__}"
     try:
-        socket_ = await websockets.connect(
+        socket_ = await connect(
             url.replace("http", "ws", 1),
             subprotocols=[websockets.Subprotocol(protocol)],
             additional_headers=headers,

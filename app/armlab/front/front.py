@@ -87,7 +87,9 @@ class Front:
 
     async def _visit(self, request: web.Request) -> web.StreamResponse:
         is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
-        refusal = self._refusal(request, is_socket) or self._asked_for_code(request)
+        refusal = self._refusal(request, is_socket)
+        if refusal is None:  # an answer of older versions of aiohttp counts as false
+            refusal = self._asked_for_code(request)
         if refusal is not None:
             return refusal
         return await (self._serve_socket(request) if is_socket else self._serve_page(request))
