@@ -58,7 +58,7 @@ class IkResult:
     position_error, rotation_error : float
         Metres and radians, of the components the task controls.
     iterations : int
-        Steps in all.
+        Steps in all; 0 of a closed form.
     reason : str
         What a student should know, in words.
     verdict : Verdict
@@ -103,7 +103,8 @@ def solve(
     T : array_like, shape (4, 4)
         Wanted pose of the tool in the world. Components outside the task are ignored.
     q0 : array_like, shape (n,), optional
-        First start; when left out, of random configurations the one whose tool is nearest. Angles of the solution are
+        First start; when left out, of random configurations the one whose tool is nearest, and with ``"dls"`` a closed
+        form on its branch comes first where one is quick (see `armlab.kin.ik.at_once`). Angles of the solution are
         those nearest to it, whole turns apart, inside the limits; in (-pi, pi], where the limits allow, when left out.
     method : str
         Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
@@ -121,7 +122,7 @@ def solve(
     searches : int
         Number of starts, at least 1.
     trace : bool
-        Whether to record every step of the last descent.
+        Whether to record every step of the last descent; a closed form, which has none, is then left aside.
     complete : bool
         Whether to ask for all solutions when no search succeeds, where the arm has a solver that knows them all.
 
