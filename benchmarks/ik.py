@@ -28,12 +28,12 @@ def measure() -> Iterator[str]:
         for name, peer in peers.of(arm).items():
             if stride := STRIDES.get(name):
                 solvers[name] = (stride, lambda T, k, rng, peer=peer: peer.solve(T, rng))
-        ours = 0.0
+        first = 0.0
         for name, (seconds, solved, count) in compare(arm, solvers).items():
-            ours = ours or float(np.median(seconds))
+            first = first or float(np.median(seconds))
             median, slow = np.median(seconds), np.quantile(seconds, 0.99)
             share = f"{100 * solved / count:.1f} %"
-            times = f"{median * 1e3:.3f} ms | {slow * 1e3:.1f} ms | {median / ours:.1f}"
+            times = f"{median * 1e3:.3f} ms | {slow * 1e3:.1f} ms | {median / first:.1f}"
             yield f"| {arm.name} | {name} | {share} | {times} |"
 
 

@@ -107,6 +107,6 @@ def test_an_arm_that_is_nearly_so_is_not_taken_for_one(change):
     arm = catalogue()["puma560"].arm
     assert at_once(arm) is not None
     field, i, by = change
-    rows = [list((row.kind, row.a, row.alpha, row.d, row.theta)) for row in arm.rows]
+    rows = [[row.kind, row.a, row.alpha, row.d, row.theta] for row in arm.rows]
     rows[i][{"a": 1, "alpha": 2}[field]] += by
     assert at_once(Arm.from_dh([tuple(row) for row in rows], arm.convention)) is None

@@ -1,10 +1,10 @@
 """Solutions of the commonest industrial arms in some ten microseconds each: the branch near a start comes first.
 
-Axes 2 and 3 parallel and at a right angle to axis 1, then a spherical wrist with right angles (PUMA), or axis 4 parallel
-to them, too, and axes 4, 5, 6 at right angles with the last two meeting (Universal Robots). Both are the same three
-problems in another order: a height along the parallel axes gives q1, a planar 2R gives q2 and q3, and three axes at
-right angles give the rest. The closed forms of `armlab.kin.ik.closed` serve every arm of their kind, find all solutions
-and know the special poses; here there is nothing special: a caller verifies what comes, and has other means where
+Axes 2 and 3 parallel and at a right angle to axis 1, then a spherical wrist with right angles (PUMA), or axis 4
+parallel to them, too, and axes 4, 5, 6 at right angles with the last two meeting (Universal Robots). Both are the same
+three problems in another order: a height along the parallel axes gives q1, a planar 2R gives q2 and q3, and three axes
+at right angles give the rest. The closed forms of `armlab.kin.ik.closed` serve every arm of their kind, find all
+solutions and know the special poses; here nothing is special: a caller verifies what comes, and has other means where
 nothing does.
 
 References
