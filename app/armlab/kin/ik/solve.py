@@ -41,6 +41,10 @@ STEPS_CLOSEST = 100
 BALANCES = 4
 """Descents of that kind at most, each after slipping off a balance; what is left then waits for the next call."""
 
+NEARLY = 1e-3
+"""Scaled error from which arms with joints to spare ask for the list, too: of a stretched arm the last steps of a
+descent reduce it by less and less."""
+
 SURELY = 1e-9
 """Part of its distance by which a target must be beyond the reach for a search to be pointless, not only rounding."""
 
@@ -202,7 +206,7 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     verdict = judge(arm, T, rest.q, how.locked, how.weights)
     known = Known(proven=beyond)
     if not (verdict.reached or beyond) and how.complete:
-        known = known_solution(arm, T, begin.near, how.locked)
+        known = known_solution(arm, T, begin.near, how.locked, rest.errors.scaled2 < NEARLY**2)
     if known.q is not None:
         other = judge(arm, T, known.q)
         if other.reached:
