@@ -277,3 +277,37 @@ def test_a_pose_out_of_reach_is_proven_to_be(rng):
     assert len(found) == 0
     assert found.completeness == "complete"
     assert "none of the 16 roots" in found.reason or "farther" in found.reason
+
+
+def test_two_candidates_in_a_bent_valley_are_one():
+    """Half-way between them on the chord, 5e-7 and 9e-7 rad long, the error is 4e-14; beside it, on the bottom of the
+    valley, it is 1e-15, which is rounding: a fold with singular values below 1e-8."""
+    arm = catalogue()["tx60"].arm
+    q = [-0.4045992845285733, 0.0, 3.141592663589793, -0.8112381707979899, -1.5707962267948965, -0.22455290367118952]
+    found = solve_all(arm, arm.fk(q))
+    assert no_duplicates(arm, found.q, 1e-5)
+    assert len(found) == 2
+    table = [
+        (-0.08164894549767343, -1.3960862490041916, -0.23958982875711232),
+        (-0.4481703175767251, 2.72414464477818, -0.822768035887004),
+        (-0.36095513399002144, -2.5516542789030465, 0.4335761935528073),
+        (-0.7302647938052524, -1.6362102779183143, 0.9899355989714707),
+        (-0.181407739539587, 1.3174899061591034, -0.5634029925320976),
+        (-0.20044444216235768, -0.22609886254698575, -0.552116649338791),
+    ]
+    general = Arm.from_dh([("R", a, alpha, d, 0.0) for a, alpha, d in table], task="pose")
+    q = [2.7525603928307563, 0.6148802560522587, -1.4497298833934595, -1.98710227505899, -1.6807366847255123,
+         1.7549564054483504]  # fmt: skip
+    assert no_duplicates(general, solve_all(general, general.fk(q)).q, 1e-5)
+
+
+def test_what_the_closed_form_found_at_a_very_singular_pose_is_not_lost():
+    """Elbow, shoulder and wrist nearly singular at once: descents come only near, elimination tells no roots apart."""
+    arm = catalogue()["ur10"].arm
+    q = [-2.2461968070543206, 2.1901561599257935, -2.8238331208783323, 2.618597687548411, 5.67139611151877e-05,
+         -0.016039575711923583]  # fmt: skip
+    found = solve_all(arm, arm.fk(q))
+    assert len(found) > 0
+    assert worst_error(arm, found.q, arm.fk(q)) < REACHED_M
+    # Known to the rounding over the singular value 2e-10, along its direction.
+    assert apart(arm, found.q, np.array(q)).min() < 1e-4 or found.completeness == "infinite"

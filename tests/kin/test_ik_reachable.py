@@ -87,3 +87,21 @@ def test_solutions_at_a_limit_are_kept_there(degrees):
     found = ik.solve_all(arm, arm.fk(np.radians(degrees)))
     assert found.within_limits.all()
     assert np.any(np.abs(found.q[:, :, None] - arm.limits) < 1e-9)
+
+
+@pytest.mark.parametrize(
+    "q",
+    [
+        [1.772, 0.045, 0.0, 0.0, 0.429, -0.494, 1.208],
+        [1.937, -0.521, 0.0, 0.0, -1.289, 0.435, 0.819],
+        [1.771, 0.663, 0.0, 0.0, -0.026, 0.001, 1.834],
+        [-0.42, -0.771, 0.0, 0.0, -0.431, 1.506, 1.671],
+    ],
+)
+def test_a_straight_elbow_of_seven_joints_is_reached(q):
+    """Axes 3 and 5 are then one line, and damped descents creep: each step takes a smaller part of the error away."""
+    arm = catalogue()["gen3"].arm
+    found = ik.solve(arm, arm.fk(q))
+    assert found.success
+    assert arm.within_limits(found.q)
+    assert ik.judge(arm, arm.fk(q), found.q).reached

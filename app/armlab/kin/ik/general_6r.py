@@ -77,7 +77,9 @@ def search_of(arm: Arm) -> Search:
     return Search.of(arm)
 
 
-def solve_general(arm: Arm, T: ArrayLike, *, tolerance: float = TOLERANCE) -> GeneralSolutions:
+def solve_general(
+    arm: Arm, T: ArrayLike, *, tolerance: float = TOLERANCE, known: Sequence[ArrayLike] = ()
+) -> GeneralSolutions:
     """Find all configurations that put the tool of a 6R arm at a pose, joint limits ignored.
 
     Parameters
@@ -89,6 +91,8 @@ def solve_general(arm: Arm, T: ArrayLike, *, tolerance: float = TOLERANCE) -> Ge
         (1e-6 is let through), the nearest rotation is meant.
     tolerance : float
         Metres and radians within which a configuration is a solution.
+    known : sequence of array_like, each of shape (6,)
+        Solutions that others found: where branches merge a start beside them may not lead to them.
 
     Returns
     -------
@@ -115,7 +119,7 @@ def solve_general(arm: Arm, T: ArrayLike, *, tolerance: float = TOLERANCE) -> Ge
     >>> len(found), found.completeness
     (16, 'complete')
     """
-    return solve_general_batch(arm, [as_pose(T, "T")], tolerance=tolerance)[0]
+    return _solved(arm, [as_pose(T, "T")], tolerance, np.array(known, dtype=np.float64).reshape(-1, 6))[0]
 
 
 def solve_general_batch(
@@ -136,12 +140,17 @@ def solve_general_batch(
     InputError
         As `solve_general`; the text says which pose.
     """
-    if not isinstance(tolerance, (int, float)) or not 0.0 < tolerance < np.inf:
-        raise wrong("tolerance", "a positive number of metres and radians", tolerance)
     if not isinstance(poses, (Sequence, np.ndarray)) or isinstance(poses, str):
         raise wrong("poses", "a list of 4 x 4 matrices", poses)
     single = len(poses) == 1
     checked = [as_pose(T, "T" if single else f"pose {k + 1}") for k, T in enumerate(poses)]
+    return _solved(arm, checked, tolerance, np.empty((0, 6)))
+
+
+def _solved(arm: Arm, checked: list[Floats], tolerance: float, known: Floats) -> list[GeneralSolutions]:
+    """Return the solutions for checked poses, with known ones of all of them."""
+    if not isinstance(tolerance, (int, float)) or not 0.0 < tolerance < np.inf:
+        raise wrong("tolerance", "a positive number of metres and radians", tolerance)
     search = search_of(arm)
     if not checked:
         return []
@@ -154,11 +163,13 @@ def solve_general_batch(
     if len(within):
         firsts = [NO_ROOTS] * len(within) if search.deficient else search.roots(hands[within], 0)
         for k, first in zip(within, firsts, strict=True):
-            results[k] = _solve(arm, search, wanted[k], hands[k], first, tolerance)
+            results[k] = _solve(arm, search, wanted[k], hands[k], first, tolerance, known + search.loop.offsets)
     return results
 
 
-def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tolerance: float) -> GeneralSolutions:
+def _solve(
+    arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tolerance: float, known: Floats
+) -> GeneralSolutions:
     """Look on until all roots are accounted for; then judge and sort."""
     links, passes = search.loop.links, 0 if search.deficient else 1
     # Of a nearly special arm roots may have come back from infinity: there a second look is taken.
@@ -171,7 +182,7 @@ def _solve(arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tole
         found, complete = roots.q[roots.real].real, True
         parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp), 0.0)
     else:
-        found, parts, roots, complete = resolve(search, hand, roots)
+        found, parts, roots, complete = resolve(search, hand, roots, known)
     beside = nearly(links, roots, found, hand)
     q = np.concatenate([found[parts.isolated], parts.members, beside])
     singular = np.ones(len(q), dtype=bool)

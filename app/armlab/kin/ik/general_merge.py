@@ -28,6 +28,9 @@ WORTH = 1e-6
 EXACT = 1e-12
 """Error of a solution; what stays above it only comes near the pose."""
 
+BETWEEN = 1e-14
+"""Error at the bottom of the valley half-way between two candidates, up to which they are one: some ten roundings."""
+
 IDENTICAL = 1e-9
 """Radians: what is closer is one without asking the pose."""
 
@@ -86,9 +89,9 @@ def _same(links: Floats, q: Floats, sizes: Floats, apart: Floats, hand: Floats) 
     """
     one, other = np.nonzero(np.tril(apart < CLOSE, -1))
     half_way = q[one] + 0.5 * wrapped(q[other] - q[one])
-    between, left = nearest(links, half_way, np.broadcast_to(hand, (len(one), 4, 4)), WEAK)
+    between, left = nearest(links, half_way, np.broadcast_to(hand, (len(one), 4, 4)), WEAK, exact=REFINED)
     stayed = np.linalg.norm(between - half_way, axis=1) < STAYED * apart[one, other]
-    found = stayed & (left <= np.maximum(4.0 * np.maximum(sizes[one], sizes[other]), ROUNDING))
+    found = stayed & (left <= np.maximum(4.0 * np.maximum(sizes[one], sizes[other]), BETWEEN))
     same = np.zeros((len(q), len(q)), dtype=bool)
     same[one[found], other[found]] = same[other[found], one[found]] = True
     return same

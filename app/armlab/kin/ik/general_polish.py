@@ -73,9 +73,14 @@ def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbe
     sizes = np.abs(errors).max(axis=1) + (turned[:, 3].real < 1.0)
     columns = np.empty((len(q), 6, 6), dtype=q.dtype)
     axes, arms = frames[..., :3, 2], ends[:, None, :3, 3] - frames[..., :3, 3]
-    columns[..., :3] = (axes[..., None] * arms[..., None, :]).reshape(-1, 6, 9) @ _CROSS
+    columns[..., :3] = crossed(axes, arms)
     columns[..., 3:] = axes
     return errors, columns, sizes
+
+
+def crossed(a: Numbers, b: Numbers) -> Numbers:
+    """Return vector products a x b, shape (..., 3); NumPy's takes several times as long for few."""
+    return np.asarray((a[..., None] * b[..., None, :]).reshape(*a.shape[:-1], 9) @ _CROSS)
 
 
 def polish(
@@ -123,7 +128,9 @@ def polish(
     return found, best
 
 
-def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = NEAREST) -> tuple[Floats, Floats]:
+def nearest(
+    links: Floats, q: Floats, hands: Floats, weak: float, steps: int = NEAREST, exact: float = EXACT
+) -> tuple[Floats, Floats]:
     """Return the nearest configurations to hands, and their errors, without moving along weak directions.
 
     Parameters
@@ -134,6 +141,8 @@ def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = N
     weak : float
         Of the largest singular value: along directions with smaller ones the arm can hardly move its tool.
     steps : int
+    exact : float
+        Error below which all may stay where they are.
     """
     found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
     for step in range(steps):
@@ -143,7 +152,7 @@ def nearest(links: Floats, q: Floats, hands: Floats, weak: float, steps: int = N
         still, better = squares > 0.5 * least, squares < least
         found[better], best[better], least[better] = q[better], sizes[better], squares[better]
         # They converge quadratically to what is nearest, and then stand still.
-        if ((best <= EXACT) | (still & (step >= SETTLED))).all():
+        if ((best <= exact) | (still & (step >= SETTLED))).all():
             break
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
     return found, best

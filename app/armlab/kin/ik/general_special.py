@@ -63,7 +63,7 @@ class Resolved(NamedTuple):
     complete: bool
 
 
-def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
+def resolve(search: Search, hand: Floats, roots: Roots, known: Floats) -> Resolved:
     """Return the real solutions at a pose where not all roots of the arm are regular.
 
     Parameters
@@ -72,10 +72,12 @@ def resolve(search: Search, hand: Floats, roots: Roots) -> Resolved:
     hand : ndarray, shape (4, 4)
     roots : Roots
         What elimination found at the pose itself.
+    known : ndarray, shape (k, 6)
+        Real solutions that others found.
     """
     links, rng = search.loop.links, np.random.default_rng(SEED)
     found = search.descents(hand)
-    q = merged(links, np.concatenate([found, _starts(roots.q)]), hand)
+    q = merged(links, np.concatenate([found, known, _starts(roots.q)]), hand)
     if search.deficient and not len(q):
         q = found[:MOST_LOOSE]
     parts = _parted(search, q, hand)

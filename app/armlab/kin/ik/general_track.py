@@ -13,6 +13,7 @@ Sommese and Wampler, *The Numerical Solution of Systems of Polynomials*, 2005, c
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.ik.general_complex import OUTERMOST, blurred, inverted
 from armlab.kin.ik.general_loop import Complex, Floats, Numbers
-from armlab.kin.ik.general_polish import errors_and_columns
+from armlab.kin.ik.general_polish import crossed, errors_and_columns
 
 FIRST, LONGEST = 0.1, 0.25
 """Steps of u."""
@@ -93,16 +94,21 @@ class Way:
         """The pose at u = 1, shape (4, 4)."""
         return np.asarray(self.at(np.ones(1))[0][0].real)
 
+    @cached_property
+    def _turned(self) -> Floats:
+        """The rotation half-way between both ends, shape (3, 3)."""
+        return np.asarray(cayley(self.half[None])[0] @ self.hand[:3, :3])
+
     def at(self, u: Floats) -> tuple[Complex, Complex]:
         """Return poses (m, 4, 4) and their derivative by u as twists (v; omega), shape (m, 6)."""
         u = u[:, None]
         a = (2.0 * u - 1.0) * self.half + u * (1.0 - u) * self.bend[0]
         da = 2.0 * self.half + (1.0 - 2.0 * u) * self.bend[0]
         poses = np.zeros((len(u), 4, 4), dtype=np.complex128)
-        poses[:, :3, :3] = cayley(a) @ (cayley(self.half[None])[0] @ self.hand[:3, :3])
+        poses[:, :3, :3] = cayley(a) @ self._turned
         poses[:, :3, 3] = self.hand[:3, 3] + u * self.aside + u * (1.0 - u) * self.bend[1]
         poses[:, 3, 3] = 1.0
-        turning = 2.0 * (da + np.cross(a, da)) / (1.0 + (a * a).sum(axis=1))[:, None]
+        turning = 2.0 * (da + crossed(a, da)) / (1.0 + (a * a).sum(axis=1))[:, None]
         moving = self.aside + (1.0 - 2.0 * u) * self.bend[1]
         return poses, np.concatenate([moving, turning], axis=1)
 
@@ -158,25 +164,23 @@ def _step(
         middle = np.where(log, np.sqrt(u * to), 0.5 * (u + to))
         length = np.where(log, np.log(np.where(log, to / u, 1.0)), to - u)[:, None]
 
-        def rate(at: Floats, values: Complex) -> Complex:
-            return _slopes(links, way, values, at) * np.where(log, at, 1.0)[:, None]
+        def rate(values: Complex, poses: Complex, twists: Complex, by: Floats) -> Complex:
+            columns = errors_and_columns(links, values, poses)[1]
+            return np.asarray((twists[:, None] @ inverted(columns))[:, 0] * by[:, None])
 
-        k1 = rate(u, q)
-        k2 = rate(middle, q + 0.5 * length * k1)
-        k3 = rate(middle, q + 0.5 * length * k2)
-        k4 = rate(to, q + length * k3)
+        at_middle, at_end = way.at(middle), way.at(to)
+        k1 = rate(q, *way.at(u), np.where(log, u, 1.0))
+        k2 = rate(q + 0.5 * length * k1, *at_middle, np.where(log, middle, 1.0))
+        k3 = rate(q + 0.5 * length * k2, *at_middle, np.where(log, middle, 1.0))
+        k4 = rate(q + length * k3, *at_end, np.where(log, to, 1.0))
         q = q + length / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
-        poses = way.at(to)[0]
+        poses = at_end[0]
         first = last = np.zeros(len(q))
         for k in range(3):
             errors, columns, _ = errors_and_columns(links, q, poses)
             step = (errors[:, None] @ inverted(columns))[:, 0]
             q, last = q + step, np.abs(step).max(axis=1)
             first = last if k == 0 else first
+            if (last < CONVERGED).all():
+                break
     return q, first, last, np.abs(k1).max(axis=1)
-
-
-def _slopes(links: Floats, way: Way, q: Complex, u: Floats) -> Complex:
-    """Return dq / du, shape (m, 6)."""
-    poses, twists = way.at(u)
-    return np.asarray((twists[:, None] @ inverted(errors_and_columns(links, q, poses)[1]))[:, 0])

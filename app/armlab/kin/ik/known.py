@@ -35,8 +35,10 @@ class Known(NamedTuple):
     sentence: str = ""
 
 
-def known_solution(arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | None) -> Known:
+def known_solution(arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | None, came_near: bool = False) -> Known:
     """Return what the complete solver of an arm knows; nothing for an arm that has none.
+
+    That of an arm with joints to spare proves nothing, but may find what a search that came near missed.
 
     Parameters
     ----------
@@ -46,9 +48,12 @@ def known_solution(arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | N
     near : ndarray, shape (n,)
         Joint values to be near to; those of locked joints are kept.
     locked : sequence of bool, optional
+    came_near : bool
+        Whether a search ended near the pose.
     """
     held = {i + 1: float(near[i]) for i in range(arm.n) if locked is not None and locked[i]}
-    if not _can_tell(arm, len(held)):
+    can_tell = _can_tell(arm, len(held))
+    if not can_tell and not (came_near and not held and arm.n > arm.task.m):
         return Known()
     found = solve_all(arm, T, held=held)
     inside = found.q[found.within_limits]
@@ -56,6 +61,8 @@ def known_solution(arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | N
         q = _nearest(arm, inside, near)
         q = q if locked is None else np.where(np.array(locked), near, q)
         return Known(q, sentence="found in the list of all solutions, not by this search")
+    if not can_tell:
+        return Known()
     so = " with these joints locked" if held else ""
     if found.completeness == "none" or (found.completeness == "complete" and not len(found)):
         return Known(None, True, f"proven: there is no solution{so}")

@@ -225,8 +225,12 @@ class TaskError:
 
     def target(self, T: NDArray[np.floating]) -> list[float]:
         """Return the 12 numbers of a target pose (4, 4) in the world, as the formulas want them."""
-        found: list[float] = (self._to_frame_0 @ T).ravel().tolist()
+        found: list[float] = self.in_frame_0(T).ravel().tolist()
         return found[:12]
+
+    def in_frame_0(self, T: NDArray[np.floating]) -> NDArray[np.float64]:
+        """Return a pose (4, 4) of the world in frame 0."""
+        return np.asarray(self._to_frame_0 @ T)
 
     def distance(self, target: Sequence[float]) -> float:
         """Return how far the controlled coordinates of a target are from the origin of frame 0, in metres."""

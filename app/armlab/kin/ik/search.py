@@ -12,13 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ik.at_once import at_once
 from armlab.kin.ik.iterate.loop import Fate, Stage, march
 from armlab.kin.ik.iterate.method import IterationMethod
 from armlab.kin.ik.iterate.problem import Problem as Iterated
 from armlab.kin.ik.iterate.record import filmed, replayed, unfit
 from armlab.kin.ik.iterate.task_vector import task_vector
 from armlab.kin.ik.iterate.trace import Trace
-from armlab.kin.ik.loop import Descent, descend, descend_inside, turns_inside
+from armlab.kin.ik.loop import Descent, arrived, descend, descend_inside, turns_inside
 from armlab.kin.ik.method import Method
 from armlab.kin.ik.problem import REACHED_M, REACHED_RAD, Problem
 from armlab.kin.ik.rest import AT
@@ -33,6 +34,9 @@ ITERATIONS = 22
 
 MOST = 200
 """Steps of one descent of an iterative method; those of first order need a hundred."""
+
+POLISH = 3
+"""Steps at most for a solution in closed form."""
 
 NEAR = 8
 """Starts that are taken from samples near the target; more of them would lead to the same solutions."""
@@ -127,7 +131,7 @@ class Searched(NamedTuple):
     verdict : Verdict or None
         What it is worth.
     iterations : int
-        Steps in all.
+        Steps in all; 0 of a closed form.
     trace : Trace or None
         Record of the last descent.
     note : str
@@ -163,7 +167,10 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
     """
     problem, free, iterations = problem_of(begin.arm, method), begin.free, 0
     found, path, converged = None, None, False
-    for number, first in enumerate(begin.starts(target)):
+    # Of the methods without damping students ask what they do, and of a record the steps.
+    if begin.start is None and method.damped and not keep:
+        found = _found_at_once(begin, problem, T, target)
+    for number, first in enumerate(begin.starts(target) if found is None else ()):
         path = [first] if keep else None
         descent = descend(problem, target, first, free, ITERATIONS, path)
         iterations, converged = iterations + descent.iterations, descent.converged
@@ -177,6 +184,24 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
     trace = None if path is None else _replayed(begin, T, method, np.array(path), converged)
     q, verdict = (None, None) if found is None else found
     return Searched(q, verdict, iterations, trace)
+
+
+def _found_at_once(begin: Begin, problem: Problem, T: Floats, target: Sequence[float]) -> tuple[Floats, Verdict] | None:
+    """Return the solution inside the limits on a branch near the sample nearest to the target, where it is quick."""
+    solver = at_once(begin.arm)
+    if solver is None:
+        return None
+    near = samples_of(begin.arm, begin.seed).nearest(target).tolist()
+    for q in solver.solutions(problem.in_frame_0(T), near):
+        if begin.placed(q) is None:
+            continue
+        errors = problem.errors_at(q, target)
+        # Rounding of a nearly straight elbow or wrist is polished away.
+        descent = Descent(q, errors, 0) if arrived(errors) else descend(problem, target, q, None, POLISH)
+        found = _reached(begin, descent)
+        if found is not None:
+            return found
+    return None
 
 
 def inside_solutions(begin: Begin, target: Sequence[float], method: Method, wanted: int) -> list[Floats]:

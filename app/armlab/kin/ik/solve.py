@@ -41,6 +41,10 @@ STEPS_CLOSEST = 100
 BALANCES = 4
 """Descents of that kind at most, each after slipping off a balance; what is left then waits for the next call."""
 
+NEARLY = 1e-3
+"""Scaled error from which arms with joints to spare ask for the list, too: of a stretched arm the last steps of a
+descent reduce it by less and less."""
+
 SURELY = 1e-9
 """Part of its distance by which a target must be beyond the reach for a search to be pointless, not only rounding."""
 
@@ -58,7 +62,7 @@ class IkResult:
     position_error, rotation_error : float
         Metres and radians, of the components the task controls.
     iterations : int
-        Steps in all.
+        Steps in all; 0 of a closed form.
     reason : str
         What a student should know, in words.
     verdict : Verdict
@@ -103,7 +107,8 @@ def solve(
     T : array_like, shape (4, 4)
         Wanted pose of the tool in the world. Components outside the task are ignored.
     q0 : array_like, shape (n,), optional
-        First start; when left out, of random configurations the one whose tool is nearest. Angles of the solution are
+        First start; when left out, of random configurations the one whose tool is nearest, and with ``"dls"`` a closed
+        form on its branch comes first where one is quick (see `armlab.kin.ik.at_once`). Angles of the solution are
         those nearest to it, whole turns apart, inside the limits; in (-pi, pi], where the limits allow, when left out.
     method : str
         Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
@@ -121,7 +126,7 @@ def solve(
     searches : int
         Number of starts, at least 1.
     trace : bool
-        Whether to record every step of the last descent.
+        Whether to record every step of the last descent; a closed form, which has none, is then left aside.
     complete : bool
         Whether to ask for all solutions when no search succeeds, where the arm has a solver that knows them all.
 
@@ -201,7 +206,7 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     verdict = judge(arm, T, rest.q, how.locked, how.weights)
     known = Known(proven=beyond)
     if not (verdict.reached or beyond) and how.complete:
-        known = known_solution(arm, T, begin.near, how.locked)
+        known = known_solution(arm, T, begin.near, how.locked, rest.errors.scaled2 < NEARLY**2)
     if known.q is not None:
         other = judge(arm, T, known.q)
         if other.reached:

@@ -121,7 +121,9 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     # Values of a free joint that were tried and led to none, as for a nearly straight wrist, prove nothing.
     if some.doubtful or (some.rows and (found.families or found.sampled)):
         if _is_general(arm):
-            return _by_elimination(arm, T, f"{why} Branches merge at this pose or nearly: solved as a general 6R.")
+            return _by_elimination(
+                arm, T, f"{why} Branches merge at this pose or nearly: solved as a general 6R.", some.rows
+            )
         if some.rows:
             return _with_descents(arm, T, seed, some, form.key, why)
     if some.rows:
@@ -158,8 +160,8 @@ def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why
     return Answer(some.rows, "complete", "", key, why, (), some.loose, some.missed)
 
 
-def _by_elimination(arm: Arm, T: Vector, why: str) -> Answer:
-    found = solve_general(arm, T)
+def _by_elimination(arm: Arm, T: Vector, why: str, known: Sequence[Vector] = ()) -> Answer:
+    found = solve_general(arm, T, known=known)
     q = in_order(arm, found.q)
     completeness: Completeness = found.completeness
     if completeness == "complete" and not q:
@@ -260,11 +262,11 @@ def _distance(answer: Answer) -> str:
     if answer.missed is None or (answer.q and not answer.loose):
         return ""
     by = missed_in_words(*answer.missed)
+    if answer.q and not by:
+        return ""
     if answer.q:
-        many = len(answer.q) > 1
-        who = (
-            "It comes" if not many else "They come" if answer.loose == len(answer.q) else f"{answer.loose} of them come"
-        )
+        some = f"{answer.loose} of them come{'s' if answer.loose == 1 else ''}"
+        who = "It comes" if len(answer.q) == 1 else "They come" if answer.loose == len(answer.q) else some
         return f"{who} within {by} of the target, which counts as reached."
     if max(answer.missed) > OUT_OF_REACH or answer.completeness != "none":
         return ""

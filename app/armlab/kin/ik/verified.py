@@ -90,9 +90,15 @@ def solution(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] |
 
 
 def _descended(
-    arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None, cutoff: float, limit: float
+    arm: Arm,
+    q: Vector,
+    target: list[float],
+    held: NDArray[np.bool_] | None,
+    cutoff: float,
+    limit: float,
+    good: float = GOOD,
 ) -> Polished:
-    """Go by Newton steps as long as they lead nearer; at once back from errors above a limit."""
+    """Go by Newton steps as long as they lead nearer and none is good; at once back from errors above a limit."""
     task, least, best = task_error_of(arm), math.inf, None
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
     for k in range(MORE_STEPS):
@@ -101,7 +107,7 @@ def _descended(
         if best is not None and (not size < least or (k >= STEPS and size > 0.8 * least)):
             break
         best, least = Polished(q, errors, J), size
-        if size <= GOOD or not size <= limit:
+        if size <= good or not size <= limit:
             break
         q = q + np.linalg.lstsq(J if held is None else np.where(held, 0.0, J), e, rcond=cutoff)[0] * scales
     assert best is not None
@@ -149,7 +155,7 @@ def _joined(arm: Arm, one: Polished, way: Vector, target: list[float]) -> bool:
     if far < (BLURRED if one.errors.scaled2 > EXACT**2 else IDENTICAL):
         return True
     half_way = one.q - 0.5 * way * np.where(arm.revolute, 1.0, arm.length_scale)
-    between = _descended(arm, half_way, target, None, VALLEY, math.inf)
+    between = _descended(arm, half_way, target, None, VALLEY, math.inf, 0.0)
     aside = np.abs(_apart(arm, between.q, half_way)).max()
     return bool(aside < STAYED * far and between.errors.scaled2 <= max(16.0 * one.errors.scaled2, BETWEEN**2))
 
