@@ -26,6 +26,10 @@ class Limits:
         Seconds of unbroken slowing down by count after which a flooding socket is closed.
     sockets_each, sockets : int
         Of one browser, and of all.
+    visitors : int
+        Connections that are no sockets yet: asking for the page, receiving it, or silent.
+    visit : float
+        Seconds after which such a connection ends.
     """
 
     message: int = 2 << 20
@@ -36,6 +40,8 @@ class Limits:
     patience: float = 10.0
     sockets_each: int = 6
     sockets: int = 240
+    visitors: int = 500
+    visit: float = 60.0
 
 
 class Bucket:

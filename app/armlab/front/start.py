@@ -18,6 +18,7 @@ from armlab.content.lessons import add_folder
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
 from armlab.front.addresses import served_names
+from armlab.front.doors import Site, let_open_many_files
 from armlab.front.front import Front
 from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
@@ -89,6 +90,7 @@ def start(settings: Settings) -> Running:
         A folder of lessons is none.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
+    let_open_many_files()
     for folder in settings.lessons:
         add_folder(folder)
     with ExitStack() as opened:
@@ -149,7 +151,7 @@ async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]
     await runner.setup()
     for port in settings.ports:
         try:
-            await _site(runner, settings.host, port).start()
+            await _site(runner, front, settings.host, port).start()
         except OSError as error:
             if error.errno in (errno.EADDRINUSE, errno.EACCES) and port != settings.ports[-1]:
                 continue
@@ -159,12 +161,12 @@ async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]
     raise StartError("no port to try")
 
 
-def _site(runner: web.AppRunner, host: str, port: int) -> web.BaseSite:
+def _site(runner: web.AppRunner, front: Front, host: str, port: int) -> Site:
     if host != "::":
-        return web.TCPSite(runner, host, port, backlog=256)
+        return Site(runner, front.doors, host=host, port=port)
     # asyncio would leave IPv4 out, and with it the addresses people in the room can type.
-    everywhere = socket.create_server(("::", port), family=socket.AF_INET6, backlog=256, dualstack_ipv6=True)
-    return web.SockSite(runner, everywhere, backlog=256)
+    everywhere = socket.create_server(("::", port), family=socket.AF_INET6, dualstack_ipv6=True)
+    return Site(runner, front.doors, sock=everywhere)
 
 
 def _why(error: OSError, settings: Settings, port: int) -> str:
