@@ -182,7 +182,10 @@ class Front:
             return _text(503, "The lab is starting.")
         try:
             browser = web.WebSocketResponse(
-                protocols=[protocol], max_msg_size=self._limits.message, heartbeat=20.0, compress=False
+                protocols=[protocol],
+                max_msg_size=self._limits.message,
+                heartbeat=self._limits.heartbeat,
+                compress=False,
             )
             await browser.prepare(request)
             self._sockets.add(browser)
