@@ -126,12 +126,14 @@ class Lab:
         await self.loop.run_in_executor(None, lessons)
         session = self.store.get(token)
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
-        async with self._building:
-            if adapter.request_headers(self.server, client) is None:
-                return  # gone while the link's arm was fetched, or others came in
-            began = time.perf_counter()
-            self._open(client, session)
-            await asyncio.sleep((time.perf_counter() - began) * (1.0 / BUILDING - 1.0))
+        await self._building.acquire()
+        began = time.perf_counter()
+        try:
+            if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
+                self._open(client, session)
+        finally:
+            pause = (time.perf_counter() - began) * (1.0 / BUILDING - 1.0)
+            self.loop.call_later(pause, self._building.release)
 
     def _open(self, client: viser.ClientHandle, session: Session) -> None:
         """Build the page of a browser."""
