@@ -17,7 +17,7 @@ from support.fake_browser import FakeBrowser
 
 TITLE = "Strangers: random frames and requests beside a student who drags"
 FRAMES = sized(100_000, 400)
-REQUESTS = sized(100_000, 20)
+REQUESTS = sized(10_000, 20)
 STRANGERS = sized(20, 2)
 
 
