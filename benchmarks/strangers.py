@@ -26,6 +26,12 @@ SEED = 13
 TOGETHER = 40
 """Frames a stranger sends before anything else gets its turn."""
 
+RATE = 100.0
+"""Frames a second, a little fewer than are slowed down: who sends more is cut off, and does not send for a minute."""
+
+OPENING = 3.0
+"""Seconds a stranger waits for a bench."""
+
 NICENESS = 10
 """Of strangers: the processor time they need is that of other machines."""
 
@@ -75,14 +81,15 @@ class Stranger:
         self._browser = browser = FakeBrowser(self._url, cookie)
         await browser.connect()
         await browser.until(lambda: is_open(browser))
-        await browser.open(str(self._rng.choice(BENCHES)))
+        with contextlib.suppress(TimeoutError):  # what was typed may have led to a page that hides the bench
+            await asyncio.wait_for(browser.open(str(self._rng.choice(BENCHES))), OPENING)
         while self.sent < count and browser.close_code is None:
             self._cells = re.findall(r'data-chan="([^"]*)"[^>]*data-cell="([^"]*)"', browser.html())
             for _ in range(TOGETHER):
                 frame = self._frame(browser)
                 self.sent += 1
                 await browser.send_raw(frame)
-            await asyncio.sleep(0)
+            await asyncio.sleep(TOGETHER / RATE)
 
     def _frame(self, browser: FakeBrowser) -> bytes:
         kind = self._rng.choice(5, p=(0.5, 0.3, 0.15, 0.045, 0.005))
