@@ -13,7 +13,7 @@ from playwright.sync_api import Browser, BrowserContext, Page
 import drag
 import servers
 import swinging
-from rounds import quantile, sized
+from rounds import TINY, quantile, sized
 from support.page import LabPage, chromium
 
 TITLE = "Playback of a moving arm: poses shown in Chromium with a software renderer"
@@ -101,7 +101,7 @@ def played(browser: Browser, window: tuple[int, int], others: int, ours: bool) -
 
 def open_ours(context: BrowserContext, url: str, window: tuple[int, int]) -> tuple[Page, str]:
     """Read the motion from a file, play it with its plan in sight; return the page, and the node of joint 1."""
-    lab = LabPage(context, url, window)
+    lab = LabPage(context, url, window, painted=not TINY)
     lab.open_tab("Motion")
     lab.press("motion_files")
     file = {"name": "motion.csv", "mimeType": "text/csv", "buffer": swinging.table().encode()}

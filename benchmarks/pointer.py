@@ -8,7 +8,7 @@ from playwright.sync_api import Browser
 import servers
 from armlab.content.robots import catalogue
 from armlab.ui.figure.anatomy import anatomy_of
-from rounds import quantile, sized
+from rounds import TINY, quantile, sized
 from support.page import HANDLE, LabPage, chromium
 
 TITLE = "Pointer to picture: Chromium with a software renderer, 640 x 420"
@@ -56,7 +56,7 @@ def dragged(browser: Browser, url: str, handle: float, off: Sequence[str]) -> It
     """Drag the upward arrow in single steps, each after the answer to the one before; yield milliseconds."""
     with browser.new_context() as context:
         context.add_init_script(RECORD)
-        lab = LabPage(context, url, WINDOW)
+        lab = LabPage(context, url, WINDOW, painted=not TINY)
         if off:
             lab.open_tab("View")
             for switch in off:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from armlab.content.check import read_check
+from armlab.content.check import read_check, read_state_check
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import catalogue
@@ -20,6 +20,22 @@ def check(text, robot="planar_2r"):
 
 def seen(q_deg, robot="planar_2r"):
     return Observation.of(catalogue()[robot].arm, np.radians(q_deg))
+
+
+def test_a_place_is_marked_where_the_author_says_so():
+    place = 'kind = "tool_at"\nposition = [1, 1, 0]\ntolerance_m = 0.05\n'
+    robot = catalogue()["planar_2r"]
+
+    def goals(text):
+        return read_state_check(Table.parse("f.md", text), robot, str).goals
+
+    assert goals(place) == ()
+    (goal,) = goals(f"{place}marked = true")
+    assert (goal.position.tolist(), goal.within) == ([1.0, 1.0, 0.0], 0.05)
+    other = 'kind = "all_of"\n[[checks]]\nkind = "singular"\nwant = false\n[[checks]]\n'
+    assert len(goals(f"{other}{place}marked = true")) == 1
+    with pytest.raises(ContentError, match=r"step 1\.check\.marked: expected true or false, got 1"):
+        check(f"{place}marked = 1")
 
 
 def test_the_tool_at_a_point_names_mistakes():

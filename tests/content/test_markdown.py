@@ -249,6 +249,12 @@ def test_braces_of_formulas_are_no_live_values():
     assert "<mi>a</mi>" in shown(r"$x^{{a}}$", live={"q1": ""})
 
 
+def test_a_table_in_square_brackets_is_marked_as_a_matrix_and_no_other():
+    assert '<mtable class="matrix">' in formula(r"R = \begin{bmatrix} c & -s \\ s & c \end{bmatrix}", block=True)
+    assert "matrix" not in formula(r"R = \begin{pmatrix} c & -s \\ s & c \end{pmatrix}")
+    assert "matrix" not in formula(r"[a] + \begin{matrix} c \\ s \end{matrix}")
+
+
 def test_a_true_minus_sign_in_a_formula_is_an_operator():
     assert formula("a \u2212 1") == formula("a - 1")
 

@@ -43,6 +43,22 @@ tolerance = 0.1
 """
 
 
+MARKED = """
+## Go
+
+```check
+kind = "tool_at"
+position = [1, 1, 0]
+tolerance_m = 0.05
+marked = true
+```
+
+## Read
+
+Well done.
+"""
+
+
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     folder = write(
@@ -50,11 +66,36 @@ def url(tmp_path_factory):
         locked=lesson(front=LOCKED),
         held=lesson(front=ARM + "locked_joints = [2]\n"),
         hiding=lesson(front=HIDING),
+        marked=lesson(MARKED),
         varied=lesson(STEP, VARIED),
         hostile=lesson(HOSTILE, HOSTILE_ARM, f"Title {PWN}"),
     )
     with running_lab(lessons=folder) as address:
         yield address
+
+
+# -- what a lesson marks in the scene ----------------------------------------------------------------------------
+
+
+def test_a_marked_goal_is_seen_while_its_step_is_shown(url):
+    async def main():
+        browser = await in_lesson(url, "marked")
+        end = "/goal_0"
+        await browser.until(lambda: any(name.endswith(end) for name in browser.nodes))
+        (ball,) = (node for name, node in browser.nodes.items() if name.endswith(end))
+        assert ball["position"] == pytest.approx((1.0, 1.0, 0.0))
+        assert ball["radius"] == 0.05
+        before = ball["color"]
+        await browser.set_value(browser.slider(1), 0.0)
+        await browser.set_value(browser.slider(2), 90.0)
+        await browser.until(
+            lambda: any(name.endswith(end) and node["color"] != before for name, node in browser.nodes.items())
+        )
+        await browser.press("lesson-next")
+        await browser.until(lambda: not any(name.endswith(end) for name in browser.nodes))
+        await browser.close()
+
+    run(main())
 
 
 # -- what a lesson holds back ------------------------------------------------------------------------------------

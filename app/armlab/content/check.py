@@ -83,6 +83,22 @@ class Check(Protocol):
         ...
 
 
+@dataclass(frozen=True, eq=False)
+class Goal:
+    """A ball of the world in which the tool has to be, for all to see.
+
+    Attributes
+    ----------
+    position : ndarray, shape (3,)
+        Its centre, metres.
+    within : float
+        Its radius, metres.
+    """
+
+    position: NDArray[np.float64]
+    within: float
+
+
 @dataclass(frozen=True)
 class CheckType:
     """One kind of check, the constant ``CHECK`` of a module in `armlab.content.checks`.
@@ -165,6 +181,11 @@ class StateCheck:
     def noted(self) -> tuple[str, ...]:
         """What of it no file proves, such as the time that has passed: it can only be taken down as it was told."""
         return tuple(dict.fromkeys(getattr(self.check, "noted", ())))
+
+    @property
+    def goals(self) -> tuple[Goal, ...]:
+        """What the lesson marks in the scene."""
+        return tuple(getattr(self.check, "goals", ()))
 
     def is_met(self, observation: Observation) -> bool:
         """Whether the check is met."""

@@ -30,13 +30,6 @@ class Fields(Table):
         """The parsed table."""
         return self._data
 
-    def boolean(self, key: str, default: bool) -> bool:
-        """Take true or false."""
-        value = self._take(key, default)
-        if not isinstance(value, bool):
-            raise self.fail(key, f"expected true or false, got {shown(value)}")
-        return value
-
     def whole(self, key: str, least: int, most: int) -> int:
         """Take a whole number, which may be written 2 or 2.0."""
         return self._whole(key, self.number(key), least, most)

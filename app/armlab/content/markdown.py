@@ -85,6 +85,8 @@ def formula(latex: str, block: bool = False) -> str:
     for element in root.iter():
         element.tag = element.tag.removeprefix(f"{{{_NAMESPACE}}}")
         _check(element, latex)
+    for element in root.iter():
+        _mark_matrices(element)
     root.set("xmlns", _NAMESPACE)
     return ElementTree.tostring(root, encoding="unicode", short_empty_elements=False)
 
@@ -109,6 +111,13 @@ def _check(element: ElementTree.Element, latex: str) -> None:
     unknown = re.search(r"\\[a-zA-Z]+|\\", element.text or "")
     if unknown:
         raise InputError(f"the formula ${latex}$ has an unknown command {unknown[0]}")
+
+
+def _mark_matrices(parent: ElementTree.Element) -> None:
+    """Mark tables between square brackets, which the page draws: few fonts have brackets that grow with a table."""
+    for before, table, after in zip(parent, parent[1:], parent[2:], strict=False):
+        if table.tag == "mtable" and (before.text, after.text) == ("[", "]"):
+            table.set("class", "matrix")
 
 
 def tokens_of(text: str) -> list[Token]:

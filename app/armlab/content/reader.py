@@ -75,6 +75,13 @@ class Table:
         """Take a value of any kind, as the file has it."""
         return self._take(key, default)
 
+    def boolean(self, key: str, default: bool) -> bool:
+        """Take true or false."""
+        value = self._take(key, default)
+        if not isinstance(value, bool):
+            raise self.fail(key, f"expected true or false, got {shown(value)}")
+        return value
+
     def number(self, key: str, default: float | None = None) -> float:
         """Take a finite number."""
         return self._number(key, self._take(key, default))

@@ -28,7 +28,7 @@ def verdict_words(verdict: Verdict, units: Units) -> tuple[str, str]:
         return "out of reach", f"{short}; farther than all links in a line"
     if verdict.status == "closest":
         return "closest possible", short
-    return "on the way", short
+    return "not there yet", short
 
 
 def _shortfall(verdict: Verdict, units: Units) -> str:

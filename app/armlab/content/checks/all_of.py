@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from armlab.content.check import PLAIN, Check, CheckType, Words, check_types, read_check
+from armlab.content.check import PLAIN, Check, CheckType, Goal, Words, check_types, read_check
 from armlab.content.observation import Observation
 from armlab.content.reader import Table
 from armlab.content.robots import Robot
@@ -30,6 +30,11 @@ class AllOf:
     def noted(self) -> tuple[str, ...]:
         """What of them no file proves."""
         return tuple(name for check in self.checks for name in getattr(check, "noted", ()))
+
+    @property
+    def goals(self) -> tuple[Goal, ...]:
+        """What they mark in the scene."""
+        return tuple(goal for check in self.checks for goal in getattr(check, "goals", ()))
 
     def is_met(self, observation: Observation) -> bool:
         """Whether all are met."""

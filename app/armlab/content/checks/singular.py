@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from armlab.content.check import PLAIN, CheckType, Words
 from armlab.content.checks._singular import read_sigma, singular_values
 from armlab.content.observation import Observation
-from armlab.content.reader import Table, shown
+from armlab.content.reader import Table
 from armlab.content.robots import Robot
 
 
@@ -43,10 +43,7 @@ class Singular:
 
 def read(table: Table, robot: Robot) -> Singular:
     """Read ``want`` (true when left out) and ``sigma`` (0.02)."""
-    want = table.value("want", True)
-    if not isinstance(want, bool):
-        raise table.fail("want", f"expected true or false, got {shown(want)}")
-    return Singular(want, read_sigma(table))
+    return Singular(table.boolean("want", True), read_sigma(table))
 
 
 CHECK = CheckType("singular", 40, read)

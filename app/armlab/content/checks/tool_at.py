@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.check import PLAIN, CheckType, Words, angle_tolerance, length_tolerance, turn_between
+from armlab.content.check import PLAIN, CheckType, Goal, Words, angle_tolerance, length_tolerance, turn_between
 from armlab.content.checks._branches import other_elbow
 from armlab.content.checks._position import point, position_mistake, refuse_out_of_reach
 from armlab.content.observation import Observation
@@ -18,12 +18,21 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True, eq=False)
 class ToolAt:
-    """Position within a tolerance, in metres of the world; ``phi`` in rad is the direction of the tool's x axis."""
+    """Position within a tolerance, in metres of the world; ``phi`` in rad is the direction of the tool's x axis.
+
+    A ``marked`` position is shown in the scene.
+    """
 
     position: NDArray[np.float64]
     within: float
     phi: float | None = None
     phi_within: float = math.radians(1.0)
+    marked: bool = False
+
+    @property
+    def goals(self) -> tuple[Goal, ...]:
+        """The ball in which the tool has to be, if it is marked."""
+        return (Goal(self.position, self.within),) if self.marked else ()
 
     def is_met(self, observation: Observation) -> bool:
         """Whether position and angle are within their tolerances."""
@@ -56,14 +65,14 @@ class ToolAt:
 
 
 def read(table: Table, robot: Robot) -> ToolAt:
-    """Read ``position`` and ``tolerance_m`` in metres; ``phi_deg`` and ``tolerance_deg`` (1) in degrees."""
+    """Read ``position`` and ``tolerance_m`` in metres; ``phi_deg``, ``tolerance_deg`` (1) in degrees; ``marked``."""
     position = table.numbers("position", 3)
     phi = math.radians(table.number("phi_deg")) if table.has("phi_deg") else None
     within = length_tolerance(table, robot)
     if table.has("tolerance_deg") and phi is None:
         raise table.fail("tolerance_deg", "expected phi_deg with it")
     refuse_out_of_reach(table, "position", position, robot, within)
-    return ToolAt(position, within, phi, angle_tolerance(table, 1.0))
+    return ToolAt(position, within, phi, angle_tolerance(table, 1.0), table.boolean("marked", False))
 
 
 CHECK = CheckType("tool_at", 10, read)

@@ -100,9 +100,7 @@ def read(table: Table, asked: Asked, to_html: ToHtml) -> ChoiceQuestion:
         raise table.fail("options", f"expected {FEWEST} to {MOST} different options, got {len(written)}")
     options = tuple(to_html(option, f"{table.where}.options[{i}]") for i, option in enumerate(written, start=1))
     several = isinstance(table.value("answer"), list)
-    fixed = table.value("fixed", False)
-    if not isinstance(fixed, bool):
-        raise table.fail("fixed", f"expected true or false, got {shown(fixed)}")
+    fixed = table.boolean("fixed", False)
     answer = _options(table, len(options))
     wrong = []
     for entry in table.tables("wrong"):

@@ -207,7 +207,7 @@ def _task(state: State, lesson: Lesson, channel: str) -> str:
     if met:
         return '<div class="verdict ok" role="status"><b>✓ Done</b></div>'
     if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
-        return '<div class="verdict todo"><b>◐ To do</b></div>'
+        return '<div class="verdict todo"><b>◐ To do</b>What is still missing is said here as soon as you begin.</div>'
     return f'<div class="verdict todo"><b>◐ Not there yet</b>{says}</div>'
 
 
