@@ -30,7 +30,7 @@ RATE = 100.0
 """Frames a second, a little fewer than are slowed down: who sends more is cut off, and does not send for a minute."""
 
 OPENING = 3.0
-"""Seconds a stranger waits for a bench."""
+"""Seconds a stranger waits for the page, and for a bench: a socket that was closed shows none."""
 
 NICENESS = 10
 """Of strangers: the processor time they need is that of other machines."""
@@ -80,7 +80,7 @@ class Stranger:
     async def _one_socket(self, cookie: str, count: int) -> None:
         self._browser = browser = FakeBrowser(self._url, cookie)
         await browser.connect()
-        await browser.until(lambda: is_open(browser))
+        await asyncio.wait_for(browser.until(lambda: is_open(browser)), OPENING)
         with contextlib.suppress(TimeoutError):  # what was typed may have led to a page that hides the bench
             await asyncio.wait_for(browser.open(str(self._rng.choice(BENCHES))), OPENING)
         while self.sent < count and browser.close_code is None:
