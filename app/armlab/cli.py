@@ -48,6 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 labs=options.labs,
                 lessons=tuple(options.lessons),
                 code=options.code or "",
+                names=tuple(options.name),
             )
         )
     except ArmlabError as error:
@@ -100,6 +101,12 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--port", type=_port, help="port to listen on; by default the first free one from 8080")
     p.add_argument("--no-browser", action="store_true", help="do not open a browser")
     p.add_argument("--code", type=_code, metavar="WORD", help="what a browser is asked for before it gets in")
+    p.add_argument(
+        "--name",
+        action="append",
+        default=[],
+        help="a name people get here by besides the host, such as that of a proxy; may be repeated",
+    )
     p.add_argument("--robot", default=DEFAULT_ROBOT, metavar="NAME", help=f"arm of new students ({DEFAULT_ROBOT})")
     p.add_argument("--labs", type=_count, default=0, metavar="N", help="for a class: N lab processes behind one front")
     p.add_argument(

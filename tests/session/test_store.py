@@ -194,6 +194,21 @@ def test_of_too_many_files_the_oldest_go_whatever_the_clock_says(tmp_path, monke
     assert sorted(path.name for path in tmp_path.iterdir()) == ["2.json", "3.json", "4.json"]
 
 
+@pytest.mark.parametrize("jump", [-1e9, 1e9], ids=["back", "on"])
+def test_a_clock_that_is_set_loses_nothing(tmp_path, monkeypatch, jump):
+    store = Store(tmp_path, PUMA)
+    store.get("a student").apply(MoveJoint(0, 0.25), 0.0)
+    store.save()
+    now = time.time
+    monkeypatch.setattr(time, "time", lambda: now() + jump)
+    session = store.get("a student")
+    session.apply(MoveJoint(0, 0.5), 3.0)
+    assert store.save() == 1
+    store.let_go((), time.monotonic())
+    assert store.get("a student") is session
+    assert Store(tmp_path, PUMA).get("a student").state[Joints].q[0] == 0.5
+
+
 class FullDisk:
     """A disk on which nothing can be written for a while."""
 

@@ -148,6 +148,7 @@ def test_help_names_every_option():
         "--port",
         "--no-browser",
         "--code",
+        "--name",
         "--robot",
         "--labs",
         "--lessons",
@@ -218,10 +219,12 @@ def test_a_folder_of_lessons_that_is_not_there_is_one_line(tmp_path, labs):
     assert err == f"armlab: lessons: expected a folder, got {str(missing)!r}\n"
 
 
-def test_state_that_cannot_be_kept_is_one_line(tmp_path):
-    file = tmp_path / "file"
+@pytest.mark.parametrize("where", ["", "sessions"])
+@pytest.mark.parametrize("labs", ["0", "1"])
+def test_state_that_cannot_be_kept_is_one_line(tmp_path, where, labs):
+    file = tmp_path / where if where else tmp_path / "file"
     file.write_text("not a folder")
-    status, out, err = finished("--no-browser", "--state", str(file))
+    status, out, err = finished("--no-browser", "--labs", labs, "--state", str(tmp_path if where else file))
     assert (status, out) == (1, "")
     assert err.count("\n") == 1
     assert "--state" in err

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import hashlib
+import io
 import re
 import weakref
 from collections import Counter
@@ -12,6 +13,7 @@ from collections.abc import AsyncIterator, Sequence
 import aiohttp
 from aiohttp import WSCloseCode, web
 
+from armlab.front.doors import Doors
 from armlab.front.limits import Limits, Meter
 from armlab.front.page import Page
 from armlab.front.relay import relay
@@ -64,6 +66,7 @@ class Front:
         self._page, self._tokens, self._secret = page, tokens, secret
         self._labs, self._hosts = labs, hosts
         self._limits, self._room = limits or Limits(), room
+        self.doors = Doors(self._limits)
         self._meters: dict[str, Meter] = {}
         self._wishes = Wishes()
         self._open: Counter[str] = Counter()
@@ -86,6 +89,7 @@ class Front:
         await asyncio.gather(*closing, return_exceptions=True)
 
     async def _visit(self, request: web.Request) -> web.StreamResponse:
+        self.doors.hear(request.protocol)
         is_socket = request.headers.get("Upgrade", "").lower() == "websocket"
         refusal = self._refusal(request, is_socket)
         if refusal is None:  # an answer of older versions of aiohttp counts as false
@@ -95,6 +99,9 @@ class Front:
         return await (self._serve_socket(request) if is_socket else self._serve_page(request))
 
     def _refusal(self, request: web.Request, is_socket: bool) -> web.Response | None:
+        if not request.headers.get("Host"):
+            # aiohttp would ask the network for the name of this machine, and everybody would wait for the answer.
+            return _text(400, "This request names no host.")
         host = request.host.lower()
         if self._hosts is not None and _bare(host) not in self._hosts:
             # Another name that points here (DNS rebinding) would otherwise be its own origin.
@@ -129,7 +136,8 @@ class Front:
         sockets = f"ws://{request.host} wss://{request.host}" if HOST.match(request.host) else "'self'"
         compressed = "gzip" in request.headers.get("Accept-Encoding", "")
         response = web.Response(
-            body=self._page.compressed if compressed else self._page.html,
+            # Read in pieces: of a page that a browser is slow to take, only the piece at hand is kept for it.
+            body=io.BytesIO(self._page.compressed if compressed else self._page.html),
             content_type="text/html",
             charset="utf-8",
             headers={"Content-Security-Policy": self._page.policy(sockets)},
@@ -176,10 +184,14 @@ class Front:
             return _text(503, "The lab is starting.")
         try:
             browser = web.WebSocketResponse(
-                protocols=[protocol], max_msg_size=self._limits.message, heartbeat=20.0, compress=False
+                protocols=[protocol],
+                max_msg_size=self._limits.message,
+                heartbeat=self._limits.heartbeat,
+                compress=False,
             )
             await browser.prepare(request)
             self._sockets.add(browser)
+            self.doors.leave(request.protocol)
             meter = self._meters.setdefault(token, Meter(self._limits))
             await relay(request, browser, lab, meter)
         finally:

@@ -26,6 +26,12 @@ class Limits:
         Seconds of unbroken slowing down by count after which a flooding socket is closed.
     sockets_each, sockets : int
         Of one browser, and of all.
+    heartbeat : float
+        Seconds between questions whether a page still reads; it is cut off half of that after one it does not answer.
+    visitors : int
+        Connections that are no sockets yet: asking for the page, receiving it, or silent.
+    visit : float
+        Seconds after which such a connection ends.
     """
 
     message: int = 2 << 20
@@ -36,6 +42,9 @@ class Limits:
     patience: float = 10.0
     sockets_each: int = 6
     sockets: int = 240
+    heartbeat: float = 20.0
+    visitors: int = 500
+    visit: float = 60.0
 
 
 class Bucket:

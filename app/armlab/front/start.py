@@ -7,6 +7,7 @@ import errno
 import secrets
 import socket
 import sys
+import tempfile
 import threading
 from contextlib import ExitStack
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ from armlab.content.lessons import add_folder
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError
 from armlab.front.addresses import served_names
+from armlab.front.doors import Site, let_open_many_files
 from armlab.front.front import Front
 from armlab.front.lock import FolderLock
 from armlab.front.page import make_page
@@ -28,6 +30,10 @@ from armlab.front.tokens import Tokens, kept_secret
 SWITCH_INTERVAL = 0.0005
 """Seconds after which Python's threads take turns. With the default of 5 ms the worker holds up the event loop that
 sends the poses; safe because all writes to viser happen on that loop."""
+
+
+SESSIONS = "sessions"
+"""Folder of the students' work inside that of the lab."""
 
 
 class StartError(ArmlabError):
@@ -53,6 +59,8 @@ class Settings:
         Folders of lessons besides those of the lab.
     code : str
         What a browser has to say before it gets in; empty lets everybody in.
+    names : tuple of str
+        Names besides the host by which people get here, such as that of a proxy.
     """
 
     host: str
@@ -62,6 +70,7 @@ class Settings:
     labs: int = 0
     lessons: tuple[Path, ...] = ()
     code: str = ""
+    names: tuple[str, ...] = ()
 
 
 class Running:
@@ -89,6 +98,7 @@ def start(settings: Settings) -> Running:
         A folder of lessons is none.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
+    let_open_many_files()
     for folder in settings.lessons:
         add_folder(folder)
     with ExitStack() as opened:
@@ -96,7 +106,8 @@ def start(settings: Settings) -> Running:
         secret = secrets.token_urlsafe(24)
         labs = _open_labs(settings, secret, opened)
         room = Room(settings.code, kept) if settings.code else None
-        front = Front(make_page(), Tokens(kept), secret, labs, served_names(settings.host), room=room)
+        names = served_names(settings.host) | {name.lower() for name in settings.names}
+        front = Front(make_page(), Tokens(kept), secret, labs, names, room=room)
         port = _open_front(front, settings, opened)
         # All is well: what was opened stays open until `Running.stop`.
         return Running(port, opened.pop_all())
@@ -107,14 +118,25 @@ def _kept_secret(folder: Path | None, opened: ExitStack) -> bytes:
     try:
         if folder is not None:
             opened.callback(FolderLock(folder).release)
+            _try_writing(folder / SESSIONS)
         return kept_secret(folder)
     except OSError as error:
         raise StartError(f"cannot keep students' work in {error.filename}: {error.strerror}; use --state DIR") from None
 
 
+def _try_writing(folder: Path) -> None:
+    """Raise `OSError` where no session could be saved: better now than after an hour of work."""
+    folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+    try:
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(folder)) from None
+
+
 def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> list[int]:
     """Open the labs on loopback; return their ports."""
-    sessions = settings.folder / "sessions" if settings.folder is not None else None
+    sessions = settings.folder / SESSIONS if settings.folder is not None else None
     if settings.labs:
         processes = LabProcesses(settings.labs, settings.opening, sessions, secret, settings.lessons)
         opened.callback(processes.stop)
@@ -149,7 +171,7 @@ async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]
     await runner.setup()
     for port in settings.ports:
         try:
-            await _site(runner, settings.host, port).start()
+            await _site(runner, front, settings.host, port).start()
         except OSError as error:
             if error.errno in (errno.EADDRINUSE, errno.EACCES) and port != settings.ports[-1]:
                 continue
@@ -159,12 +181,12 @@ async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]
     raise StartError("no port to try")
 
 
-def _site(runner: web.AppRunner, host: str, port: int) -> web.BaseSite:
+def _site(runner: web.AppRunner, front: Front, host: str, port: int) -> Site:
     if host != "::":
-        return web.TCPSite(runner, host, port, backlog=256)
+        return Site(runner, front.doors, host=host, port=port)
     # asyncio would leave IPv4 out, and with it the addresses people in the room can type.
-    everywhere = socket.create_server(("::", port), family=socket.AF_INET6, backlog=256, dualstack_ipv6=True)
-    return web.SockSite(runner, everywhere, backlog=256)
+    everywhere = socket.create_server(("::", port), family=socket.AF_INET6, dualstack_ipv6=True)
+    return Site(runner, front.doors, sock=everywhere)
 
 
 def _why(error: OSError, settings: Settings, port: int) -> str:

@@ -21,6 +21,9 @@ Floats = NDArray[np.float64]
 MOST_BYTES = 1_500_000
 """Of a file. The page can hand in no more in one message."""
 
+MOST_COLUMNS = 1000
+"""Of a table; other programs write many that are not read."""
+
 MOST_ROWS = 6000
 """Half a minute at 200 samples a second. The spline through them has to be planned again with every limit."""
 
@@ -58,6 +61,7 @@ def read_table(arm: Arm, text: str) -> Recorded:
     lines = [(i, line) for i, line in enumerate(text.lstrip("\ufeff").splitlines(), start=1) if line.strip()]
     number, first = lines[0][0], lines[0][1].strip().lstrip("#%").strip()
     apart = _separator(first)
+    _refuse_wide(first, apart)
     head = _header(first, apart, number)
     named = not all(_is_number(cell, apart) for cell in head)
     _refuse_many(len(lines) - named)
@@ -83,6 +87,12 @@ def refuse_unreadable(text: str, what: str) -> None:
         raise InputError(f"{what}: the file is empty; expected a header and rows of numbers, or a plan in JSON")
     if re.search(r"[\x00-\x08\x0e-\x1f]", text):
         raise InputError(f"{what}: row 1, column 1: expected text in UTF-8, got a binary file")
+
+
+def _refuse_wide(first: str, apart: str) -> None:
+    count = len(first.split()) if apart == " " else first.count(apart) + 1
+    if count > MOST_COLUMNS:
+        raise InputError(f"table, row 1: {count} columns are too many; at most {MOST_COLUMNS} are read")
 
 
 def _refuse_many(count: int) -> None:

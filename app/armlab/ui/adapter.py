@@ -101,6 +101,12 @@ def is_removed(handle: Any) -> bool:
     return removed
 
 
+def take_value(handle: Any) -> Any:
+    """Return the text of a text control and forget it: viser would hold the last one of every control."""
+    text, handle._impl.value = handle._impl.value, ""
+    return text
+
+
 def set_value(handle: Any, value: Any) -> None:
     """Set the value of a control without calling its callbacks, which viser would do as if the student had moved it."""
     if is_removed(handle) or handle._impl.value == value:

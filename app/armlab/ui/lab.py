@@ -41,6 +41,10 @@ PIECE_PATIENCE = 2.0
 SAVE_INTERVAL = 0.75
 """Seconds between savings; with the time of one a crash loses at most a second."""
 
+BUILDING = 1.0 / 3.0
+"""Part of the event loop's time in which pages may be built while others wait to be: a class that opens the lab, or a
+stranger who comes again and again, is not to hold up the arms of those who are there."""
+
 LOOK_INTERVAL = 1.0
 """Seconds between looks at the files of lessons: a teacher sees at once what was written."""
 
@@ -77,6 +81,7 @@ class Lab:
         self._due: set[str] = set()
         self._waiting: dict[str, list[asyncio.Future[None]]] = {}
         self._stopped = threading.Event()
+        self._building = asyncio.Lock()
         self.server.scene.configure_default_lights(False)
         self.server.scene.configure_environment_map(None)
         self.server.scene.world_axes.visible = False
@@ -121,8 +126,18 @@ class Lab:
         await self.loop.run_in_executor(None, lessons)
         session = self.store.get(token)
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
-        if adapter.request_headers(self.server, client) is None:
-            return  # gone while the link's arm was fetched
+        await self._building.acquire()
+        began = time.perf_counter()
+        try:
+            if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
+                self._open(client, session)
+        finally:
+            pause = (time.perf_counter() - began) * (1.0 / BUILDING - 1.0)
+            self.loop.call_later(pause, self._building.release)
+
+    def _open(self, client: viser.ClientHandle, session: Session) -> None:
+        """Build the page of a browser."""
+        token = session.token
         view = View(
             client,
             session,

@@ -26,6 +26,12 @@ LINGER = 2.0
 """Seconds for which fields that were made anew still take what was on its way to them."""
 
 
+LONGEST_CELL = 200
+"""Characters of the name of a cell."""
+
+LONGEST_TYPED = 20_000
+"""Characters that a field hands on, besides those that read files: the longest table has fewer."""
+
 LARGEST_NUMBER = 2**53
 """Numbers of messages below it are exact in a page."""
 
@@ -99,26 +105,35 @@ class Fields:
     """Markup with input fields of our own, whose values arrive when Enter is pressed or the field is left.
 
     Make the fields with `field`; the page's script sends what a person typed through a hidden text control.
+
+    Parameters
+    ----------
+    gui : GuiApi
+    on_input : callable
+        Called with the cell and the text.
+    longest : int
+        Characters of a text that its reader takes. Of a longer one it gets one more, and says that it is too long:
+        reading is done where all students wait, and some of it takes the square of the length.
     """
 
-    def __init__(self, gui: viser.GuiApi, on_input: Callable[[str, str], None]) -> None:
+    def __init__(self, gui: viser.GuiApi, on_input: Callable[[str, str], None], longest: int = LONGEST_TYPED) -> None:
         self.channel = gui.add_text("channel", "", visible=False)
         self.html = gui.add_html("")
-        self._on_input = on_input
+        self._on_input, self._longest = on_input, longest
         self._revision = self._shown_revision = self._heard = 0
         self._mistake: tuple[str, str, str] | None = None
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
 
     def _receive(self) -> None:
         try:
-            cell, text, number = json.loads(self.channel.value)
+            cell, text, number = json.loads(adapter.take_value(self.channel))
         except (ValueError, TypeError, RecursionError):
             log.warning("a page that is not ours wrote into a field")
             return
         self._mistake = None
         self._heard = number if isinstance(number, int) and abs(number) < LARGEST_NUMBER else 0
         self._revision += 1  # so that the next `show` also replaces a text that was not taken
-        self._on_input(_whole(str(cell)), _whole(str(text)))
+        self._on_input(_whole(_cut(cell, LONGEST_CELL)), _whole(_cut(text, self._longest + 1)))
 
     @property
     def stale(self) -> bool:
@@ -163,6 +178,11 @@ class Fields:
         # The page numbers what it sends: fields whose text is not in here yet keep it.
         marks = f'data-revision="{self._revision}" data-heard="{self._heard}"'
         adapter.set_content(self.html, f'<div class="al" {marks}>{content}</div>')
+
+
+def _cut(said: object, longest: int) -> str:
+    """Return a text that is not longer; what is no text a page of ours does not send, and it may be large."""
+    return said[:longest] if isinstance(said, str) else ""
 
 
 def _whole(text: str) -> str:
@@ -291,9 +311,9 @@ class Gui:
         """Add a heading; the markup of the text is the caller's."""
         self.html(f"<h3>{text}</h3>")
 
-    def fields(self, on_input: Callable[[str, str], None]) -> Fields:
-        """Add markup with input fields; ``on_input`` gets the cell and the text."""
-        fields = Fields(self._gui, on_input)
+    def fields(self, on_input: Callable[[str, str], None], longest: int = LONGEST_TYPED) -> Fields:
+        """Add markup with input fields; ``on_input`` gets the cell and the text; see `Fields`."""
+        fields = Fields(self._gui, on_input, longest)
         self._channels.append(fields.channel)
         self._keep(fields.html)
         return fields

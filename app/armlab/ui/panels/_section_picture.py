@@ -26,6 +26,9 @@ WIDTH, HIGHEST = 320.0, 320.0
 LEFT, RIGHT, TOP, BOTTOM = 16.0, 74.0, 14.0, 40.0
 """Of the picture and its margins, in its own units, which are about pixels."""
 
+SPECK = 16
+"""Corners of an outline around a few cells."""
+
 THIN = 0.25
 """Of such a unit: how far a drawn outline may be from the true one."""
 
@@ -144,7 +147,8 @@ def _axes(found: Found, whole: Slice | None, frame: Frame) -> str:
 def _outlines(found: Found) -> str:
     whole, frame = in_own_plane(found), frame_of(found)
     if whole is None:
-        lines = found.section.contours
+        # Of a section that is being found, specks are left out: there are hundreds, and others wait meanwhile.
+        lines = [line for line in found.section.contours if found.section.finished or len(line) > SPECK]
     else:
         reached = np.pad(whole.reached, 1).T
         columns, rows = reached.shape

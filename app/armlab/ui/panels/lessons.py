@@ -8,6 +8,7 @@ from itertools import groupby
 from armlab.content.index import Bench, Entry, search
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
+from armlab.session.hand_in import MOST
 from armlab.session.hand_in_open import OpenWork
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
@@ -41,7 +42,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             show(shown)
 
     field = gui.fields(asked)
-    saved = gui.fields(loaded)
+    saved = gui.fields(loaded, MOST)
     entries = gui.fields(asked)
 
     hint = "Find: 3.66, section 4.1, quaternion …"

@@ -15,6 +15,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.plan_files import RATE, checked_rate, motion_csv, plan_json, refuse_long
 from armlab.session.plan_files_commands import MOST_MADE, BackToWaypoints, MakeWaypoints, reading
 from armlab.session.plan_files_script import motion_script
+from armlab.session.plan_files_table import MOST_BYTES
 from armlab.session.plan_question import Planned
 from armlab.session.state import State
 from armlab.ui import recording
@@ -49,7 +50,7 @@ class MotionFiles:
         self._shown = Shown(RATE, MADE)
         self._waiting: str | None = None  # text of a file that came while another was made or read: the last one counts
         self._export = gui.fields(lambda cell, text: self._typed(self._export, cell, text))
-        self._import = gui.fields(lambda cell, text: self._typed(self._import, cell, text))
+        self._import = gui.fields(lambda cell, text: self._typed(self._import, cell, text), MOST_BYTES)
 
     def show(self, state: State) -> None:
         """Show what can be saved, and what has been read."""

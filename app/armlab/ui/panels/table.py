@@ -7,7 +7,7 @@ from armlab.errors import ArmlabError
 from armlab.kin.arm import Arm
 from armlab.kin.convert import Link
 from armlab.kin.dh import Convention
-from armlab.session.edits import Convert, PasteTable, RestoreTable
+from armlab.session.edits import MOST_TEXT, Convert, PasteTable, RestoreTable
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.point import Point
@@ -46,10 +46,10 @@ class TablePanel:
         self._card: Html = gui.html()
         self._ends: Fields = gui.fields(self._end)
         self._point: Html = gui.html()
-        files = gui.fields(self._file)
+        files = gui.fields(self._file, MOST_TEXT)
         self._files = Files(files, self._units)
         with gui.folder("Paste a table"):
-            box = gui.fields(self._pasted)
+            box = gui.fields(self._pasted, MOST_TEXT)
             self._box = PasteBox(box)
 
     # -- what a person does --------------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ from armlab.ui.widgets import Fields, Gui
 
 SAVES = {"ply": as_ply, "csv": as_csv}
 
+LONGEST_SEED = 18
+"""Digits; the lab takes fewer and says how large a seed may be, and Python reads no number of thousands."""
+
 SAVED = {
     "ply": "The points that are drawn at most, and the measure, for other programs",
     "csv": "The same with joint values, for a spreadsheet",
@@ -187,7 +190,7 @@ def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command,
     if cell in ("again", "ways") and part.chosen is not None:
         return (GoToSample(part.chosen) if cell == "again" else AimAtSample(part.chosen),)
     if cell == "seed":
-        if not text.strip().isdecimal():
+        if not text.strip().isdecimal() or len(text.strip()) > LONGEST_SEED:
             raise InputError(f"seed: expected a whole number, got {text.strip()[:40]!r}")
         return (LookAtWorkspace(seed=int(text)),)
     if cell == "offset":

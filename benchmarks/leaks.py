@@ -1,0 +1,110 @@
+"""What students who have gone leave behind in the memory of the lab."""
+
+import asyncio
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+import drag
+import servers
+from rounds import sized
+from support.fake_browser import FakeBrowser, cookie_of
+
+TITLE = "Memory of the lab after students have come and gone"
+WARM, COMINGS, RETURNS, IDLE = sized((60, 300, 2_000, 200), (2, 3, 3, 3))
+STUDENTS = sized(10, 2)
+"""Browsers that come again and again: what is kept of 200 students who have gone is no leak."""
+
+EACH = 5
+"""Pages of one browser that are open at a time."""
+
+LAB = """
+import ctypes, gc, sys
+sys.path[:0] = {paths!r}
+from support.lab import open_lab
+lab = open_lab(None, "puma560")
+print(lab.port, flush=True)
+for _ in sys.stdin:
+    gc.collect()
+    if sys.platform == "linux":
+        ctypes.CDLL(None).malloc_trim(0)
+    print("tidy", flush=True)
+lab.stop()
+"""
+
+
+class Lab:
+    """A lab that gives back what memory it can before its memory is looked at."""
+
+    def __init__(self, process: subprocess.Popen) -> None:
+        self._process = process
+        self.url = f"http://127.0.0.1:{int(process.stdout.readline())}/"
+        self._server = servers.Server(self.url, (process.pid,))
+
+    def megabytes(self) -> float:
+        print("tidy up", file=self._process.stdin, flush=True)
+        self._process.stdout.readline()
+        return self._server.memory() / 1e6
+
+
+@contextmanager
+def lab() -> Iterator[Lab]:
+    paths = [str(servers.HERE.parent / "app"), str(servers.HERE.parent / "tests")]
+    process = subprocess.Popen(
+        [sys.executable, "-c", LAB.format(paths=paths)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    try:
+        yield Lab(process)
+    finally:
+        process.communicate(timeout=60.0)
+
+
+def measure() -> Iterator[str]:
+    yield "| what has happened | memory | ÷ before |"
+    yield "| --- | --- | --- |"
+    points, _ = drag.script()
+    with lab() as opened:
+        cookies = [cookie_of(opened.url) for _ in range(STUDENTS)]
+        asyncio.run(come(opened.url, cookies, WARM, points))
+        base = opened.megabytes()
+        yield f"| {WARM} students have come, dragged and gone | {base:.0f} MB | 1.00 |"
+        for said, story in (
+            (f"{COMINGS} more", lambda: come(opened.url, cookies, COMINGS, points)),
+            (f"{RETURNS} times a page was loaded again", lambda: come(opened.url, cookies, RETURNS, points[:0])),
+            (f"{IDLE} pages were open together", lambda: idle(opened.url)),
+        ):
+            asyncio.run(story())
+            found = opened.megabytes()
+            yield f"| {said} | {found:.0f} MB | {found / base:.2f} |"
+
+
+async def come(url: str, cookies: list[str], count: int, points: np.ndarray) -> None:
+    """Come so many times, several at once, drag if there are points to drag to, and go."""
+
+    async def one(cookie: str, times: int) -> None:
+        for _ in range(times):
+            browser = FakeBrowser(url, cookie)
+            await browser.connect()
+            await browser.until(lambda browser=browser: drag.is_open(browser))
+            if len(points):
+                await browser.drag("start")
+                for point in points[::20]:
+                    await browser.drag("update", point, (1.0, 0.0, 0.0, 0.0))
+                await browser.drag("end")
+            await browser.close()
+
+    await asyncio.gather(*(one(cookie, -(-count // len(cookies))) for cookie in cookies))
+
+
+async def idle(url: str) -> None:
+    """Open many pages, and close them when all are there."""
+    cookies = [cookie_of(url) for _ in range(-(-IDLE // EACH))]
+    browsers = [FakeBrowser(url, cookies[k // EACH]) for k in range(IDLE)]
+    for browser in browsers:
+        await browser.connect()
+    for browser in browsers:
+        await browser.until(lambda browser=browser: drag.is_open(browser))
+    await asyncio.gather(*(browser.close() for browser in browsers))

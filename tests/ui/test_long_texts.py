@@ -1,0 +1,91 @@
+"""Texts that nobody types: fields hand on no more than their reader takes, and hold nothing of it."""
+
+import json
+
+import pytest
+
+from armlab.content import table_grid
+from armlab.content.arithmetic import LONGEST
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.edits import MOST_TEXT
+from armlab.session.hand_in import MOST
+from armlab.session.lesson_progress import MOST_TYPED
+from armlab.session.plan_files_table import MOST_BYTES
+from armlab.session.state import State
+from armlab.ui import adapter
+from armlab.ui.panels.workspace import commands
+from armlab.ui.units import units_of
+from armlab.ui.widgets import LONGEST_CELL, LONGEST_TYPED, Fields
+from support.bare import Bare
+from support.patience import Patience
+from support.student import run, student
+
+PUMA = catalogue()["puma560"]
+
+
+@pytest.fixture
+def bare():
+    started = Bare()
+    yield started
+    adapter.stop_server(started.server)
+
+
+def sent(browser, channel, said):
+    return browser.send({"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": said}})
+
+
+def test_a_field_hands_on_what_its_reader_takes_and_one_character_more(bare):
+    async def work(browser, do):
+        fields = await do(lambda: Fields(bare.client.gui, lambda *said: heard.append(tuple(map(len, said))), 50))
+        await browser.until(lambda: fields.channel_id in browser.controls)
+        for said in (["c" * 10_000, "9" * 400_000, 1], ["c", "9" * 50, 2], [["c"], {"t": "9"}, 3]):
+            await sent(browser, fields.channel_id, json.dumps(said))
+        await sent(browser, fields.channel_id, "[" * 100_000)
+        await sent(browser, fields.channel_id, "9" * 400_000)
+        await sent(browser, fields.channel_id, json.dumps(["last", "", 4]))
+        patience = Patience()
+        while (4, 0) not in heard and patience.left():
+            await browser.until(lambda: True)
+            await do(lambda: None)
+        assert fields.channel.value == "", "what was typed is not held a second time"
+
+    heard = []
+    bare.run(work)
+    assert heard == [(LONGEST_CELL, 51), (1, 50), (0, 0), (4, 0)]
+
+
+def test_every_reader_that_takes_long_texts_has_a_field_that_hands_them_on():
+    assert max(table_grid.LONGEST, MOST_TYPED, LONGEST) <= LONGEST_TYPED
+    assert max(MOST_TEXT, MOST, MOST_BYTES) < 2_000_000, "more does not fit into a message"
+
+
+FILES = {
+    "table rows": ("read-motion", "time_s,q1_rad\n" + "0,0\n" * 300_000, "rows are too many"),
+    "table columns": ("read-motion", "," * 400_000, "columns are too many"),
+    "table of no numbers": ("read-motion", "time_s,q1,q2,q3,q4,q5,q6\n" + "nan," * 6 + "nan\n", "a finite number"),
+    "no text": ("read-motion", "".join(map(chr, range(256))) * 1000, "binary"),
+    "nested plan": ("read-motion", '{"a":' * 200_000, "plan"),
+    "large file": ("read-motion", "1" * 1_900_000, "larger than 1.5 MB"),
+}
+
+
+@pytest.mark.parametrize(("cell", "text", "says"), FILES.values(), ids=FILES)
+def test_a_file_that_is_none_is_a_sentence_at_its_field(url, cell, text, says):
+    async def main():
+        browser = await student(url)
+        await browser.open("motion_files")
+        shown = next(c for c in browser.controls.values() if f'data-cell="{cell}"' in c["props"].get("content", ""))
+        channel = browser.channel(cell)
+        await browser.press_on(channel, cell, text)
+        await browser.until(lambda: says in browser.html())
+        assert len(shown["props"]["content"]) < 100_000
+        await browser.close()
+
+    run(main())
+
+
+def test_a_seed_of_many_digits_is_a_sentence():
+    state = State.initial(PUMA)
+    with pytest.raises(InputError, match=r"^seed: expected a whole number, got '9{40}'$"):
+        commands(state, "seed", "9" * 20_000, units_of(state))
