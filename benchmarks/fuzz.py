@@ -18,7 +18,7 @@ from support.fake_browser import FakeBrowser
 TITLE = "Strangers: random frames and requests beside a student who drags"
 FRAMES = sized(100_000, 400)
 REQUESTS = sized(10_000, 20)
-STRANGERS = sized(20, 2)
+STRANGERS = sized(4, 2)
 
 
 def measure() -> Iterator[str]:

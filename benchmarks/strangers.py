@@ -68,17 +68,17 @@ class Stranger:
         self._cells: list[tuple[str, str]] = []
 
     async def flood(self, count: int) -> None:
-        cookie = cookie_of(self._url)
         while self.sent < count:
             with contextlib.suppress(Exception):  # thrown out, or refused for a while: that is what is tried
-                await self._one_socket(cookie, count)
+                await self._one_socket(count)
             if self._browser is not None:
                 with contextlib.suppress(Exception):
                     await self._browser.close()
             await asyncio.sleep(0.2)
 
-    async def _one_socket(self, cookie: str, count: int) -> None:
-        self._browser = browser = FakeBrowser(self._url, cookie)
+    async def _one_socket(self, count: int) -> None:
+        # Each time as somebody new: who was thrown out has to wait for a minute.
+        self._browser = browser = FakeBrowser(self._url, cookie_of(self._url))
         await browser.connect()
         await asyncio.wait_for(browser.until(lambda: is_open(browser)), OPENING)
         with contextlib.suppress(TimeoutError):  # what was typed may have led to a page that hides the bench

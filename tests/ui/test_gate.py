@@ -51,6 +51,11 @@ HOSTILE = {
     "an identifier that is a list": {"type": "GuiUpdateMessage", "uuid": ["x"], "updates": {"value": 0.1}},
     "a camera nowhere": {**CAMERA, "position": (float("inf"), 0.0, 0.0)},
     "a camera without a direction": {**CAMERA, "wxyz": (float("nan"),) * 4},
+    "a camera that looks along four zeros": {**CAMERA, "up_direction": (0.0,) * 4},
+    "a camera without an upright": {**CAMERA, "up_direction": (0.0,) * 3},
+    "a camera without a turn": {**CAMERA, "wxyz": (0.0,) * 4},
+    "a camera that looks at itself": {**CAMERA, "look_at": CAMERA["position"]},
+    "a camera with a flat picture": {**CAMERA, "image_height": 0},
     "a handle at infinity": {
         "type": "TransformControlsUpdateMessage",
         "name": "/target",

@@ -27,11 +27,23 @@ SAID = frozenset(
 FARTHEST = 1e6
 """Metres, and everything else that is a number in a message of the scene; beyond it products would overflow."""
 
+LEAST = 1e-6
+"""Of the largest number of a direction."""
+
 LONGEST_NAME = 200
 """Characters of the name of a node or a control."""
 
 MOST_NUMBERS = 64
 """In one field of a message."""
+
+
+VECTORS = {"position": 3, "look_at": 3, "up_direction": 3, "wxyz": 4}
+"""How many numbers of a pose or a camera are in these fields."""
+
+DIRECTIONS = frozenset({"up_direction", "wxyz"})
+"""Those of them that say nothing when all numbers are zero."""
+
+POSITIVE = frozenset({"fov", "near", "far", "image_height", "image_width"})
 
 
 class Gate:
@@ -78,6 +90,12 @@ def _wrong(kind: str, fields: Mapping[str, Any], value_now: Any) -> str:
     for name, value in fields.items():
         if not isinstance(value, bytes) and not _is_plain(value):
             return f"{kind} with a {name} that cannot be"
+        if name in VECTORS and not _is_vector(value, VECTORS[name], name in DIRECTIONS):
+            return f"{kind} with a {name} that is none"
+        if name in POSITIVE and not (isinstance(value, (int, float)) and value > 0):
+            return f"{kind} with a {name} that is not above zero"
+    if "look_at" in fields and list(fields["look_at"]) == list(fields["position"]):
+        return f"{kind} that looks nowhere"
     return ""
 
 
@@ -94,6 +112,14 @@ def _fits(value: Any, now: Any) -> bool:
         alike = isinstance(value, (list, tuple)) and len(value) == len(now)
         return alike and all(_fits(one, held) for one, held in zip(value, now, strict=True))
     return False
+
+
+def _is_vector(value: Any, length: int, is_direction: bool) -> bool:
+    """Return whether a field is a list of so many numbers, and not of zeros where it is a direction."""
+    if not isinstance(value, (list, tuple)) or len(value) != length:
+        return False
+    numbers = all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in value)
+    return numbers and (not is_direction or any(abs(one) > LEAST for one in value))
 
 
 def _is_plain(value: Any) -> bool:
