@@ -107,12 +107,17 @@ def _sought(arm: Arm) -> Iterator[Found | None]:
     arm.position(np.zeros((1, arm.n)))
     yield None
     for piece, section in enumerate(sections(arm)):
+        if piece % SHOWN and not section.finished:
+            yield None
+            continue
+        _ = section.contours  # kept: what shows them must not compute them in the time of everybody
+        yield None
         if section.finished:
             volume = size(section)
             yield None
             yield Found(arm, section, 1.0, volume, reach(section))
         else:
-            yield Found(arm, section, min(piece / USUAL, 0.98)) if piece % SHOWN == 0 else None
+            yield Found(arm, section, min(piece / USUAL, 0.98))
 
 
 def _coloured(found: Found, colour: str) -> Iterator[Found | None]:
