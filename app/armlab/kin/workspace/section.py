@@ -212,7 +212,7 @@ def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Sect
     crossings = Crossings(filling)
     for _ in crossings.find():
         yield known or _section(filling, None)
-    ends = None if filling.around is None else Ends(filling)
+    ends = None if filling.around is None else Ends(filling, rng)
     for _ in ends.find() if ends is not None else ():
         yield known or _section(filling, None)
     yield _section(filling, crossings, None if ends is None else ends.arcs())
