@@ -144,7 +144,7 @@ def test_every_cell_is_filled_by_a_configuration_inside_the_limits_whose_point_l
     arm = named(key)
     found = of(arm)
     i, j = np.nonzero(found.filled)
-    q = found.q[i, j]
+    q = found.at(i, j)
     assert_allclose(q[:, 0], 0.0)
     assert (q[:, 1:] >= arm.limits[1:, 0]).all()
     assert (q[:, 1:] <= arm.limits[1:, 1]).all()

@@ -111,7 +111,7 @@ class Ends:
 
     def _look(self, rows: Indices) -> Iterator[None]:
         """Find what is met at some places from what fills their cells, and onward from there."""
-        at_home = self.filling.q[self.fine[rows]]
+        at_home = self.filling.at(self.fine[rows])
         yield from self._try(at_home, rows)
         missed = ~self.met.found[rows].any(axis=1)
         # The place stays where the configuration is that fills the cell.
@@ -285,7 +285,7 @@ def _representatives(filling: Filling, around: Around, rng: np.random.Generator)
     order = np.lexsort((np.where(whole[of], away, rng.random(len(fine))), ~centred, of))
     first = order[np.unique(of[order], return_index=True)[1]]
     places = np.where(whole[:, None], middle, centres[first])
-    q = filling.q[fine[first]]
+    q = filling.at(fine[first])
     off = count == 0
     places[off] = filling.joint.split(filling.joint.arm.position(q[off]))[:, :2]
     return cells, fine[first], places
