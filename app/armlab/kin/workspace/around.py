@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.met import BINS, Met, gaps_before
-from armlab.kin.workspace.section_grid import Grid
+from armlab.kin.workspace.section_grid import FIRST_LOOK, Grid, random_configurations
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -40,8 +40,7 @@ class Around(Met):
 
     def __init__(self, grid: Grid) -> None:
         joint = grid.joint
-        reach = 2.0 * (joint.arm.reach or 1.0) + float(np.abs(joint.origin).sum())
-        super().__init__(joint, (-math.pi, math.pi) if joint.revolute else (-reach, reach), FIRST_ROWS)
+        super().__init__(joint, (-math.pi, math.pi) if joint.revolute else _span(grid), FIRST_ROWS)
         self.grid = grid
         self.width = grid.coarser
         self.shape = tuple(-(-n // self.width) for n in grid.shape)
@@ -68,6 +67,14 @@ class Around(Met):
         met = np.flatnonzero(self.row >= 0)
         least[met], most[met] = self.least[self.row[met]], self.most[self.row[met]]
         return arcs_of(least, most, self.joint)
+
+
+def _span(grid: Grid) -> tuple[float, float]:
+    """Return between which s samples were met, m, and a little more on each side."""
+    q = random_configurations(grid.joint, FIRST_LOOK, np.random.default_rng(0))
+    s = grid.joint.split(grid.joint.arm.position(q))[:, 2]
+    more = 0.05 * float(np.ptp(s)) + grid.step
+    return float(s.min()) - more, float(s.max()) + more
 
 
 @dataclass(frozen=True, eq=False)

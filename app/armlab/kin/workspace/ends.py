@@ -52,7 +52,7 @@ LIGHT = 0.05
 ALONG, HOME = 16, 10
 """Iterations of a pull along s, and of one to the place."""
 
-BESIDE = 0.02
+BESIDE = 1e-3
 """Radians or metres inside a gap: what was met nearer to its ends beside a place is not tried there."""
 
 
@@ -181,7 +181,12 @@ class Ends:
         ahead = self.met.least[some][at, after] - s
         if self.joint.revolute:
             ahead = np.mod(ahead, math.tau)
-        return np.asarray((width > 0.0) & (ahead > deep) & (ahead < width - deep))
+        inside = (width > 0.0) & (ahead > deep) & (ahead < width - deep)
+        if not self.joint.revolute:
+            # Behind all that was met there is no end of the gap.
+            most = self.met.most[some].max(axis=1)[at]
+            inside |= s > most + deep
+        return np.asarray(inside)
 
     def _ends(self, rows: Indices) -> tuple[Floats, Indices, Floats]:
         """Return configurations where gaps end and begin at some places, whose they are, and the way into the gap."""
@@ -195,10 +200,12 @@ class Ends:
 
     def _onward(self, q: Floats, of: Indices, sign: Floats) -> Iterator[None]:
         """Pull configurations at places on into gaps, as far as they go, by hops that joint 1 closes."""
-        hop = min(AHEAD, HOP * self.gap)
         for first in range(0, len(q), PULLED):
             some = slice(first, first + PULLED)
-            yield from self._hopping(q[some], of[some], sign[some], hop)
+            # Asked for much it goes farthest; by hops it meets what lies between.
+            yield from self._hopping(q[some], of[some], sign[some], AHEAD)
+            if HOP * self.gap < AHEAD:
+                yield from self._hopping(q[some], of[some], sign[some], HOP * self.gap)
 
     def _hopping(self, q: Floats, of: Indices, sign: Floats, hop: float) -> Iterator[None]:
         tolerance = THERE * self.filling.grid.step
