@@ -21,13 +21,13 @@ POOL, NEAREST, ANY = 400_000, 20, 12
 DRAWN, TRIED = 200_000, {"unsure": 5000, "sure": 1500}
 """Points that tell how much is near the boundary, and points that are tried."""
 
-WIDE = 2
-"""Cells from the boundary that are less sure."""
+WIDE, FAR = 2, 8
+"""Cells from the boundary that are less sure, and from what is reached in which points are drawn at all."""
 
 REACHED = 1e-6
 """Of the reach: as near to a point as that is there."""
 
-ENDS = 60
+ENDS = 100
 """Rounds of samples that look for the ends of one number."""
 
 
@@ -43,11 +43,11 @@ def judged(section: Section, effort: float = 1.0, seed: int = 0) -> Judged:
     rng = np.random.default_rng(seed)
     if section.grid.flat and section.joint.full:
         return _between_ends(section, rng)
-    tried = _Points(section, rng)
+    pool = _Pool(section, rng, int(POOL * max(effort, 0.1)))
+    tried = _Points(section, pool.points, rng)
     value, variance = tried.said, 0.0
     coordinates, volume = tried.drawn(int(DRAWN * max(effort, 0.1)))
     unsure = tried.unsure(coordinates)
-    pool = _Pool(section, rng, int(POOL * max(effort, 0.1)))
     for kind, here in (("unsure", unsure), ("sure", ~unsure)):
         some = np.flatnonzero(here)[: int(TRIED[kind] * effort)]
         if not some.size:
@@ -65,21 +65,16 @@ def judged(section: Section, effort: float = 1.0, seed: int = 0) -> Judged:
 class _Points:
     """Points about a section, and what its cells say of them."""
 
-    def __init__(self, section: Section, rng: np.random.Generator) -> None:
+    def __init__(self, section: Section, met: np.ndarray, rng: np.random.Generator) -> None:
         self.section, self.grid, self.joint, self.rng = section, section.grid, section.joint, rng
         inside = section.outline.inside
         self.inside = inside
-        wide = np.pad(inside, WIDE)
-        low, high = wide.copy(), wide.copy()
-        for _ in range(WIDE):
-            for axis in range(1 if self.grid.flat else 2):
-                low, high = (
-                    low & np.roll(low, 1, axis) & np.roll(low, -1, axis),
-                    high | np.roll(high, 1, axis) | np.roll(high, -1, axis),
-                )
-        self.edge = (high & ~low)[WIDE:-WIDE, WIDE:-WIDE]
-        if self.grid.flat:
-            self.edge = (high & ~low)[WIDE:-WIDE, WIDE : WIDE + 1]
+        self.edge = self._spread(inside, WIDE) & ~self._shrunk(inside, WIDE)
+        # Points are drawn about what is said to be reached, and wherever a sample was met.
+        hit, on = self.grid.cell_of(self.joint.split(met)[:, :2])
+        drawn = self._spread(inside | section.filled, FAR)
+        drawn.reshape(-1)[hit[on]] = True
+        self.where = np.flatnonzero(self._spread(drawn, 1))
         covered = np.where(inside, section.covered, 0.0)
         path = self.joint.measure(section.u)[:, None]
         self.said = float((path * covered).sum()) * self.grid.step ** (1 if self.grid.flat else 2)
@@ -91,18 +86,38 @@ class _Points:
             more = 0.1 * (high_s - low_s)
             self.span = (low_s - more, high_s + more)
 
+    def _spread(self, mask: np.ndarray, by: int) -> np.ndarray:
+        """Return cells within so many of some, along rows and columns."""
+        found = mask.copy()
+        for axis in range(1 if self.grid.flat else 2):
+            here = np.moveaxis(found, axis, 0)
+            before = here.copy()
+            for k in range(1, by + 1):
+                here[k:] |= before[:-k]
+                here[:-k] |= before[k:]
+        return found
+
+    def _shrunk(self, mask: np.ndarray, by: int) -> np.ndarray:
+        """Return cells no nearer than that to others; what lies beyond the grid is another."""
+        wide = np.pad(mask, ((by, by), (0, 0)) if self.grid.flat else by)
+        shrunk = ~self._spread(~wide, by)[by:-by]
+        return shrunk if self.grid.flat else shrunk[:, by:-by]
+
     def drawn(self, count: int) -> tuple[np.ndarray, float]:
         """Return random (u, v, s) spread evenly in space, (count, 3), and the size of where they are."""
-        low, high = self.section.u[0] - 0.5 * self.grid.step, self.section.u[-1] + 0.5 * self.grid.step
+        step = self.grid.step
+        begin = self.grid.centres(self.where)[:, 0] - 0.5 * step
+        sizes = step * (begin + 0.5 * step) if self.joint.revolute else np.full(len(begin), step)
+        chosen = self.rng.choice(len(begin), count, p=sizes / sizes.sum())
         r = self.rng.random((count, 3))
-        u = np.sqrt(low**2 + (high**2 - low**2) * r[:, 0]) if self.joint.revolute else low + (high - low) * r[:, 0]
-        size = 0.5 * (high**2 - low**2) if self.joint.revolute else high - low
-        v, v_size = np.full(count, self.section.v[0]), 1.0
+        low, high = begin[chosen], begin[chosen] + step
+        u = np.sqrt(low**2 + (high**2 - low**2) * r[:, 0]) if self.joint.revolute else low + step * r[:, 0]
+        v = self.grid.centres(self.where[chosen])[:, 1]
         if not self.grid.flat:
-            v_size = self.grid.step * len(self.section.v)
-            v = self.section.v[0] - 0.5 * self.grid.step + v_size * r[:, 1]
+            v = v + step * (r[:, 1] - 0.5)
         s = self.span[0] + (self.span[1] - self.span[0]) * r[:, 2]
-        return np.column_stack([u, v, s]), size * v_size * (self.span[1] - self.span[0])
+        volume = float(sizes.sum()) * (1.0 if self.grid.flat else step) * (self.span[1] - self.span[0])
+        return np.column_stack([u, v, s]), volume
 
     def _cells(self, coordinates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         cells, _ = self.grid.cell_of(coordinates[:, :2])
@@ -189,4 +204,4 @@ def _between_ends(section: Section, rng: np.random.Generator) -> Judged:
         scale *= 0.85
     values = [value for value, _ in ends.values()]
     area = math.pi * sum(b * b - a * a for a, b in zip(values[::2], values[1::2], strict=True))
-    return Judged(area, 1e-4 * area)
+    return Judged(area, 1e-6 * area)

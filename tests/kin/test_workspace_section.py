@@ -87,12 +87,18 @@ def test_both_sides_of_a_limited_elbow_count_where_joint_1_carries_them():
 def covered_of_3r(arm, resolution=2000):
     """Return the area of a planar 3R with limits, from the s of a fine grid of q2 and q3 in rings of u.
 
-    Each ring counts the union of s + [low, high] of what falls into it; so it is too large by what s spreads in a ring.
+    Each ring counts the union of s + [low, high] of what falls into it; so it is too large by what s spreads in a ring,
+    which is in proportion to its width: twice as wide rings tell how much, and it is taken off.
     """
     joint, stroke = first_joint(arm), np.ptp(arm.limits[0])
     q = np.stack(np.meshgrid([0.0], *(np.linspace(*limits, resolution) for limits in arm.limits[1:])), axis=-1)
     u, _, s = joint.split(arm.position(q.reshape(-1, 3))).T
-    width = 2e-3
+    narrow, wide = (in_rings(u, s, stroke, width) for width in (2e-3, 4e-3))
+    return 2.0 * narrow - wide
+
+
+def in_rings(u, s, stroke, width):
+    """Return the area of the rings, each as wide, of which what falls into them covers some part."""
     order = np.lexsort((s, (u / width).astype(int)))
     ring, s = (u[order] / width).astype(int), s[order]
     begin = np.flatnonzero(np.diff(ring, prepend=-1))
@@ -144,7 +150,7 @@ def test_every_cell_is_filled_by_a_configuration_inside_the_limits_whose_point_l
     arm = named(key)
     found = of(arm)
     i, j = np.nonzero(found.filled)
-    q = found.q[i, j]
+    q = found.at(i, j)
     assert_allclose(q[:, 0], 0.0)
     assert (q[:, 1:] >= arm.limits[1:, 0]).all()
     assert (q[:, 1:] <= arm.limits[1:, 1]).all()
@@ -171,7 +177,7 @@ def test_the_same_arguments_give_the_same_section():
     *_, first = sections(arm, 16, 2048, seed=3)
     # Another arm with the same table: nothing is remembered of it.
     *_, second = sections(replace(arm, name="copy"), 16, 2048, seed=3)
-    assert_allclose(first.q, second.q, rtol=0, atol=0)
+    assert_allclose(first.configurations, second.configurations, rtol=0, atol=0)
     assert size(first) == size(second)
 
 

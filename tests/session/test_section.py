@@ -85,7 +85,7 @@ def test_another_colour_keeps_the_section_and_is_an_average_of_what_the_measure_
     assert np.isfinite(values).all()
     # w of this elbow is a2 a3 |sin q3| times the distance from the axis: elbow up or down, the same at a place.
     i, j = np.nonzero(found.section.filled)
-    truth = np.asarray(found.arm.manipulability(found.section.q[i, j]))
+    truth = np.asarray(found.arm.manipulability(found.section.at(i, j)))
     # Near the boundary it rises too steeply for a mean over three cells.
     assert np.mean(np.abs(values - truth) < 0.06 * truth.max()) > 0.98
     assert question_of(coloured) is None
@@ -116,7 +116,7 @@ def test_a_place_joint_1_cannot_carry_here_is_gone_to_where_it_can():
     state = whole("scara")
     found = found_of(state)
     i, j = np.nonzero(found.section.filled)
-    q = found.section.q[i[0], j[0]]
+    q = found.section.at(i[:1], j[:1])[0]
     u, v, _ = found.section.joint.split(found.arm.position(q))
     moved = after(state, GoInSection(float(u), float(v)))
     assert_allclose(found.section.joint.split(tool(moved))[:2], [u, v], atol=1e-6)

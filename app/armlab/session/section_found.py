@@ -126,7 +126,7 @@ def _coloured(found: Found, colour: str) -> Iterator[Found | None]:
         return
     section, measure, arm = found.section, measure_named(colour), found.arm
     total, count = np.zeros(section.filled.size), np.zeros(section.filled.size)
-    pieces = itertools.chain([section.q[section.filled]], _random(section))
+    pieces = itertools.chain([section.at(*np.nonzero(section.filled))], _random(section))
     for k, q in enumerate(pieces):
         cells, on = section.grid.cell_of(section.joint.split(arm.position(q))[:, :2])
         for begin in range(0, len(q), measure.piece):

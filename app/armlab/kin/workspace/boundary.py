@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.workspace.around import BINS, Arcs
+from armlab.kin.workspace.around import Arcs
+from armlab.kin.workspace.met import BINS
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.section_grid import Grid
 

@@ -19,8 +19,8 @@ HALVINGS = 6
 FINE = 0.5**HALVINGS
 """Of a cell: what a crossing may be off."""
 
-REACHED = 1e-3
-"""Of a cell: as near to a point as that is there."""
+REACHED = FINE / 64
+"""Of a cell: as near to a point as that is there. What is nearly reached lies outside: it is to move no crossing."""
 
 
 class Crossings:
@@ -67,9 +67,9 @@ class Crossings:
         filling = self.filling
         a, b = filling.grid.centres(reached), filling.grid.centres(beyond)
         low, high = np.zeros(len(a)), np.ones(len(a))
-        q = filling.q[reached].copy()
-        others = [(filling.q[beyond], filling.filled[beyond])]
-        others += [(filling.spare[k, reached], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
+        q, kept = filling.at(reached), filling.row[reached]
+        others = [(filling.at(beyond), filling.filled[beyond])]
+        others += [(filling.spare[k, kept], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             targets = a + middle[:, None] * (b - a)

@@ -1,7 +1,7 @@
-"""Where s ends at one place of each coarse cell, found by inverse kinematics with u and v held.
+"""What joint 1 makes of one place of each coarse cell: the s met there, found by inverse kinematics with u, v held.
 
-Samples tell about which s are met somewhere in a cell. What is covered is wanted at a place: the outermost of each run
-of neighbouring s are pulled to the place, and along s as far as it goes.
+Samples tell about which s are met somewhere in a cell, and together they always make of it too much: where a branch
+ends inside a cell, it would count for all of it. So what is met is pulled to one place, and only what arrives counts.
 """
 
 from __future__ import annotations
@@ -12,23 +12,24 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.workspace.around import BINS, MOST_ARCS, Arcs, Around, arcs_of
+from armlab.kin.workspace.around import Arcs, Around, arcs_of, nothing_covered
 from armlab.kin.workspace.filling import Filling
 from armlab.kin.workspace.first_joint import FirstJoint
+from armlab.kin.workspace.met import BINS, Met, gaps_before, last_found
 from armlab.kin.workspace.pull import least_squares, pull, section_rates
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
-PULLED = 1024
+PULLED = 512
 """Configurations pulled in a piece of work."""
 
-OUTERMOST = 2
-"""Bins at each end of a run from which its end is looked for."""
+TOGETHER = 1024
+"""Places that are looked at together."""
 
-NEAR, SCARCELY = 0.75, 1e-6
-"""Of a cell: how near a place is to a centre that was reached; and the weight of a centre that was not."""
+MOST_BINS = 4 * BINS
+"""Of s at a place, where the stroke of joint 1 is so short that there are to be more than `BINS`."""
 
 THERE = 1e-3
 """Of a cell: as near to a place as that is there."""
@@ -36,21 +37,27 @@ THERE = 1e-3
 AHEAD = 1.0
 """Radians, or length scales, that an end is pulled onward."""
 
+HOP = 0.8
+"""Of the stroke of joint 1: so near to each other what lies between is covered without a doubt."""
+
+ONWARD = 0.1
+"""Of what was asked for: an end that moved by less is one."""
+
+HOPS = 8
+"""Times that an end is pulled onward, at most."""
+
 LIGHT = 0.05
 """Weight of s beside u and v in a pull along s."""
 
 ALONG, HOME = 16, 10
 """Iterations of a pull along s, and of one to the place."""
 
-APART = 0.2
-"""Radians or metres from a run that make another."""
-
-SWEEPS = 1
-"""Times that the ends of neighbouring places are tried."""
+BESIDE = 1e-3
+"""Radians or metres inside a gap: what was met nearer to its ends beside a place is not tried there."""
 
 
 class Ends:
-    """Runs of s at one place of each coarse cell.
+    """The s that are met at one place of each coarse cell.
 
     Attributes
     ----------
@@ -58,117 +65,190 @@ class Ends:
         Coarse cells with a place.
     places : ndarray, shape (C, 2)
         (u, v), metres.
-    least, most : ndarray, shape (C, RUNS)
-        Of the s of a run, rad or m, in turn from `begin`; (inf, -inf) where there is none.
+    met : Met
+        What was met at the places, a row for each.
+    closed : float
+        Gaps up to so large count as met, rad or m.
     """
 
-    def __init__(self, filling: Filling) -> None:
+    def __init__(self, filling: Filling, rng: np.random.Generator) -> None:
         assert filling.around is not None
         self.filling, self.around = filling, filling.around
         self.joint: FirstJoint = filling.joint
         self.single = len(self.joint.moving) <= (1 if filling.grid.flat else 2)
-        self.cells, self.fine, self.places = _representatives(filling, filling.around)
-        self._stay(~filling.centred[self.fine])
-        self.starts, self.owner, self.run, self.onward, self.begin, self.count = _runs(self.around, self.cells)
-        C = len(self.cells)
-        self.least = np.full((C, MOST_ARCS), np.inf)
-        self.most = np.full((C, MOST_ARCS), -np.inf)
-        self.q = np.zeros((2, C, MOST_ARCS, self.joint.arm.n))
+        self.cells, self.fine, self.places = _representatives(filling, filling.around, rng)
+        self.row = self.around.row[self.cells]
+        span = self.around.span
+        if not self.joint.revolute:
+            found = self.around.found
+            span = float(self.around.least[found].min()), float(self.around.most[found].max()) + THERE
+        stroke = self.joint.high - self.joint.low
+        bins = int(np.clip((span[1] - span[0]) / max(stroke, 1e-9), BINS, MOST_BINS))
+        self.met = Met(self.joint, span, len(self.cells), bins)
+        # Where (u, v) leave single values of s, nothing is met between two of them.
+        self.closed = 0.0 if self.single else (span[1] - span[0]) / BINS
+        self.gap = max(stroke, self.closed)
+        self._arcs = nothing_covered(self.around.shape[0] * self.around.shape[1], self.joint)
 
     def find(self) -> Iterator[None]:
-        """Find the ends, a piece at a time."""
-        yield from self._try(self.starts, self.owner, self.run, self.onward)
-        missed = (self.count > 0) & ~np.isfinite(self.least).any(axis=1)
-        self._stay(missed)
-        of = np.flatnonzero(missed)
-        self._count(self.filling.q[self.fine[of]], of, np.zeros_like(of), np.full(len(of), np.nan))
-        for _ in range(SWEEPS):
-            for some in self._neighbours():
-                yield from self._try(*some)
+        """Find what is met at the places, a piece at a time."""
+        for rows in self._blocks():
+            yield from self._look(rows)
+        for rows in self._blocks():
+            for shift in ((0, -1), (0, 1), (-1, 0), (1, 0)):
+                yield from self._from_beside(rows, shift)
+        for rows in self._blocks():
+            self._sum_up(rows)
+            yield
 
     def arcs(self) -> Arcs:
-        """Return what joint 1 makes of the runs, for all coarse cells."""
-        order = np.argsort(self.least, axis=1)
-        least, most = (np.take_along_axis(each, order, axis=1) for each in (self.least, self.most))
-        arcs = arcs_of(least, most, self.joint)
-        shape = self.around.shape[0] * self.around.shape[1]
-        start, length = np.zeros((shape, MOST_ARCS)), np.full((shape, MOST_ARCS), -1.0)
-        covered = np.zeros(shape)
-        start[self.cells] = arcs.start + self.begin[:, None] * (arcs.length > 0.0)
-        length[self.cells], covered[self.cells] = arcs.length, arcs.covered
-        whole = self.cells[self.count == 0]
-        start[whole], length[whole] = 0.0, -1.0
-        length[whole, 0] = covered[whole] = math.tau
-        return Arcs(start, length, covered, arcs.period)
+        """Return what joint 1 makes of it, for all coarse cells."""
+        return self._arcs
 
-    def _try(self, starts: Floats, owner: Indices, run: Indices, onward: Floats) -> Iterator[None]:
-        """Pull configurations to the places of their owners and along s; count what comes of them to runs."""
+    def _blocks(self) -> Iterator[Indices]:
+        for first in range(0, len(self.cells), TOGETHER):
+            yield np.arange(first, min(first + TOGETHER, len(self.cells)))
+
+    def _look(self, rows: Indices) -> Iterator[None]:
+        """Find what is met at some places from what fills their cells, and onward from there."""
+        at_home = self.filling.at(self.fine[rows])
+        yield from self._try(at_home, rows)
+        missed = ~self.met.found[rows].any(axis=1)
+        # The place stays where the configuration is that fills the cell.
+        self.places[rows[missed]] = self.joint.split(self.joint.arm.position(at_home[missed]))[:, :2]
+        self._count(at_home[missed], rows[missed])
+        source = self.around.found[self.row[rows]]
+        first = _stones(self.around.least[self.row[rows]], self.around.most[self.row[rows]], self.joint, HOP * self.gap)
+        yield
+        yield from self._try_bins(rows, first)
+        yield
+        yield from self._try_bins(rows, source & ~first & self._in_gaps(rows))
+        if not self.single:
+            yield
+            yield from self._onward(*self._ends(rows))
+
+    def _try_bins(self, rows: Indices, which: Bools) -> Iterator[None]:
+        """Pull what was met somewhere in a cell, bins (len(rows), BINS), to its place."""
+        i, b = np.nonzero(which)
+        for first in range(0, len(i), PULLED):
+            some = slice(first, first + PULLED)
+            starts = self.around.q[self.row[rows[i[some]]], b[some]].astype(np.float64)
+            yield from self._try(starts, rows[i[some]])
+
+    def _try(self, starts: Floats, of: Indices) -> Iterator[None]:
+        """Pull configurations (k, n) to places, and count what arrives."""
+        limits = self.joint.arm.limits
         tolerance = THERE * self.filling.grid.step
         for first in range(0, len(starts), PULLED):
             some = slice(first, first + PULLED)
-            of = owner[some]
-            q, error = pull(self.joint, starts[some], self.places[of], tolerance, iterations=HOME)
-            good = np.flatnonzero(error <= tolerance)
-            q, of, sign, which = q[good], of[good], onward[some][good], run[some][good]
-            self._count(q, of, which, np.full(len(q), np.nan))
-            s = self._s(q)
-            yield
-            if self.single:
-                continue
-            far = along(self.joint, q, self.places[of], s + sign * AHEAD)
-            far, error = pull(self.joint, far, self.places[of], tolerance, iterations=HOME)
-            good = np.flatnonzero(error <= tolerance)
-            self._count(far[good], of[good], which[good], s[good])
+            q = starts[some].copy()
+            q[:, 1:] = np.clip(q[:, 1:], limits[1:, 0], limits[1:, 1])
+            q, error = pull(self.joint, q, self.places[of[some]], tolerance, iterations=HOME)
+            good = error <= tolerance
+            self._count(q[good], of[some][good])
             yield
 
-    def _stay(self, which: Bools) -> None:
-        """Let the places of some cells be where the configuration is that fills them."""
-        q = self.filling.q[self.fine[which]]
-        self.places[which] = self.joint.split(self.joint.arm.position(q))[:, :2]
+    def _count(self, q: Floats, of: Indices) -> None:
+        self.met.put(of, self._s(q), q)
 
     def _s(self, q: Floats) -> Floats:
         return np.asarray(self.joint.split(self.joint.arm.position(q))[:, 2])
 
-    def _count(self, q: Floats, of: Indices, run: Indices, near: Floats) -> None:
-        """Count configurations at places to runs; ``near`` is an s less than half a turn away, nan for any."""
-        s = self._s(q) - self.begin[of]
-        if self.joint.revolute:
-            s = np.mod(s, math.tau)
-            before = np.mod(near - self.begin[of], math.tau)
-            s = np.where(np.isnan(near), s, before + np.remainder(s - before + math.pi, math.tau) - math.pi)
-        for side, (values, reduced) in enumerate(((self.least, np.minimum), (self.most, np.maximum))):
-            flat = of * MOST_ARCS + run
-            reduced.at(values.reshape(-1), flat, s)
-            best = values.reshape(-1)[flat] == s
-            self.q[side].reshape(-1, self.q.shape[-1])[flat[best]] = q[best]
+    def _gaps(self, rows: Indices) -> Floats:
+        """Return the gaps that joint 1 does not close, before each bin at some places; -inf for the others."""
+        gaps = gaps_before(self.met.least[rows], self.met.most[rows], self.joint)
+        return np.where(gaps > self.gap, gaps, -np.inf)
 
-    def _neighbours(self) -> Iterator[tuple[Floats, Indices, Indices, Floats]]:
-        """Yield the ends of neighbouring places as starts, with whom they are tried for, each place once at a time."""
-        rows, columns = self.around.shape
-        at = np.full((rows + 2, columns + 2), -1)
-        i, j = np.divmod(self.cells, columns)
-        at[i + 1, j + 1] = np.where(self.count > 0, np.arange(len(self.cells)), -1)
-        for di, dj in ((0, 1), (2, 1), (1, 0), (1, 2)):
-            other = at[i + di, j + dj]
-            mine = np.flatnonzero((other >= 0) & (self.count > 0))
-            for run in range(MOST_ARCS):
-                for side, sign in ((0, -1.0), (1, 1.0)):
-                    there = mine[self.most[other[mine], run] > -np.inf]
-                    q = self.q[side, other[there], run]
-                    into = self._run_of(q, there)
-                    yield q, there, into, np.full(len(q), sign)
+    def _in_gaps(self, rows: Indices) -> Bools:
+        """Return which bins of what surrounds some places lie in gaps that joint 1 does not close, (k, BINS)."""
+        around = self.row[rows]
+        s = np.where(self.around.found[around], self.around.least[around], 0.0)
+        return self._in_gap(np.repeat(rows[:, None], s.shape[1], axis=1), s, 0.0)
 
-    def _run_of(self, q: Floats, of: Indices) -> Indices:
-        """Return the runs of places nearest to the s of configurations, or a new one."""
-        s = self._s(q) - self.begin[of]
+    def _in_gap(self, rows: Indices, s: Floats, deep: float) -> Bools:
+        """Return which s lie in a gap at places, and so deep; any common shape."""
+        some, at = np.unique(rows, return_inverse=True)
+        at = at.reshape(rows.shape)
+        gaps = self._gaps(some)
+        found = gaps_before(self.met.least[some], self.met.most[some], self.joint) > -np.inf
+        bins = self.met.bins
+        # The next bin that was met at or after each, once round.
+        behind = last_found(found[:, ::-1])[:, ::-1]
+        following = np.where(behind >= 0, bins - 1 - behind, bins - 1 - last_found(found[:, ::-1])[:, -1:])
+        b = self.met.bin_of(s)
+        after = following[at, b]
+        width = gaps[at, after]
+        ahead = self.met.least[some][at, after] - s
         if self.joint.revolute:
-            s = np.mod(s, math.tau)
-        low, high = self.least[of], self.most[of]
-        away = np.where(high >= low, np.maximum(np.maximum(low - s[:, None], s[:, None] - high), 0.0), np.inf)
-        nearest, empty = np.argmin(away, axis=1), np.argmax(high < low, axis=1)
-        # What is far from all runs is another one, as long as there is room.
-        far = (away.min(axis=1) > APART) & (high < low).any(axis=1)
-        return np.asarray(np.where(far, empty, nearest))
+            ahead = np.mod(ahead, math.tau)
+        inside = (width > 0.0) & (ahead > deep) & (ahead < width - deep)
+        if not self.joint.revolute:
+            # Behind all that was met there is no end of the gap.
+            most = self.met.most[some].max(axis=1)[at]
+            inside |= s > most + deep
+        return np.asarray(inside)
+
+    def _ends(self, rows: Indices) -> tuple[Floats, Indices, Floats]:
+        """Return configurations where gaps end and begin at some places, whose they are, and the way into the gap."""
+        gaps = self._gaps(rows)
+        i, b = np.nonzero(gaps > 0.0)
+        last = last_found(self.met.found[rows])
+        previous = np.where(b > 0, last[i, np.maximum(b - 1, 0)], -1)
+        previous = np.where(previous >= 0, previous, last[i, -1])
+        q = np.concatenate([self.met.q[rows[i], b], self.met.q[rows[i], previous]]).astype(np.float64)
+        return q, np.tile(rows[i], 2), np.repeat([-1.0, 1.0], len(i))
+
+    def _onward(self, q: Floats, of: Indices, sign: Floats) -> Iterator[None]:
+        """Pull configurations at places on into gaps, as far as they go, by hops that joint 1 closes."""
+        for first in range(0, len(q), PULLED):
+            some = slice(first, first + PULLED)
+            # Asked for much it goes farthest; by hops it meets what lies between.
+            yield from self._hopping(q[some], of[some], sign[some], AHEAD)
+            if HOP * self.gap < AHEAD:
+                yield from self._hopping(q[some], of[some], sign[some], HOP * self.gap)
+
+    def _hopping(self, q: Floats, of: Indices, sign: Floats, hop: float) -> Iterator[None]:
+        tolerance = THERE * self.filling.grid.step
+        for _ in range(HOPS):
+            s = self._s(q)
+            far = along(self.joint, q, self.places[of], s + sign * hop)
+            far, error = pull(self.joint, far, self.places[of], tolerance, iterations=HOME)
+            self._count(far[error <= tolerance], of[error <= tolerance])
+            moved = self._s(far) - s
+            if self.joint.revolute:
+                moved = np.remainder(moved + math.pi, math.tau) - math.pi
+            on = (error <= tolerance) & (sign * moved > ONWARD * hop)
+            yield
+            on[on] = self._in_gap(of[on], self._s(far[on]) + BESIDE * sign[on], 0.0)
+            if not on.any():
+                return
+            q, of, sign = far[on], of[on], sign[on]
+
+    def _from_beside(self, rows: Indices, shift: tuple[int, int]) -> Iterator[None]:
+        """Try at some places what was met at those beside them and lies in a gap here."""
+        columns = self.around.shape[1]
+        gaping = rows[(self._gaps(rows) > 0.0).any(axis=1)]
+        i, j = self.cells[gaping] // columns + shift[0], self.cells[gaping] % columns + shift[1]
+        on = (i >= 0) & (i < self.around.shape[0]) & (j >= 0) & (j < columns)
+        gaping, beside = gaping[on], i[on] * columns + j[on]
+        at = np.minimum(np.searchsorted(self.cells, beside), len(self.cells) - 1)
+        there = self.cells[at] == beside
+        gaping, at = gaping[there], at[there]
+        k, b = np.nonzero(self.met.found[at])
+        s = self.met.least[at[k], b]
+        some = self._in_gap(gaping[k], s, BESIDE)
+        mine, q = gaping[k[some]], self.met.q[at[k[some]], b[some]].astype(np.float64)
+        yield
+        yield from self._try(q, mine)
+        if not self.single:
+            q, whose, sign = self._ends(np.unique(mine))
+            yield from self._onward(q, whose, sign)
+
+    def _sum_up(self, rows: Indices) -> None:
+        found = arcs_of(self.met.least[rows], self.met.most[rows], self.joint, self.closed)
+        cells = self.cells[rows]
+        self._arcs.start[cells], self._arcs.length[cells] = found.start, found.length
+        self._arcs.covered[cells] = found.covered
 
 
 def along(joint: FirstJoint, q: Floats, places: Floats, wanted: Floats) -> Floats:
@@ -195,96 +275,46 @@ def along(joint: FirstJoint, q: Floats, places: Floats, wanted: Floats) -> Float
     return least_squares(joint, q, residual, rates, joint.moving, 0.0, ALONG)[0]
 
 
-def _representatives(filling: Filling, around: Around) -> tuple[Indices, Indices, Floats]:
+def _representatives(filling: Filling, around: Around, rng: np.random.Generator) -> tuple[Indices, Indices, Floats]:
     """Return the coarse cells with a filled cell, one filled cell of each, and the place that stands for them, (C, 2).
 
-    The middle of the cells whose centre was reached, so that what is covered is neither too much nor too little where
-    it rises or falls; the filled cell is the nearest to it.
+    The middle of a coarse cell that is reached everywhere, which is best where what is covered rises or falls; else the
+    centre of any of its cells that is reached: the middle of what is reached of it would lie too far from the boundary,
+    where less is covered, more often than not.
     """
     fine = np.flatnonzero(filling.filled)
     cells, of = np.unique(around.coarse(fine), return_inverse=True)
     centres, centred = filling.grid.centres(fine), filling.centred[fine]
-    weight = np.where(centred, 1.0, SCARCELY)
-    total = np.bincount(of, weight)
-    middle = np.stack([np.bincount(of, weight * centres[:, k]) / total for k in range(2)], axis=1)
-    away = np.linalg.norm(centres - middle[of], axis=1) / filling.grid.step
-    order = np.lexsort((away + np.where(centred, 0.0, 10.0 * around.width), of))
+    count = np.bincount(of, centred)
+    whole = count == (around.width if filling.grid.flat else around.width**2)
+    middle = np.stack([np.bincount(of, centres[:, k]) / np.bincount(of) for k in range(2)], axis=1)
+    away = np.linalg.norm(centres - middle[of], axis=1)
+    order = np.lexsort((np.where(whole[of], away, rng.random(len(fine))), ~centred, of))
     first = order[np.unique(of[order], return_index=True)[1]]
-    near = (away[first] <= NEAR) & centred[first]
-    return cells, fine[first], np.where(near[:, None], middle, centres[first])
+    places = np.where(whole[:, None], middle, centres[first])
+    q = filling.at(fine[first])
+    off = count == 0
+    places[off] = filling.joint.split(filling.joint.arm.position(q[off]))[:, :2]
+    return cells, fine[first], places
 
 
-def _runs(around: Around, cells: Indices) -> tuple[Floats, Indices, Indices, Floats, Floats, Indices]:
-    """Return from where to look for ends.
-
-    Runs are what lies between gaps that joint 1 might not close, the widest ones where there are many.
-
-    Returns
-    -------
-    starts : ndarray, shape (k, n)
-    owner, run : ndarray, shape (k,)
-        Index into the cells, and which run.
-    onward : ndarray, shape (k,)
-        1 to look for the largest s, -1 for the least.
-    begin : ndarray, shape (C,)
-        s from which runs are counted: in the widest gap, where s goes round.
-    count : ndarray, shape (C,)
-        Runs; 0 where everything is covered.
-    """
-    rows_of, joint = around.row[cells], around.joint
-    least, most = around.least[rows_of], around.most[rows_of]
-    C = len(cells)
-    found = most >= least
-    stroke = joint.high - joint.low
-    low, high = around.span
-    bin_width = (high - low) / BINS
-    # In turn from the first bin that was met, and once round.
-    position = np.arange(BINS)
-    previous = np.maximum.accumulate(np.where(found, position, -1), axis=1)
-    before = np.concatenate([np.full((C, 1), -1), previous[:, :-1]], axis=1)
-    last = np.where(before >= 0, np.take_along_axis(most, np.maximum(before, 0), axis=1), np.nan)
-    final = np.take_along_axis(most, np.maximum(previous[:, -1:], 0), axis=1)
-    if joint.revolute:
-        last = np.where(np.isnan(last), final - math.tau, last)
-    gap = np.where(found, least - last, -np.inf)
-    gap = np.where(np.isnan(gap), np.inf, gap)
-    cut = found & (gap > stroke - 2.0 * bin_width) & (gap > 0.0)
-    # Only so many runs are kept.
-    ranked = np.sort(np.where(cut, gap, -np.inf), axis=1)[:, -MOST_ARCS]
-    cut &= gap >= ranked[:, None]
-    count = cut.sum(axis=1)
-    widest = np.argmax(np.where(cut, gap, -np.inf), axis=1)
-    rows = np.arange(C)
-    begin = np.where(count > 0, least[rows, widest], 0.0)
-    begin = begin - np.where(np.isfinite(gap[rows, widest]), 0.5 * np.maximum(gap[rows, widest], 0.0), 1.0) * (
-        count > 0
-    )
-    # Bins in turn from the one after the widest gap.
-    order = (widest[:, None] + position) % BINS
-    cut_o, found_o = np.take_along_axis(cut, order, 1), np.take_along_axis(found, order, 1)
-    run = np.minimum(np.cumsum(cut_o, axis=1) - 1, MOST_ARCS - 1)
-    from_start = _rank(found_o, run)
-    from_end = _rank(found_o[:, ::-1], run[:, ::-1])[:, ::-1]
-    starts, owner, of, onward = [], [], [], []
-    for rank, sign in ((from_start, -1.0), (from_end, 1.0)):
-        c, b = np.nonzero(found_o & (rank <= OUTERMOST) & (count > 0)[:, None])
-        starts.append(around.q[rows_of[c], order[c, b]].astype(np.float64))
-        owner.append(c)
-        of.append(run[c, b])
-        onward.append(np.full(len(c), sign))
-    limits = joint.arm.limits
-    q = np.concatenate(starts)
-    q[:, 1:] = np.clip(q[:, 1:], limits[1:, 0], limits[1:, 1])
-    return q, np.concatenate(owner), np.concatenate(of), np.concatenate(onward), begin, count
-
-
-def _rank(found: Bools, run: Indices) -> Indices:
-    """Return how many of a run were found up to each bin, itself counted."""
-    total = np.cumsum(found, axis=1)
-    base = np.zeros_like(total)
-    for k in range(MOST_ARCS):
-        here = run == k
-        first = np.argmax(here, axis=1)
-        start: Indices = np.take_along_axis(total, first[:, None], 1) - np.take_along_axis(found, first[:, None], 1)
-        base = np.where(here, start, base)
-    return np.asarray(total - base)
+def _stones(least: Floats, most: Floats, joint: FirstJoint, hop: float) -> Bools:
+    """Return some bins that were met, (C, BINS): both ends of each run, and between them as few as hops are long."""
+    found = np.asarray(most >= least)
+    start = gaps_before(least, most, joint) > hop
+    chosen = np.zeros(found.shape, dtype=bool)
+    rows = np.arange(len(found))
+    last, previous = np.full(len(found), -np.inf), np.full(len(found), -1)
+    for b in range(found.shape[1]):
+        here = found[:, b]
+        first = here & (start[:, b] | (previous < 0))
+        # The one before this one, where a run ends there or this one is too far from the last that was chosen.
+        before = here & (previous >= 0) & (first | (most[:, b] > last + hop))
+        chosen[rows[before], previous[before]] = True
+        last[before] = most[rows[before], previous[before]]
+        chosen[:, b] |= first
+        last = np.where(first, least[:, b], last)
+        previous = np.where(here, b, previous)
+    known = previous >= 0
+    chosen[rows[known], previous[known]] = True
+    return chosen

@@ -18,7 +18,11 @@ from armlab.kin.workspace.section_grid import Grid, random_configurations
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
+Indices32 = NDArray[np.int32]
 Bools = NDArray[np.bool_]
+
+FIRST_ROWS = 4096
+"""Filled cells for which there is room at first."""
 
 SAMPLED = 16384
 """Samples in a piece of work."""
@@ -47,9 +51,13 @@ class Filling:
     Attributes
     ----------
     grid : Grid
-    q : ndarray, shape (cells, n)
-        A configuration of each filled cell with q_1 = 0, rad and m.
     filled, centred : ndarray, shape (cells,)
+    row : ndarray, shape (cells,)
+        Where in the following a filled cell is; -1 for another. Of a sliver few cells are filled among many.
+    q : ndarray, shape (rows, n)
+        A configuration of each filled cell with q_1 = 0, rad and m; and room for more.
+    has_spare : ndarray, shape (SPARE, cells)
+        Whether further configurations are kept of a cell.
     around : Around or None
         What is known of s; None where joint 1 turns all the way round.
     """
@@ -58,15 +66,21 @@ class Filling:
         self.grid = grid
         self.joint: FirstJoint = grid.joint
         cells, n = grid.shape[0] * grid.shape[1], grid.joint.arm.n
-        self.q: Floats = np.zeros((cells, n))
         self.filled: Bools = np.zeros(cells, dtype=bool)
         self.centred: Bools = np.zeros(cells, dtype=bool)
-        self.spare: Floats = np.zeros((SPARE, cells, n))
+        self.row = np.full(cells, -1, dtype=np.int32)
+        self.count = 0
+        self.q: Floats = np.zeros((FIRST_ROWS, n))
+        self.spare: Floats = np.zeros((SPARE, FIRST_ROWS, n))
         self.has_spare: Bools = np.zeros((SPARE, cells), dtype=bool)
         self.around = None if grid.joint.full else Around(grid)
         self._tried: Bools = np.zeros((len(SHIFTS), cells), dtype=bool)
         self._turn = 0
-        self._copies: tuple[Bools, Floats] | None = None
+        self._copies: tuple[Bools, Indices32, Floats] | None = None
+
+    def at(self, cells: Indices) -> Floats:
+        """Return the configurations that fill cells (k,), shape (k, n); anything for one that is not filled."""
+        return self.q[self.row[cells]]
 
     def add(self, q: Floats) -> None:
         """Take configurations (k, n) into account, whichever cells they fall in."""
@@ -76,18 +90,29 @@ class Filling:
         cells, q, s = cells[on], q[on], coordinates[on, 2]
         if self.around is not None:
             self.around.add(cells, s, q)
-        turn = self._turn = (self._turn + 1) % SPARE
-        self.spare[turn, cells] = q
-        self.has_spare[turn, cells] = True
         fresh = ~self.filled[cells]
-        self.q[cells[fresh]] = q[fresh]
-        self.filled[cells[fresh]] = True
+        self._make_room(np.unique(cells[fresh]))
+        rows = self.row[cells]
+        turn = self._turn = (self._turn + 1) % SPARE
+        self.spare[turn, rows] = q
+        self.has_spare[turn, cells] = True
+        self.q[rows[fresh]] = q[fresh]
 
-    def copies(self) -> tuple[Bools, Floats]:
-        """Return copies of ``filled`` and ``q`` that stay as they are; the same ones until something is added."""
+    def copies(self) -> tuple[Bools, Indices32, Floats]:
+        """Return copies of ``filled``, ``row`` and ``q`` that stay as they are; the same until something is added."""
         if self._copies is None:
-            self._copies = self.filled.copy(), self.q.copy()
+            self._copies = self.filled.copy(), self.row.copy(), self.q[: self.count].copy()
         return self._copies
+
+    def _make_room(self, fresh: Indices) -> None:
+        """Give rows to cells that were not filled before; twice as many as there were where they are too few."""
+        self.filled[fresh] = True
+        self.row[fresh] = self.count + np.arange(len(fresh), dtype=np.int32)
+        self.count += len(fresh)
+        more = max(self.count, 2 * len(self.q)) - len(self.q)
+        if self.count > len(self.q):
+            self.q = np.concatenate([self.q, np.zeros((more, self.q.shape[1]))])
+            self.spare = np.concatenate([self.spare, np.zeros((SPARE, more, self.q.shape[1]))], axis=1)
 
     def take(self, q: Floats) -> Iterator[None]:
         """Take configurations (k, n) into account, a piece at a time."""
@@ -112,7 +137,7 @@ class Filling:
     def centre(self) -> Iterator[None]:
         """Pull what fills cells to their centres."""
         cells = np.flatnonzero(self.filled & ~self.centred)
-        yield from self._pull(cells, self.q[cells])
+        yield from self._pull(cells, self.at(cells))
 
     def sweep(self, rng: np.random.Generator) -> Iterator[None]:
         """Try cells at the edge, and filled ones whose centre was not reached, from all that is known around them."""
@@ -120,7 +145,7 @@ class Filling:
             found, starts = [], []
             for k in range(SPARE):
                 cells, neighbours = self._neighbours(shift, ~self.centred, self.has_spare[k])
-                start = self.spare[k, neighbours]
+                start = self.spare[k, self.row[neighbours]]
                 found.append(cells)
                 starts.append(self._shaken(start, rng) if k == SPARE - 1 else start)
             yield from self._pull(np.concatenate(found), np.concatenate(starts))
@@ -142,23 +167,26 @@ class Filling:
             q, error = pull(self.joint, starts[some][waiting], self.grid.centres(target), AT_CENTRE * self.grid.step)
             self.add(q)
             there = error <= AT_CENTRE * self.grid.step
-            self.q[target[there]] = q[there]
+            self.q[self.row[target[there]]] = q[there]
             self.centred[target[there]] = True
             self._copies = None
             yield
 
     def _neighbours(self, shift: tuple[int, int], of: Bools, beside: Bools) -> tuple[Indices, Indices]:
         """Return cells of a kind, and their neighbours in a direction, where those are of another kind."""
-        shape, columns = self.grid.shape, self.grid.shape[1]
-        here = tuple(slice(max(0, -by), count - max(0, by)) for by, count in zip(shift, shape, strict=True))
-        there = tuple(slice(max(0, by), count - max(0, -by)) for by, count in zip(shift, shape, strict=True))
-        i, j = np.nonzero(of.reshape(shape)[here] & beside.reshape(shape)[there])
-        cells = (i + here[0].start) * columns + j + here[1].start
-        return cells, cells + shift[0] * columns + shift[1]
+        (rows, columns), (di, dj) = self.grid.shape, shift
+        # Of a sliver few cells are filled among many: they are gone through, not all.
+        i, j = np.divmod(np.flatnonzero(beside), columns)
+        on = (i >= di) & (i < rows + di) & (j >= dj) & (j < columns + dj)
+        i, j = i[on], j[on]
+        neighbours = i * columns + j
+        cells = neighbours - di * columns - dj
+        some = of[cells]
+        return cells[some], neighbours[some]
 
     def _untried(self) -> tuple[Indices, Floats]:
         """Return empty cells and configurations of neighbours, each pair once, a few neighbours of a cell at a time."""
-        tries = np.zeros(len(self.filled), dtype=np.intp)
+        tries = np.zeros(len(self.filled), dtype=np.int8)
         cells_found, starts = [], []
         for k, shift in enumerate(SHIFTS):
             cells, neighbours = self._neighbours(shift, ~self.filled, self.filled)
@@ -167,5 +195,5 @@ class Filling:
             self._tried[k, cells] = True
             tries[cells] += 1
             cells_found.append(cells)
-            starts.append(self.q[neighbours])
+            starts.append(self.at(neighbours))
         return np.concatenate(cells_found), np.concatenate(starts)

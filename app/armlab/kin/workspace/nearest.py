@@ -57,7 +57,7 @@ def _starts(section: Section, point: Floats) -> Floats:
     i, j = np.nonzero(section.filled)
     away = (section.u[i] - u) ** 2 + (section.v[j] - v) ** 2
     nearest = np.argpartition(away, min(CELLS, len(away) - 1))[:CELLS]
-    starts = section.q[i[nearest], j[nearest]]
+    starts = section.at(i[nearest], j[nearest])
     around = section.around
     if around is None:
         return starts

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,23 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Name = tuple[int, int, int]
+
+
+class Pieces(NamedTuple):
+    """Polygons in k squares between centres.
+
+    Attributes
+    ----------
+    i, j : ndarray, shape (k,)
+        Their squares.
+    area, moment : ndarray, shape (k,)
+        Area, m^2, and its integral of u, m^3.
+    """
+
+    i: NDArray[np.intp]
+    j: NDArray[np.intp]
+    area: Floats
+    moment: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +67,7 @@ class Outline:
             Which of them belong to its polygon.
         """
         counted = self._inside_corners
-        squares = np.argwhere((counted > 0) & (counted < 4))
+        squares = np.argwhere((counted & 3) != 0)
         i, j = squares.T
         places, used = np.empty((len(squares), 8, 2)), np.empty((len(squares), 8), dtype=bool)
         ring = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
@@ -66,28 +84,34 @@ class Outline:
         return squares, places, used
 
     @cached_property
-    def _inside_corners(self) -> NDArray[np.intp]:
-        counted = self.inside.astype(np.intp)
+    def _inside_corners(self) -> NDArray[np.uint8]:
+        """Corners of each square that are inside, 0 to 4."""
+        counted = self.inside.view(np.uint8)
         return np.asarray(counted[:-1, :-1] + counted[1:, :-1] + counted[:-1, 1:] + counted[1:, 1:])
 
     @cached_property
-    def pieces(self) -> tuple[Floats, Floats]:
-        """Area of the polygon in each square, m^2, and its integral of u, m^3; (Nu-1, Nv-1) each."""
-        area = np.where(self._inside_corners == 4, np.outer(np.diff(self.u), np.diff(self.v)), 0.0)
-        moment = area * (0.5 * (self.u[1:] + self.u[:-1]))[:, None]
+    def pieces(self) -> Pieces:
+        """The polygon in each square that is not empty: of a sliver they are few among many."""
+        i, j = np.nonzero(self._inside_corners == 4)
+        du, dv = np.diff(self.u), np.diff(self.v)
+        whole = du[i] * dv[j]
         squares, places, used = self.corners
         # What is not used falls together with what was used before it, and adds nothing.
         places = places.copy()
         for _ in range(2):
             for k in range(8):
                 places[:, k] = np.where(used[:, k, None], places[:, k], places[:, k - 1])
-        i, j = squares.T
-        x, y = places[..., 0] - self.u[i, None], places[..., 1] - self.v[j, None]
+        x, y = places[..., 0] - self.u[squares[:, 0], None], places[..., 1] - self.v[squares[:, 1], None]
         x2, y2 = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
         cross = x * y2 - x2 * y
-        area[i, j] = cross.sum(axis=1) / 2.0
-        moment[i, j] = (cross * (x + x2)).sum(axis=1) / 6.0 + area[i, j] * self.u[i]
-        return area, moment
+        part = cross.sum(axis=1) / 2.0
+        moment = (cross * (x + x2)).sum(axis=1) / 6.0 + part * self.u[squares[:, 0]]
+        return Pieces(
+            np.concatenate([i, squares[:, 0]]),
+            np.concatenate([j, squares[:, 1]]),
+            np.concatenate([whole, part]),
+            np.concatenate([whole * 0.5 * (self.u[i + 1] + self.u[i]), moment]),
+        )
 
     @cached_property
     def contours(self) -> tuple[Floats, ...]:

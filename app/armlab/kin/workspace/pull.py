@@ -140,7 +140,7 @@ def _step(J: Floats, e: Floats, damping: Floats, at_low: NDArray[np.bool_], at_h
     for _ in range(2):
         held = J * free[:, None, :]
         square = held @ held.transpose(0, 2, 1) + ridge
-        step = np.einsum("kij,ki->kj", held, np.linalg.solve(square, e[..., None])[..., 0])
+        step = np.einsum("kij,ki->kj", held, _solved(square, e))
         outward = (at_low & (step < 0.0)) | (at_high & (step > 0.0))
         if not outward.any():
             break
@@ -148,3 +148,17 @@ def _step(J: Floats, e: Floats, damping: Floats, at_low: NDArray[np.bool_], at_h
     step *= free
     longest = np.abs(step).max(axis=1, keepdims=True)
     return np.asarray(step * np.minimum(1.0, LONGEST / np.maximum(longest, LONGEST)))
+
+
+def _solved(square: Floats, e: Floats) -> Floats:
+    """Return the solutions (k, r) of positive definite equations (k, r, r); of two at once by Cramer's rule.
+
+    The ridge keeps the determinant off zero. A step that rounding spoils leads away, and is asked for again with a
+    larger ridge.
+    """
+    if e.shape[1] != 2:
+        return np.asarray(np.linalg.solve(square, e[..., None])[..., 0])
+    a, b, c = square[:, 0, 0], square[:, 0, 1], square[:, 1, 1]
+    determinant = np.maximum(a * c - b * b, np.finfo(np.float64).tiny)
+    x, y = e.T
+    return np.stack([c * x - b * y, a * y - b * x], axis=1) / determinant[:, None]

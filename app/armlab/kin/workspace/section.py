@@ -31,6 +31,7 @@ from armlab.kin.workspace.section_size import WANTED, is_thin
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
+Indices = NDArray[np.intp]
 
 RESOLUTION = 256
 SAMPLES = 262_144
@@ -49,8 +50,10 @@ class Section:
     grid : Grid
     filled : ndarray, shape (Nu, Nv)
         Cells with a configuration whose point lies in them.
-    q : ndarray, shape (Nu, Nv, n)
-        That configuration, rad and m, with q_1 = 0 even where joint 1 must not be there; zeros in a cell not filled.
+    row : ndarray, shape (Nu, Nv)
+        Where among those configurations it is; -1 for a cell that is not filled.
+    configurations : ndarray, shape (rows, n)
+        Rad and m, with q_1 = 0 even where joint 1 must not be there.
     outline : Outline
         The region; until it is finished, roughly.
     around : Around or None
@@ -63,7 +66,8 @@ class Section:
 
     grid: Grid
     filled: Bools
-    q: Floats
+    row: NDArray[np.int32]
+    configurations: Floats
     outline: Outline
     around: Around | None
     arcs: Arcs | None
@@ -88,6 +92,10 @@ class Section:
     def step(self) -> float:
         """Side of a cell, metres."""
         return self.grid.step
+
+    def at(self, i: Indices, j: Indices) -> Floats:
+        """Return the configurations (k, n) that fill some filled cells, by their row (k,) and column (k,)."""
+        return np.asarray(self.configurations[self.row[i, j]])
 
     @cached_property
     def covered(self) -> Floats:
@@ -205,14 +213,14 @@ def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Sect
     # What is there already is better than what is begun anew, and copies of many cells take their time.
     yield known or _section(filling, None)
     if known is not None:
-        for _ in filling.take(known.q[known.filled]):
+        for _ in filling.take(known.at(*np.nonzero(known.filled))):
             yield known
     for _ in _filled(filling, samples, rng):
         yield known or _section(filling, None)
     crossings = Crossings(filling)
     for _ in crossings.find():
         yield known or _section(filling, None)
-    ends = None if filling.around is None else Ends(filling)
+    ends = None if filling.around is None else Ends(filling, rng)
     for _ in ends.find() if ends is not None else ():
         yield known or _section(filling, None)
     yield _section(filling, crossings, None if ends is None else ends.arcs())
@@ -250,11 +258,11 @@ def _filled(filling: Filling, samples: int, rng: np.random.Generator) -> Iterato
 
 def _section(filling: Filling, crossings: Crossings | None, arcs: Arcs | None = None) -> Section:
     grid = filling.grid
-    filled, q = filling.copies()
-    filled, q = filled.reshape(grid.shape), q.reshape(*grid.shape, -1)
+    filled, row, q = filling.copies()
+    filled, row = filled.reshape(grid.shape), row.reshape(grid.shape)
     inside = filled if crossings is None else crossings.inside
     rows, columns = grid.shape
     along_u = np.full((rows - 1, columns), 0.5) if crossings is None else crossings.along_u
     along_v = np.full((rows, columns - 1), 0.5) if crossings is None else crossings.along_v
     outline = Outline(grid.u, grid.v, inside, along_u, along_v)
-    return Section(grid, filled, q, outline, filling.around, arcs, crossings is not None)
+    return Section(grid, filled, row, q, outline, filling.around, arcs, crossings is not None)

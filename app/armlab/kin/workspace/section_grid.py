@@ -29,6 +29,10 @@ COARSER = {True: 2, False: 3}
 """Cells along a side of one in which s is counted, by whether (u, v) leave single values of s: intervals need more
 samples."""
 
+ASIDE = 1.0 / 128.0
+"""Of a cell: so far from its edge ends what begins on the axis. Halving would meet an end on the edge itself, and then
+always find it too far out."""
+
 PLANAR_FINER = 8
 """A planar arm has one row of cells; they can be as many times finer."""
 
@@ -118,7 +122,7 @@ def grid_for(joint: FirstJoint, resolution: int, rng: np.random.Generator) -> tu
     size = np.ptp(extremes, axis=1)
     whole = STILL * (joint.arm.reach or 1.0)
     flat = joint.planar and bool(size[1] <= whole * FIRST_LOOK)
-    step = float(max(size.max(), whole) / (resolution * (PLANAR_FINER if flat else 1)))
+    step = float(max(size.max(), whole) / (resolution * (PLANAR_FINER if flat else 1) - ASIDE))
     first = np.floor(extremes[:, 0] / step).astype(int) - MARGIN
     at_axis = joint.revolute and first[0] <= 0
     if at_axis:

@@ -131,7 +131,7 @@ def is_thin(section: Section, resolution: int, wanted: float) -> bool:
 def reach(section: Section) -> Reach:
     """Return how far an arm reaches: maxima of what it can do, begun from the cells that lie farthest out."""
     i, j = np.nonzero(section.filled)
-    q = section.q[i, j]
+    q = section.at(i, j)
     uv = section.joint.split(section.joint.arm.position(q))[:, :2]
     ends = section.grid.extremes
     inner, outer, low, high = (
@@ -172,13 +172,18 @@ def dimension(joint: FirstJoint) -> int:
 
 
 class _Pieces(NamedTuple):
-    """What lies in each square between four centres: its size, or its moment about a joint 1 that turns.
+    """What lies in each square between four centres that is not empty.
 
-    Of a sliver most squares are empty: ``some`` are those that are not.
+    Attributes
+    ----------
+    sizes : ndarray, shape (k,)
+        Its size, or its moment about a joint 1 that turns.
+    some : (ndarray, ndarray)
+        The squares.
     """
 
     sizes: Floats
-    some: tuple[Indices, ...]
+    some: tuple[Indices, Indices]
     inside: NDArray[np.bool_]
     flat: bool
     at_axis: bool
@@ -189,7 +194,7 @@ class _Pieces(NamedTuple):
             covered = np.tile(covered, (1, 2))
         if self.at_axis:
             covered = np.concatenate([np.zeros((1, covered.shape[1])), covered[:1], covered])
-        return float((self.sizes[self.some] * _mean_inside(covered, self.inside, self.some)).sum())
+        return float((self.sizes * _mean_inside(covered, self.inside, self.some)).sum())
 
 
 def _pieces(section: Section, outline: Outline) -> _Pieces:
@@ -205,12 +210,12 @@ def _pieces(section: Section, outline: Outline) -> _Pieces:
             np.full((len(outline.inside), 1), 0.5),
         )
     whole = with_axis(outline, grid)
-    area, moment = whole.pieces
-    sizes = moment if section.joint.revolute else area
-    return _Pieces(sizes, np.nonzero(sizes != 0.0), whole.inside, grid.flat, grid.at_axis)
+    found = whole.pieces
+    sizes = found.moment if section.joint.revolute else found.area
+    return _Pieces(sizes, (found.i, found.j), whole.inside, grid.flat, grid.at_axis)
 
 
-def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices, ...]) -> Floats:
+def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices, Indices]) -> Floats:
     """Return the mean of what is covered at the corners of some squares that are inside."""
     i, j = some
     total, count = np.zeros(len(i)), np.zeros(len(i))

@@ -169,7 +169,7 @@ class GoInSection(Command):
             # Where joint 1 cannot bring this place to where the tool is: as near to that as it can.
             i, j = np.nonzero(section.filled)
             k = int(np.argmin((section.u[i] - self.u) ** 2 + (section.v[j] - self.v) ** 2))
-            q = with_first(joint, section.q[i[k], j[k]][None], point)
+            q = with_first(joint, section.at(i[[k]], j[[k]]), point)
             point = joint.join([self.u, self.v, joint.split(joint.arm.position(q[0]))[2]])
         return _gone(state, section.nearest(point))
 
