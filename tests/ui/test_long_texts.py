@@ -55,6 +55,25 @@ def test_a_field_hands_on_what_its_reader_takes_and_one_character_more(bare):
     assert heard == [(LONGEST_CELL, 51), (1, 50), (0, 0), (4, 0)]
 
 
+def test_what_nobody_types_is_refused_at_the_field_and_what_was_shown_stays(bare):
+    async def work(browser, do):
+        fields = await do(lambda: Fields(bare.client.gui, lambda *said: heard.append(said)))
+        await do(lambda: fields.show("<b>as it was</b>"))
+        await browser.until(lambda: "as it was" in browser.html())
+        await sent(browser, fields.channel_id, json.dumps(["c", "9" * (LONGEST_TYPED + 1), 1]))
+        await browser.until(lambda: "expected at most 20000 characters, got 20001" in browser.html())
+        assert "as it was" in browser.html()
+        await sent(browser, fields.channel_id, json.dumps(["c", "9" * LONGEST_TYPED, 2]))
+        patience = Patience()
+        while not heard and patience.left():
+            await browser.until(lambda: True)
+            await do(lambda: None)
+
+    heard = []
+    bare.run(work)
+    assert heard == [("c", "9" * LONGEST_TYPED)]
+
+
 def test_every_reader_that_takes_long_texts_has_a_field_that_hands_them_on():
     assert max(table_grid.LONGEST, MOST_TYPED, LONGEST) <= LONGEST_TYPED
     assert max(MOST_TEXT, MOST, MOST_BYTES) < 2_000_000, "more does not fit into a message"

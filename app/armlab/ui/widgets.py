@@ -111,16 +111,18 @@ class Fields:
     gui : GuiApi
     on_input : callable
         Called with the cell and the text.
-    longest : int
-        Characters of a text that its reader takes. Of a longer one it gets one more, and says that it is too long:
-        reading is done where all students wait, and some of it takes the square of the length.
+    longest : int or None
+        Characters of a text that its reader takes; of a longer one it gets one more, and says that it is too long.
+        Where nothing is said, more than `LONGEST_TYPED` are refused here: reading is done where all students wait, and
+        some of it takes the square of the length.
     """
 
-    def __init__(self, gui: viser.GuiApi, on_input: Callable[[str, str], None], longest: int = LONGEST_TYPED) -> None:
+    def __init__(self, gui: viser.GuiApi, on_input: Callable[[str, str], None], longest: int | None = None) -> None:
         self.channel = gui.add_text("channel", "", visible=False)
         self.html = gui.add_html("")
         self._on_input, self._longest = on_input, longest
         self._revision = self._shown_revision = self._heard = 0
+        self._content = ""
         self._mistake: tuple[str, str, str] | None = None
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
 
@@ -133,7 +135,13 @@ class Fields:
         self._mistake = None
         self._heard = number if isinstance(number, int) and abs(number) < LARGEST_NUMBER else 0
         self._revision += 1  # so that the next `show` also replaces a text that was not taken
-        self._on_input(_whole(_cut(cell, LONGEST_CELL)), _whole(_cut(text, self._longest + 1)))
+        longest = LONGEST_TYPED if self._longest is None else self._longest + 1
+        cell, read = _whole(_cut(cell, LONGEST_CELL)), _whole(_cut(text, longest))
+        if self._longest is None and isinstance(text, str) and len(text) > longest:
+            self.refuse(cell, read, f"expected at most {longest} characters, got {len(text)}")
+            self.show(self._content)
+        else:
+            self._on_input(cell, read)
 
     @property
     def stale(self) -> bool:
@@ -172,7 +180,7 @@ class Fields:
 
     def show(self, content: str) -> None:
         """Show this markup, which holds the fields."""
-        self._shown_revision = self._revision
+        self._shown_revision, self._content = self._revision, content
         if self._mistake is not None:
             content += f'<p class="no" role="alert">✕ {escaped(self._mistake[2])}</p>'
         # The page numbers what it sends: fields whose text is not in here yet keep it.
@@ -311,7 +319,7 @@ class Gui:
         """Add a heading; the markup of the text is the caller's."""
         self.html(f"<h3>{text}</h3>")
 
-    def fields(self, on_input: Callable[[str, str], None], longest: int = LONGEST_TYPED) -> Fields:
+    def fields(self, on_input: Callable[[str, str], None], longest: int | None = None) -> Fields:
         """Add markup with input fields; ``on_input`` gets the cell and the text; see `Fields`."""
         fields = Fields(self._gui, on_input, longest)
         self._channels.append(fields.channel)
