@@ -1,6 +1,7 @@
 """What the adapter assumes of viser, against a running viser; when viser's pin moves, these say what has to follow."""
 
 import asyncio
+import warnings
 
 import numpy as np
 import pytest
@@ -129,3 +130,22 @@ def test_a_mistake_in_a_callback_is_logged_and_later_events_arrive(bare, caplog)
     bare.run(work)
     assert "an event failed" in caplog.text
     assert "ZeroDivisionError" in caplog.text
+
+
+def test_what_is_said_to_a_page_that_has_gone_is_no_warning():
+    async def work(browser, do):
+        gone = asyncio.Event()
+        server.on_client_disconnect(lambda _client: gone.set())
+        await browser.close()
+        while not gone.is_set():
+            await asyncio.sleep(0.01)
+        await do(lambda: adapter.set_content(bare.markup, "too late"))
+        await do(lambda: adapter.set_position(bare.handle, (1.0, 2.0, 3.0)))
+
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        bare = Bare()
+        server = bare.server
+        bare.run(work)
+        adapter.stop_server(server)
+    assert [one for one in said if "closed connection" in str(one.message)] == []

@@ -39,6 +39,8 @@ def make_server(port: int) -> viser.ViserServer:
     logging.getLogger("websockets.server").setLevel(logging.CRITICAL)
     # Each text would be kept for ever, so that it is shown once: a stranger may send as many as he likes.
     warnings.filterwarnings("ignore", message=r"\[viser\] .* does not match annotation", category=UserWarning)
+    # A page may go at any moment; what is still said to it then is no news for whoever runs the lab.
+    warnings.filterwarnings("ignore", message="Queued a .* on a closed connection", category=UserWarning)
     with contextlib.redirect_stdout(io.StringIO()):
         server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
     server._websock_server._incoming_handlers.clear()
