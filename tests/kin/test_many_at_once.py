@@ -60,3 +60,10 @@ def test_held_joints_do_not_move(rng):
 
 def test_out_of_reach_nothing_arrives():
     assert many_starts(catalogue()["puma560"].arm, np.diag([1.0, 1.0, 1.0, 1.0]) + 9.0 * np.eye(4, k=3)).shape == (0, 6)
+
+
+def test_an_arm_that_is_exactly_singular_has_steps_however_small_the_damping():
+    J, e = np.array([[[1.0, 2.0, 3.0]] * 2, [[1e6, 0.0, 0.0]] * 2]), np.array([[1.0, 1.0], [2.0, 2.0]])
+    for damping in (1e-30, np.array([1e-15, 1e-18])):
+        steps = damped_steps(J, e, damping)
+        np.testing.assert_allclose(np.einsum("kmn,kn->km", J, steps), e, rtol=1e-9)

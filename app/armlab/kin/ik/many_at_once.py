@@ -24,6 +24,10 @@ _CROSS = np.array([np.cross(a, b) for a in np.eye(3) for b in np.eye(3)])
 """From the nine products a_i b_j to a x b."""
 
 
+ROUNDING = 4.0 * float(np.finfo(float).eps)
+"""Part of the trace of J J^T that its entries are not better known than."""
+
+
 @dataclass(frozen=True, eq=False)
 class ManyAtOnce:
     """An arm as T = E_0 M_1(q_1) E_1 M_2(q_2) ... M_n(q_n) E_n in frame 0, M a turn about or a slide along z.
@@ -103,11 +107,15 @@ def many_at_once(arm: Arm) -> ManyAtOnce:
 
 
 def damped_steps(J: Vector, e: Vector, damping: Vector | float) -> Vector:
-    """Return J^T (J J^T + mu 1)^-1 e of a batch: J (k, m, n), e (k, m), mu a number or (k,); shape (k, n)."""
+    """Return J^T (J J^T + mu 1)^-1 e of a batch: J (k, m, n), e (k, m), mu a number or (k,); shape (k, n).
+
+    A mu that would be lost in the rounding of J J^T is raised to it: a singular arm has steps, too.
+    """
     turned = np.swapaxes(J, 1, 2)
     normal = J @ turned
     diagonal = np.arange(J.shape[1])
-    normal[:, diagonal, diagonal] += np.asarray(damping)[..., None]
+    least = ROUNDING * np.einsum("kii->k", normal)
+    normal[:, diagonal, diagonal] += np.maximum(damping, least)[:, None]
     return np.asarray((turned @ np.linalg.solve(normal, e[..., None]))[..., 0])
 
 
