@@ -22,7 +22,7 @@ from armlab.session.plan_files_commands import (
     ReadMotion,
     reading,
 )
-from armlab.session.plan_files_table import MOST_BYTES, MOST_ROWS
+from armlab.session.plan_files_table import MOST_BYTES, MOST_COLUMNS, MOST_ROWS
 from armlab.session.plan_limits import LastFor
 from armlab.session.state import State, apply
 from support.plans import ROBOTS, opened, table
@@ -194,6 +194,17 @@ def test_what_is_too_long_is_refused_with_its_limit():
     for text in ("0,0,0\n" * 10_000_000, "−" * (MOST_BYTES // 2), "{" + " " * MOST_BYTES):
         with pytest.raises(InputError, match=r"the file is larger than 1\.5 MB"):
             apply(state, reading(text))
+
+
+def test_columns_of_others_are_passed_over_up_to_a_limit():
+    state = opened("planar_2r")
+    others = [f"x{k}" for k in range(MOST_COLUMNS - 3)]
+    rows = [["t", "q1", "q2", *others], *(["0"] * MOST_COLUMNS, ["1"] * MOST_COLUMNS)]
+    assert apply(state, ReadMotion("\n".join(map(",".join, rows)))) is not None
+    for apart in (",", ";", "\t", " "):
+        wide = "\n".join(apart.join([*row, "1"]) for row in rows)
+        with pytest.raises(InputError, match=f"row 1: {MOST_COLUMNS + 1} columns are too many; at most {MOST_COLUMNS}"):
+            apply(state, ReadMotion(wide))
 
 
 def test_every_cut_of_a_table_is_read_or_refused():

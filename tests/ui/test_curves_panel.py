@@ -156,9 +156,10 @@ def test_what_makes_no_sense_stays_typed_and_is_marked(url):
             )
         await browser.press("as-text")
         await browser.until(lambda: 'data-cell="rows"' in browser.html())
-        many = "\n".join(f"{k} 0" for k in range(2_000))
+        many, more = ("\n".join(f"{k} 0" for k in range(count)) for count in (2_000, 10_000))
         for text, says in (
             (many, "knots: expected 2 to 31, got 2000"),
+            (more, f"expected at most 20000 characters, got {len(more)}"),
             ("0 0\n1 x", "knot 2: expected a number, got 'x'"),
             ("0 0", "knots: expected 2 to 31, got 1 (add one)"),
         ):
