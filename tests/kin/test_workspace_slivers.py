@@ -28,7 +28,7 @@ def volume(thickness: float) -> float:
     return 2.0 * (cos(0.7) - cos(2.4)) * ((1.0 + thickness) ** 3 - 1.0) / 3.0
 
 
-@pytest.mark.parametrize("thickness", [0.02, 0.01])
+@pytest.mark.parametrize("thickness", [0.02, 0.005])
 def test_a_shell_thinner_than_two_cells_has_the_volume_of_its_closed_form(thickness):
     found = size(section(shell(thickness), CELLS, SAMPLES))
     assert found.error <= WANTED * found.value
@@ -67,10 +67,18 @@ def test_while_the_cells_are_halved_what_there_was_before_is_yielded():
 
 @pytest.mark.parametrize(
     ("kind", "seed", "reference", "unsure"),
-    [("4R, joint 1 limited", 25, 10.3249, 0.0099), ("PRR", 103, 0.4966, 0.0014), ("RRP", 14, 0.05087, 0.00026)],
+    [
+        ("3R, joint 1 limited", 13, 0.08451, 0.00023),
+        ("4R, joint 1 limited", 25, 10.3249, 0.0099),
+        ("PRR", 103, 0.4966, 0.0014),
+        ("RRP", 14, 0.05087, 0.00026),
+    ],
 )
-def test_a_branch_that_ends_inside_a_cell_does_not_count_for_all_of_it(kind, seed, reference, unsure, monkeypatch):
-    """References in m³ from ``judged(section(drawn(kind, seed)), 2.0, 77)``, with two standard deviations."""
+def test_thin_random_arms_state_at_most_a_hundredth_and_lie_inside_it(kind, seed, reference, unsure, monkeypatch):
+    """In no. 25 branches end inside cells.
+
+    References in m³ from ``judged(section(drawn(kind, seed)), 2.0, 77)``, with two standard deviations.
+    """
     monkeypatch.setattr(sys, "path", [*sys.path, str(BENCHMARKS)])
     from random_volumes import drawn
 

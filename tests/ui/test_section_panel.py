@@ -18,7 +18,7 @@ from armlab.session.parts.section import GoInSection, GoToPoint, LookAtSection, 
 from armlab.session.section_found import Question, finding
 from armlab.session.state import State, apply
 from armlab.ui.measured import with_error
-from armlab.ui.panels._section_picture import frame_of, image_rule, view
+from armlab.ui.panels._section_picture import SPECK, _outlines, frame_of, image_rule, view
 from armlab.ui.panels._section_words import distances, facts, scale
 from armlab.ui.panels.section import _choices, commands
 from armlab.ui.units import units_of
@@ -47,6 +47,17 @@ def test_an_error_has_one_figure_rounded_up():
     assert with_error(Size(6.2208, 0.0024, "m³")) == "6.221 ± 0.003 m³"
     assert with_error(Size(118.2, 9.7, "m³")) == "118 ± 10 m³"
     assert with_error(Size(0.0, 0.0, "m³")) == "0 m³"
+
+
+def test_specks_are_left_out_until_a_section_is_finished():
+    arm = catalogue()["puma560"].arm
+    early = next(each for each in finding(Question(arm, "reach", None)) if each is not None)
+    lines = early.section.contours
+    large = [line for line in lines if len(line) > SPECK]
+    assert 0 < len(large) < len(lines) / 4
+    assert _outlines(early).count("M") == len(large)
+    finished = replace(early, section=replace(early.section, finished=True))
+    assert _outlines(finished).count("M") == len(lines)
 
 
 @pytest.mark.parametrize("key", ARMS)
