@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.control.follow.examples import EXAMPLES
 from armlab.content.robots import catalogue
-from armlab.session.control_examples import EXAMPLES
 
 pytestmark = pytest.mark.browser
 ARM = catalogue()["planar_2r"].arm

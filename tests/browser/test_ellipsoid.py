@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from armlab.benches.velocity.ellipsoid.state import VelocityBlock, placed
 from armlab.content.robots import catalogue
 from armlab.kin.rotations import rotation_from_quaternion
-from armlab.session.parts.ellipsoid import VelocityBlock, placed
 
 pytestmark = pytest.mark.browser
 ELBOW = catalogue()["elbow_3r"].arm

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from armlab.benches.robot.film.clip import end_of, ends_of, place_at, start_of
 from armlab.content.robots import catalogue
 from armlab.kin.moves import partial_product
-from armlab.session.clips.film import end_of, ends_of, place_at, start_of
 
 pytestmark = pytest.mark.browser
 PUMA = catalogue()["puma560"]

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
+from armlab.benches.iterate.runs.job import with_films
+from armlab.benches.iterate.runs.state import Iterations
 from armlab.content.robots import catalogue
 from armlab.session.arm_on_clip import standing
-from armlab.session.iteration_examples import EXAMPLES, ChooseExample
-from armlab.session.jobs.iterations import with_films
-from armlab.session.parts.iterations import Iterations
 from armlab.session.state import State, apply
 
 pytestmark = pytest.mark.browser

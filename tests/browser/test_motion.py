@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.state import planned
 from armlab.content.robots import catalogue
-from armlab.session.jobs.plan import with_plan
-from armlab.session.parts.plan import planned
 from armlab.session.state import State
 
 pytestmark = pytest.mark.browser

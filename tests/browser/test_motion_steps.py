@@ -5,11 +5,11 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.motion.plan.commands import SetMove
+from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.limits import SampleBy
+from armlab.benches.motion.steps.worked import steps
 from armlab.content.robots import catalogue
-from armlab.session.jobs.plan import with_plan
-from armlab.session.plan_commands import SetMove
-from armlab.session.plan_limits import SampleBy
-from armlab.session.plan_steps import steps
 from armlab.session.state import State, apply
 
 pytestmark = pytest.mark.browser

@@ -5,9 +5,9 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.robot.normal.ui.scene import HANDLE
 from armlab.content.robots import catalogue
 from armlab.ui.figure.anatomy import anatomy_of
-from armlab.ui.layers.normal import HANDLE
 
 pytestmark = pytest.mark.browser
 SIZE = anatomy_of(catalogue()["puma560"].arm).size

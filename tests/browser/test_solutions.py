@@ -7,7 +7,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.ui.figure.anatomy import anatomy_of
-from armlab.ui.layers._ghosts_sticks import corners_of
+from armlab.ui.scene._sticks import corners_of
 
 pytestmark = pytest.mark.browser
 

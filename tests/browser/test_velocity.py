@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.velocity.speeds.examples import EXAMPLES
 from armlab.content.robots import catalogue
-from armlab.session.velocity_examples import EXAMPLES
 
 pytestmark = pytest.mark.browser
 

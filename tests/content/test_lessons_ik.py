@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
+from armlab.benches.iterate.runs.state import Iterations
 from armlab.content.actions import Move
 from armlab.content.lessons import lesson, lessons, parse_lesson
 from armlab.content.observation import Observation
@@ -12,9 +14,7 @@ from armlab.errors import ContentError
 from armlab.kin.ik.iterate import iterate, newton_1d
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.transforms import transform
-from armlab.session.iteration_examples import EXAMPLES, ChooseExample
 from armlab.session.lesson_commands import GoToStep, OpenLesson
-from armlab.session.parts.iterations import Iterations
 from armlab.session.parts.lesson import LessonPart, check_line
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.session import Session

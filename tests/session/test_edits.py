@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from armlab.benches.robot.table.state import Point, SetPoint, world_point
 from armlab.content.robots import OWN, catalogue
 from armlab.content.write_robot import robot_toml
 from armlab.content.write_table import FORMATS, write_table
@@ -25,7 +26,6 @@ from armlab.session.edits import (
     SetLimits,
 )
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
-from armlab.session.parts.point import Point, SetPoint, world_point
 from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import State, apply

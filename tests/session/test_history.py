@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
+from armlab.benches.motion.files.commands import ReadMotion
+from armlab.benches.motion.plan.state import Plan
 from armlab.content.robots import catalogue
 from armlab.session import history as module
 from armlab.session.edits import SetCell
 from armlab.session.parts.joints import MoveJoint, TakePose
-from armlab.session.parts.plan import Plan
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import target_pose
-from armlab.session.plan_files_commands import ReadMotion
 from armlab.session.session import Redo, Session, Undo
 
 SCARA = catalogue()["scara"]

@@ -7,27 +7,27 @@ from functools import cache
 import numpy as np
 import pytest
 
+from armlab.benches.motion.laws.state import Laws
+from armlab.benches.motion.plan import job as jobs_plan
+from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
+from armlab.benches.motion.plan.examples import TakeExample
+from armlab.benches.motion.plan.job import JOB, with_plan
+from armlab.benches.motion.plan.limits import LastFor, LimitJoint, UseShare
+from armlab.benches.motion.plan.measured import measuring
+from armlab.benches.motion.plan.planning import making
+from armlab.benches.motion.plan.points import AddWaypoint
+from armlab.benches.motion.plan.state import Plan, planned
 from armlab.content.lessons import lesson
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.session.bench import benches, choosing, refuse_other_arm, robot_of
 from armlab.session.hand_in import hand_in, judge
 from armlab.session.job import Deliver
-from armlab.session.jobs import plan as jobs_plan
-from armlab.session.jobs.plan import JOB, with_plan
 from armlab.session.lesson_commands import GoToStep, OpenLesson, TakeLessonArm
 from armlab.session.parts.joints import Joints, MoveJoint
-from armlab.session.parts.laws import Laws
 from armlab.session.parts.lesson import LessonPart, check_line, observed
-from armlab.session.parts.plan import Plan, planned
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
-from armlab.session.plan_commands import AllMovesLike, SetMove
-from armlab.session.plan_examples import TakeExample
-from armlab.session.plan_limits import LastFor, LimitJoint, UseShare
-from armlab.session.plan_measured import measuring
-from armlab.session.plan_points import AddWaypoint
-from armlab.session.planning import making
 from armlab.session.play import Player, problems
 from armlab.session.state import State, apply
 from support.motion_lesson import MOTION

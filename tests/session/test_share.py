@@ -9,6 +9,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from armlab.benches.pose.tool.state import PoseView, WriteAngles
+from armlab.benches.robot.normal.state import DragLine
+from armlab.benches.robot.table.state import Point, SetPoint
+from armlab.benches.robot.trainer.commands import CheckAxes, CheckTable, ChooseDirection, SetAnswer, StartTrainer
+from armlab.benches.robot.trainer.state import Trainer
 from armlab.content.robots import OWN, catalogue, own_robot, parse_robot
 from armlab.content.write_robot import robot_toml
 from armlab.errors import InputError
@@ -19,18 +24,13 @@ from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.lines import DragLine
 from armlab.session.parts.notation import Label, Notation
-from armlab.session.parts.point import Point, SetPoint
-from armlab.session.parts.pose_view import PoseView, WriteAngles
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import OpenShared, Shelf
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
-from armlab.session.parts.trainer import Trainer
 from armlab.session.share import LONGEST, VERSION, from_short, short
 from armlab.session.state import State, apply
-from armlab.session.trainer_commands import CheckAxes, CheckTable, ChooseDirection, SetAnswer, StartTrainer
 from support.arms import random_arm, random_q
 
 PUMA = catalogue()["puma560"]

@@ -5,6 +5,8 @@ import json
 import numpy as np
 import pytest
 
+from armlab.benches.robot.table.state import SetPoint
+from armlab.benches.velocity.ellipsoid.state_sweep import SweepJoint
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.edits import SetCell
@@ -13,7 +15,6 @@ from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Label
-from armlab.session.parts.point import SetPoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import (
     HOME,
@@ -25,7 +26,6 @@ from armlab.session.parts.shelf import (
     Shelf,
     ToSandbox,
 )
-from armlab.session.parts.sweep import SweepJoint
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.session import Session, StartFresh, Undo

@@ -3,15 +3,17 @@
 import numpy as np
 import pytest
 
+from armlab.benches.pose.tool.state import LookAt
+from armlab.benches.robot.normal.state import PlaceLines, TakeAxes
+from armlab.benches.robot.trainer.commands import StartTrainer
+from armlab.benches.velocity.ellipsoid.state_sweep import SweepJoint
 from armlab.content.robots import catalogue
 from armlab.session.edits import AddJoint, SetCell, SetLimits
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.lines import PlaceLines, TakeAxes
 from armlab.session.parts.notation import Label
-from armlab.session.parts.pose_view import LookAt
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.selection import Select
 from armlab.session.parts.shelf import (
@@ -24,12 +26,10 @@ from armlab.session.parts.shelf import (
     Shelf,
     ToSandbox,
 )
-from armlab.session.parts.sweep import SweepJoint
 from armlab.session.parts.target import PlaceTarget, target_pose
 from armlab.session.parts.timeline import OpenClip, PlayLike, Seek, Timeline
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import State
-from armlab.session.trainer_commands import StartTrainer
 from support.trips import SCARA, UR10, applied, reloaded, same
 
 PUMA = catalogue()["puma560"]

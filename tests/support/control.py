@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 
+from armlab.benches.control.follow.commands import SetValue
+from armlab.benches.control.follow.job import with_outcomes
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
 from armlab.kin.control import LineReference, Settings, plant, simulate
-from armlab.session.control_commands import SetValue
-from armlab.session.jobs.control import with_outcomes
 from armlab.session.state import State, apply
 
 TWO_R = Arm.from_dh([("R", 1.0, 0.0, 0.0, 0.0)] * 2)

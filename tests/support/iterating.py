@@ -1,8 +1,8 @@
 """Films of iterations for tests: an arm, commands, and all films made at once."""
 
+from armlab.benches.iterate.runs.job import with_films
+from armlab.benches.iterate.runs.state import StartIterations
 from armlab.content.robots import catalogue
-from armlab.session.jobs.iterations import with_films
-from armlab.session.parts.iterations import StartIterations
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State, apply
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from armlab.benches.motion.laws.examples import ChooseLawExample
+from armlab.benches.motion.laws.state import Laws
 from armlab.content.robots import catalogue
-from armlab.session.laws_examples import ChooseLawExample
-from armlab.session.parts.laws import Laws
 from armlab.session.state import Command, State, apply
 
 

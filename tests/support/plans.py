@@ -1,12 +1,12 @@
 """States with a plan of a motion."""
 
+from armlab.benches.motion.files.read import motion_csv
+from armlab.benches.motion.plan.commands import SetMove
+from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.points import AddWaypoint
+from armlab.benches.motion.plan.state import planned
 from armlab.content.robots import catalogue
-from armlab.session.jobs.plan import with_plan
 from armlab.session.parts.joints import Joints, RandomPose
-from armlab.session.parts.plan import planned
-from armlab.session.plan_commands import SetMove
-from armlab.session.plan_files import motion_csv
-from armlab.session.plan_points import AddWaypoint
 from armlab.session.state import State, apply
 
 ROBOTS = ["puma560", "ur10e", "panda", "planar_2r", "scara", "cartesian_3p"]

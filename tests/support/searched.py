@@ -7,12 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.target.solutions import job
+from armlab.benches.target.solutions.found import Row
+from armlab.benches.target.solutions.state import Solutions
 from armlab.content.robots import catalogue
-from armlab.session.jobs import solutions as job
 from armlab.session.parts.joints import TakePose
-from armlab.session.parts.solutions import Solutions
 from armlab.session.parts.target import target_pose
-from armlab.session.solutions_found import Row
 from armlab.session.state import State, apply
 
 OPEN = frozenset({"solutions"})

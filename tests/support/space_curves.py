@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from armlab.benches.motion.space_curve.commands import GoTo
+from armlab.benches.motion.space_curve.state import moment_of
 from armlab.content.robots import catalogue
-from armlab.session.parts.space_curve import moment_of
-from armlab.session.space_curve_commands import GoTo
 from armlab.session.state import State, apply
 
 S = np.linspace(0.0, 1.0, 41)

@@ -15,8 +15,8 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import PlaceTarget, target_pose, verdict
 from armlab.session.state import State, apply
-from armlab.ui.layers._handle import handles_of
 from armlab.ui.pose_fields import typed_component
+from armlab.ui.scene._handle import handles_of
 from armlab.ui.units import Units
 
 UNITS = Units(Notation())

@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+from armlab.benches.motion.files.table import MOST_BYTES
+from armlab.benches.workspace.cloud.ui.page import commands
 from armlab.content import table_grid
 from armlab.content.arithmetic import LONGEST
 from armlab.content.robots import catalogue
@@ -11,10 +13,8 @@ from armlab.errors import InputError
 from armlab.session.edits import MOST_TEXT
 from armlab.session.hand_in import MOST
 from armlab.session.lesson_progress import MOST_TYPED
-from armlab.session.plan_files_table import MOST_BYTES
 from armlab.session.state import State
 from armlab.ui import adapter
-from armlab.ui.panels.workspace import commands
 from armlab.ui.units import units_of
 from armlab.ui.widgets import LONGEST_CELL, LONGEST_TYPED, Fields
 from support.bare import Bare

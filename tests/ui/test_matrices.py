@@ -7,6 +7,12 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.pose.orientation.ui import scene as turn
+from armlab.benches.pose.tool.state import Pair, PoseView
+from armlab.benches.pose.tool.ui import scene as lit
+from armlab.benches.pose.tool.ui.formulas import LONGEST, short_forms, used_constants, written
+from armlab.benches.pose.tool.ui.notation import chain, link_product, turns
+from armlab.benches.pose.tool.ui.words import in_words
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
@@ -14,14 +20,9 @@ from armlab.kin.rotations import rotation_from_axis_angle
 from armlab.kin.symbolic import pose_formulas
 from armlab.kin.transforms import inverse, transform
 from armlab.session.parts.notation import Notation
-from armlab.session.parts.pose_view import Pair, PoseView
 from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import State, apply
-from armlab.ui.layers import lit, turn
 from armlab.ui.matrices import MatrixView, as_latex, as_matlab, as_numpy
-from armlab.ui.panels._pose_formulas import LONGEST, short_forms, used_constants, written
-from armlab.ui.panels._pose_notation import chain, link_product, turns
-from armlab.ui.panels._pose_words import in_words
 from armlab.ui.units import Units
 from support.student import run, student
 

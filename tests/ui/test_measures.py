@@ -6,16 +6,18 @@ import math
 import numpy as np
 import pytest
 
+from armlab.benches.joints.sliders.ui import page as joints
+from armlab.benches.robot.normal.state import SNAP_ANGLE, SNAP_DISTANCE, Lines, PlaceLines
+from armlab.benches.robot.normal.ui import page as normal
+from armlab.benches.velocity.ellipsoid.state import VelocityBlock, placed
+from armlab.benches.velocity.ellipsoid.ui import page as ellipsoid
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
-from armlab.session.parts.ellipsoid import VelocityBlock, placed
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.lines import SNAP_ANGLE, SNAP_DISTANCE, Lines, PlaceLines
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.format import mathml
-from armlab.ui.panels import ellipsoid, joints, normal
 from armlab.ui.units import Units, units_of
 from support.student import run, student
 

@@ -5,18 +5,18 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.robot.normal.state import TakeAxes
 from armlab.content.robots import catalogue
 from armlab.kin.dh import Row
-from armlab.session.parts.lines import TakeAxes
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.commands import shortcuts
 from armlab.ui.figure.anatomy import anatomy_of
-from armlab.ui.layers._dimensions import dimensions_of
-from armlab.ui.layers._strokes import dashes, stretch
-from armlab.ui.layers._turns import before_turn
-from armlab.ui.layers.angles import name_of
 from armlab.ui.plugin import layers, panels
+from armlab.ui.scene._dimensions import dimensions_of
+from armlab.ui.scene._strokes import dashes, stretch
+from armlab.ui.scene._turns import before_turn
+from armlab.ui.scene.angles import name_of
 from armlab.ui.units import Units
 from support.arms import frames_by_products, random_arm, random_q
 from support.student import arm_nodes, run, student

@@ -4,8 +4,8 @@ import heapq
 
 import pytest
 
+from armlab.benches.robot.film.clip import ends_of
 from armlab.content.robots import catalogue
-from armlab.session.clips.film import ends_of
 from armlab.session.parts.notation import Label
 from armlab.session.parts.timeline import Advance, OpenClip, Play, PlayLike, Seek, Timeline
 from armlab.session.session import Session

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from armlab.ui.layers._polyline import simplified
+from armlab.ui.scene._polyline import simplified
 
 
 def distance_to(points, line):

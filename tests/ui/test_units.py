@@ -6,6 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from armlab.benches.pose.orientation.ui.page import _three_turns
+from armlab.benches.pose.tool.state import PoseView
+from armlab.benches.pose.tool.ui.notation import link_symbols
+from armlab.benches.robot.table.ui.ends import _texts
+from armlab.benches.robot.table.ui.facts import axes_section, facts_of
+from armlab.benches.robot.table.ui.page import step_formula
 from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
@@ -14,20 +20,14 @@ from armlab.kin.ik import Verdict
 from armlab.kin.rotations import rotation_from_sequence
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import OPTIONS, Label, Notation
-from armlab.session.parts.pose_view import PoseView
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.ui import verdicts
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.format import MINUS
-from armlab.ui.layers._dimensions import dimensions_of
-from armlab.ui.layers.angles import name_of
-from armlab.ui.panels._dh_ends import _texts
-from armlab.ui.panels._dh_facts import axes_section, facts_of
-from armlab.ui.panels._pose_notation import link_symbols
-from armlab.ui.panels._tables import cell_text
-from armlab.ui.panels.orientation import _three_turns
-from armlab.ui.panels.table import step_formula
+from armlab.ui.scene._dimensions import dimensions_of
+from armlab.ui.scene.angles import name_of
+from armlab.ui.tables import cell_text
 from armlab.ui.units import BOOKS, Units, units_of
 
 DEGREES, RADIANS = Units(Notation()), Units(Notation(angle="rad", length="m", variable="theta", book="corke"))

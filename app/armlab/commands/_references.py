@@ -8,6 +8,7 @@ from urllib.parse import unquote
 
 import numpy as np
 
+from armlab.benches.motion.plan.moves import TURNINGS
 from armlab.content import rows
 from armlab.content.actions import Action, PlayFilm, SetSwitch
 from armlab.content.check import Check
@@ -21,7 +22,6 @@ from armlab.errors import InputError, suggestion
 from armlab.session.bench import refuse_other_arm, robot_of, with_example
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import clips
-from armlab.session.plan_moves import TURNINGS
 from armlab.session.state import State
 
 _LINK = re.compile(r'href="/(?P<kind>lesson|robot)/(?P<key>[^/"?#]*)')

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from armlab.benches.motion.plan.state import Plan
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
@@ -17,7 +18,6 @@ from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, st
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
-from armlab.session.parts.plan import Plan
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline

@@ -9,6 +9,11 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from armlab.benches.motion.plan import commands as plan_commands
+from armlab.benches.motion.plan import limits as plan_limits
+from armlab.benches.motion.plan import points as plan_points
+from armlab.benches.motion.plan.job import JOB as PLANNING
+from armlab.benches.motion.plan.state import Plan
 from armlab.content import actions, motion_actions
 from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
@@ -20,16 +25,14 @@ from armlab.content.lessons import lesson as find_lesson
 from armlab.content.observation import Observation
 from armlab.errors import InputError
 from armlab.kin.checks import finite_floats, whole_number
-from armlab.session import edits, plan_commands, plan_limits, plan_points
+from armlab.session import edits
 from armlab.session.bench import PutInPlace
 from armlab.session.hand_in import plain
 from armlab.session.job import Deliver
-from armlab.session.jobs.plan import JOB as PLANNING
 from armlab.session.lesson_commands import Answer, GoToStep, LookAt, OpenLesson
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.lesson import LessonPart, check_line, observed
-from armlab.session.parts.plan import Plan
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, duration

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.seen import seen_plan
+from armlab.benches.motion.plan.state import Plan
 from armlab.content import evidence
 from armlab.content.observation import Observation
 from armlab.content.robots import Robot
 from armlab.content.seen_motion import SeenMotion
 from armlab.errors import InputError
-from armlab.session.jobs.plan import with_plan
 from armlab.session.parts.lesson import PLAN
-from armlab.session.parts.plan import Plan
-from armlab.session.seen_plan import seen_plan
 from armlab.session.state import Json, State
 
 MOST_POSES = 30_000

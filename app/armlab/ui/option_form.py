@@ -77,7 +77,7 @@ def option_markup(
         The values that were chosen, by key; others are as they come.
     scales : sequence of Scale
         One for each coordinate. Numbers and lists are lengths over all of them: in an angle where any turns, otherwise
-        in the first (`armlab.session.plan_paths.joint_scales`).
+        in the first (`armlab.benches.motion.plan.paths.joint_scales`).
     """
     return "".join(_option(fields, prefix + kind.key, kind, given, scales) for kind in seen_fields(kinds, given))
 

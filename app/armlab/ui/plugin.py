@@ -90,7 +90,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class Layer:
-    """The constant ``LAYER`` of a module in `armlab.ui.layers`: something drawn in the scene.
+    """The constant ``LAYER`` of a module in `armlab.ui.scene`: something drawn in the scene.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def tabs() -> dict[str, tuple[Panel, ...]]:
 @cache
 def layers() -> dict[str, Layer]:
     """Return all layers in order."""
-    from armlab.ui import layers as folder
+    from armlab.ui import scene as folder
 
     found = discover(folder, "LAYER", Layer)
     names = [switch.name for switch in GENERAL] + [layer.switch.name for layer in found.values() if layer.switch]

@@ -28,10 +28,10 @@ from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.drawn import Drawn
 from armlab.ui.figure.figure import build_figure
 from armlab.ui.format import escaped
-from armlab.ui.layers import arm as arm_layer
-from armlab.ui.layers import stage
-from armlab.ui.layers._polyline import ROUGHNESS, simplified
-from armlab.ui.layers._strokes import polyline
+from armlab.ui.scene import arm as arm_layer
+from armlab.ui.scene import stage
+from armlab.ui.scene._polyline import ROUGHNESS, simplified
+from armlab.ui.scene._strokes import polyline
 from armlab.ui.switches import DARK
 
 Floats = NDArray[np.float64]

@@ -9,6 +9,8 @@ from typing import ClassVar, Self
 
 import numpy as np
 
+from armlab.benches.motion.plan.seen import asks_for_motion, plan_changed, seen_plan
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned
 from armlab.content.check import PLAIN, Words
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson, lessons
@@ -19,11 +21,9 @@ from armlab.errors import InputError
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.plan import CLIP_KEY, Plan, planned
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline, duration
-from armlab.session.seen_plan import asks_for_motion, plan_changed, seen_plan
 from armlab.session.state import Json, Part, PartType, State
 
 PLAN = "plan"

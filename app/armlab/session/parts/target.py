@@ -16,10 +16,10 @@ from armlab.kin.ik.solve import come_closer
 from armlab.kin.ik.target import feasible
 from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
+from armlab.session.branch_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.parts.joints import Joints
-from armlab.session.solutions_way import another_way
-from armlab.session.solutions_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.way_to_solution import another_way
 
 Axes = Literal["world", "tool"]
 Handle = Literal["move", "turn"]

@@ -1,0 +1,1 @@
+"""The tab of control: one folder a page."""

@@ -1,0 +1,82 @@
+"""Makes the runs of kinematic control, one after the other, while somebody looks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import NamedTuple
+
+from armlab.benches.control.follow.clip import ARM
+from armlab.benches.control.follow.runs import Outcome, Question, making
+from armlab.benches.control.follow.state import CLIP_KEY, Control, questions
+from armlab.benches.motion.plan.question import Planned
+from armlab.benches.motion.plan.state import last_planned
+from armlab.session.job import Job, Wanted
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import State
+
+PANEL = "control"
+
+
+class Todo(NamedTuple):
+    """The runs that are still to be made, by colour, the selected one first; and the plan as it is known."""
+
+    runs: tuple[tuple[int, Question], ...]
+    known: Planned | None = None
+
+
+def todo(state: State) -> Todo:
+    """Return what is still to be made."""
+    part = state[Control]
+    missing = [
+        (run.colour, question)
+        for run, question in zip(part.runs, state.derived(questions), strict=True)
+        if run.colour not in part.outcomes or part.outcomes[run.colour].question != question
+    ]
+    return Todo(tuple(sorted(missing, key=lambda each: each[0] != part.run.colour)), last_planned(state))
+
+
+def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
+    """Return what to make while the panel or a run is seen."""
+    if PANEL not in panels and state[Timeline].clip != CLIP_KEY:
+        return None
+    missing = state.derived(todo)
+    # What has been delivered is missing no longer, and the work on the rest goes on: the key is that of the whole.
+    return Wanted(state.derived(questions), missing) if missing.runs else None
+
+
+def run(missing: Todo) -> Iterator[dict[int, Outcome] | None]:
+    """Yield all that is made so far, again and again: of several deliveries only the newest counts."""
+    outcomes: dict[int, Outcome] = {}
+    for colour, question in missing.runs:
+        outcomes[colour] = yield from making(question, missing.known)
+        yield dict(outcomes)
+
+
+def delivered(state: State, missing: Todo, found: dict[int, Outcome]) -> State:
+    """Return the state with what was found, the arm where the new run has it if the old one had put it there.
+
+    What was found for another arm is thrown away.
+    """
+    part, arm = state[Control], state[Joints].arm
+    colours = {run.colour for run in part.runs}
+    here = ARM.untouched(state)
+    outcomes = {
+        colour: outcome
+        for colour, outcome in {**part.outcomes, **found}.items()
+        if colour in colours and outcome.question.arm is arm
+    }
+    now = state.replace(replace(part, outcomes=outcomes))
+    return ARM.shown(now) if here else now
+
+
+def with_outcomes(state: State) -> State:
+    """Return the state with everything made, at once: for tests and for those who can wait."""
+    missing = todo(state)
+    for found in run(missing):
+        state = state if found is None else delivered(state, missing, found)
+    return state
+
+
+JOB = Job("control", "The run of the control", wanted, run, delivered)

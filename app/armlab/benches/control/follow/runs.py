@@ -1,0 +1,261 @@
+"""What becomes of a run that is set up: simulated in pieces, thinned for drawing, with its figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.control.follow.chosen import Setup
+from armlab.benches.motion.plan.planning import making as planning
+from armlab.benches.motion.plan.question import Planned
+from armlab.benches.motion.plan.question import Question as PlanQuestion
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.control.encoder import encoder
+from armlab.kin.control.error_laws import predicted_error
+from armlab.kin.control.plant import Plant, Push, plant
+from armlab.kin.control.record import Run
+from armlab.kin.control.reference import CircleReference, FixedPose, JointReference, LineReference, Reference
+from armlab.kin.control.run import Settings, simulating
+from armlab.kin.control.scaled_task import ScaledTask
+
+Floats = NDArray[np.float64]
+
+SHOWN = 1201
+"""Instants of a run that are kept for plots, scene and playback."""
+
+
+class Question(NamedTuple):
+    """All that a run depends on; equal questions have equal answers.
+
+    Attributes
+    ----------
+    arm : Arm
+    setup : Setup
+        Of colour 0 and without a name: neither matters.
+    target : bytes
+        Of the pose (4, 4) that stands still; empty where none does.
+    plan : PlanQuestion or None
+        Of the motion to follow.
+    """
+
+    arm: Arm
+    setup: Setup
+    target: bytes
+    plan: PlanQuestion | None
+
+
+class Peak(NamedTuple):
+    """A largest value, and when."""
+
+    value: float
+    time: float
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What stands on the card of a run.
+
+    Attributes
+    ----------
+    speeds : tuple of Peak
+        Largest speed of each joint, rad/s or m/s.
+    position, rotation : Peak
+        Largest error, m and rad.
+    final_position, final_rotation : float
+        Errors at the end.
+    sigma_min : Peak
+        The smallest singular value.
+    saturated : float
+        Seconds in which the motors could not do what was wanted.
+    steps : int
+    duration : float
+    left_range : tuple of int and float, or None
+        The joint, 0-based, that is first beyond its limits, and when, seconds.
+    """
+
+    speeds: tuple[Peak, ...]
+    position: Peak
+    rotation: Peak
+    final_position: float
+    final_rotation: float
+    sigma_min: Peak
+    saturated: float
+    steps: int
+    duration: float
+    left_range: tuple[int, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What a run has given.
+
+    Attributes
+    ----------
+    question : Question
+    run : Run or None
+        Thinned; None when there is nothing to run.
+    figures : Figures or None
+        Of all its steps.
+    refused : str
+        Why there is nothing to run.
+    predicted : ndarray, shape (k,), or None
+        Error of the position that e_p' = -J K J# e_p predicts for a law of the joints, m.
+    """
+
+    question: Question
+    run: Run | None = None
+    figures: Figures | None = None
+    refused: str = ""
+    predicted: Floats | None = None
+
+
+def making(question: Question, known: Planned | None = None) -> Generator[None, None, Outcome]:
+    """Make a run in pieces of some 20 ms; ``known`` is the plan of its motion where that has been worked out."""
+    try:
+        return (yield from _made(question, known))
+    except InputError as refusal:
+        return Outcome(question, refused=str(refusal))
+
+
+def outcome_of(question: Question, known: Planned | None = None) -> Outcome:
+    """Return what a run gives, at once."""
+    work = making(question, known)
+    while True:
+        try:
+            next(work)
+        except StopIteration as done:
+            outcome: Outcome = done.value
+            return outcome
+
+
+def _made(question: Question, known: Planned | None) -> Generator[None, None, Outcome]:
+    arm, setup = question.arm, question.setup
+    reference, start = yield from _reference(question, known)
+    q0 = start + np.array(setup.offset)
+    run = yield from simulating(arm, setup.law, reference, q0, settings_of(arm, setup))
+    yield
+    thin = run.thinned(SHOWN)
+    return Outcome(question, thin, figures_of(run), predicted=_predicted(setup, thin))
+
+
+def _reference(question: Question, known: Planned | None) -> Generator[None, None, tuple[Reference, Floats]]:
+    """Return what is to be followed, and the joint values at its beginning."""
+    arm, setup, start = question.arm, question.setup, np.array(question.setup.start)
+    if question.plan is not None:
+        if known is None or known.question != question.plan:
+            known = yield from _planned(question.plan)
+        if known.motion is None:
+            raise InputError(f"the planned motion cannot be run: {known.trouble}")
+        return JointReference(known.motion), np.array(known.motion.at(0.0))
+    if question.target:
+        return FixedPose(np.frombuffer(question.target).reshape(4, 4), setup.duration), start
+    pose, along = np.asarray(arm.fk(start), dtype=np.float64), direction(arm, setup)
+    if setup.reference == "line":
+        return LineReference(pose, setup.speed * along, setup.duration), start
+    axis = arm.base[:3, 2]
+    inwards = np.cross(axis, along)
+    rate = setup.speed / setup.radius
+    return CircleReference(pose, pose[:3, 3] + setup.radius * inwards, axis, rate, setup.duration), start
+
+
+def reference_points(arm: Arm, setup: Setup) -> Floats:
+    """Return points (k, 3) of a line or a circle before it is run, world, metres; the beginning of others."""
+    p, along = np.asarray(arm.position(np.array(setup.start)), dtype=np.float64), direction(arm, setup)
+    if setup.reference == "line":
+        return np.array([p, p + setup.speed * setup.duration * along])
+    if setup.reference == "circle":
+        inwards = np.cross(arm.base[:3, 2], along)
+        return np.array([p, *(p + setup.radius * (inwards + way) for way in (inwards, along, -along))])
+    return p[None]
+
+
+def _planned(question: PlanQuestion) -> Generator[None, None, Planned]:
+    plan: Planned | None = None
+    for found in planning(question):
+        plan = found
+        yield
+    assert plan is not None
+    return plan
+
+
+def direction(arm: Arm, setup: Setup) -> Floats:
+    """Return the unit vector (3,), in the world, of azimuth and elevation in frame 0; a circle stays level."""
+    up = setup.elevation if setup.reference == "line" else 0.0
+    level = math.cos(up)
+    local = [level * math.cos(setup.azimuth), level * math.sin(setup.azimuth), math.sin(up)]
+    return np.asarray(arm.base[:3, :3] @ np.array(local))
+
+
+def settings_of(arm: Arm, setup: Setup) -> Settings:
+    """Return how the run is made."""
+    return Settings(
+        setup.step,
+        setup.integrator,
+        setup.inverse,
+        dict(setup.inverse_options),
+        dict(setup.law_options),
+        setup.null,
+        setup.null_gain,
+        _plant(arm, setup),
+    )
+
+
+def _plant(arm: Arm, setup: Setup) -> Plant:
+    return plant(
+        arm,
+        sampling=setup.sampling,
+        saturation=setup.saturation,
+        speed_limits=speed_limits(arm, setup),
+        encoder=encoder(setup.counts, setup.shaft, setup.ratio) if setup.counts else None,
+        wrong_by=setup.wrong,
+        link=setup.link,
+        pushes=tuple(Push(t, (x, y, z)) for t, x, y, z in setup.pushes),
+    )
+
+
+def speed_limits(arm: Arm, setup: Setup) -> Floats:
+    """Return the limits of the joint speeds of a run, (n,): the arm's where none are given."""
+    limits = np.array(arm.speed_limits)
+    for turns, given in ((True, setup.limit), (False, setup.slide_limit)):
+        if given is not None:
+            limits[arm.revolute == turns] = given
+    return limits
+
+
+def figures_of(run: Run) -> Figures:
+    """Return the figures of a run."""
+
+    def peak(values: Floats) -> Peak:
+        k = int(np.argmax(values))
+        return Peak(float(values[k]), float(run.t[k]))
+
+    least = int(np.argmin(run.sigma_min))
+    return Figures(
+        tuple(peak(np.abs(run.qdot[:, i])) for i in range(run.arm.n)),
+        peak(run.error_position),
+        peak(run.error_rotation),
+        float(run.error_position[-1]),
+        float(run.error_rotation[-1]),
+        Peak(float(run.sigma_min[least]), float(run.t[least])),
+        run.saturated_time,
+        run.steps,
+        run.duration,
+        run.left_range(),
+    )
+
+
+def _predicted(setup: Setup, run: Run) -> Floats | None:
+    """Return the error that 7.24 predicts for a law of the joints on a plant that disturbs nothing."""
+    disturbed = setup.counts or setup.wrong or setup.pushes or setup.sampling or setup.saturation != "none"
+    if setup.kind.space != "joints" or disturbed or run.error_joint is None or not run.arm.task.position:
+        return None
+    K = setup.kind.prepare(ScaledTask(run.arm), setup.kind.options(dict(setup.law_options)))["K"]
+    error = predicted_error(run.arm, run.t, run.q, K, run.error[0])
+    place, _ = ScaledTask(run.arm).kinds(error)
+    return place

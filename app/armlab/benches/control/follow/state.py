@@ -1,0 +1,183 @@
+"""Kinematic control: up to four runs as they are set up, the target of regulation, and what has become of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.control.follow.chosen import MOST_RUNS, Setup, joint_values, setup_from, setup_of
+from armlab.benches.control.follow.runs import Outcome, Question
+from armlab.benches.iterate.runs.state import checked_target, first_target
+from armlab.benches.motion.plan.state import question as plan_question
+from armlab.content.robots import Robot
+from armlab.errors import InputError
+from armlab.kin.checks import finite_floats
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import Json, Part, PartType, State
+
+CLIP_KEY = "control"
+
+FIRST_SPEED = 0.15
+"""Of the line an arm opens with, in length scales a second."""
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Control(Part):
+    """Runs of kinematic control.
+
+    Attributes
+    ----------
+    runs : tuple of Setup
+        One to four, each in a colour of its own.
+    selected : int
+        The run whose values are in the form, and which is played.
+    target : ndarray, shape (4, 4)
+        Wanted pose of the tool, of runs that regulate; it follows the target of the lab when that is moved.
+    push : float
+        Metres by which the button pushes the tool aside.
+    example : str
+        Key of the example that is in place as it was put there; empty when it is none.
+    before : tuple of float or None
+        Where the arm stood when a run was put on; None while none is on.
+    outcomes : dict
+        What the runs have given, by their colour; may be of a question that has passed. Not saved.
+    """
+
+    key: ClassVar[str] = "control"
+
+    runs: tuple[Setup, ...]
+    target: Floats
+    selected: int = 0
+    push: float = 0.05
+    example: str = ""
+    before: tuple[float, ...] | None = None
+    outcomes: Mapping[int, Outcome] = field(default_factory=dict)
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return one run: a line from home, with feedback."""
+        scale = robot.arm.length_scale
+        run = setup_of(
+            robot,
+            speed=_round(FIRST_SPEED * scale),
+            azimuth=np.pi,
+            radius=_round(0.3 * scale),
+            inverse="dls_variable",
+            duration=4.0,
+        )
+        return cls((run,), first_target(robot), push=_round(0.05 * scale))
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep all where the joints are the same; begin anew where there are others."""
+        arm, n = robot.arm, len(self.runs[0].start)
+        if origin != tuple(range(n)):
+            return self.initial(robot)
+        runs = tuple(
+            replace(run, start=joint_values(arm, run.start, "start"), link=min(run.link, arm.n)) for run in self.runs
+        )
+        return replace(self, runs=runs, example="", before=None, outcomes={})
+
+    def after(self, before: State, now: State) -> Self:
+        """Follow the target of the lab, and forget where the arm stood when the run is taken off."""
+        part, pose = self, now[Target].pose
+        moved = pose is not None and pose is not before[Target].pose and self is before[Control]
+        if moved and pose is not None and not np.array_equal(pose, self.target):
+            part = replace(part, target=pose)
+        if part.before is not None and now[Timeline].clip != CLIP_KEY:
+            part = replace(part, before=None)
+        return part
+
+    def to_json(self) -> Json:
+        """Write everything but what the runs have given."""
+        return {
+            "runs": [run.to_json() for run in self.runs],
+            "target": self.target.tolist(),
+            "selected": self.selected,
+            "push": self.push,
+            "example": self.example,
+            "before": None if self.before is None else list(self.before),
+        }
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read it back; raises when it is not usable with this arm."""
+        runs = tuple(setup_from(robot, each) for each in data["runs"])
+        selected, before = int(data["selected"]), data.get("before")
+        colours = {run.colour for run in runs}
+        if not 1 <= len(runs) == len(colours) <= MOST_RUNS or not 0 <= selected < len(runs):
+            raise InputError(f"control: not usable: {len(runs)} runs, run {selected + 1} selected")
+        return cls(
+            runs,
+            checked_target(robot, data["target"]),
+            selected,
+            checked_push(data["push"]),
+            str(data.get("example", "")),
+            None if before is None else joint_values(robot.arm, before, "before"),
+        )
+
+    @property
+    def run(self) -> Setup:
+        """The selected run."""
+        return self.runs[self.selected]
+
+    @property
+    def outcome(self) -> Outcome | None:
+        """What the selected run has given, as far as it is known."""
+        return self.outcomes.get(self.run.colour)
+
+
+PART = PartType(Control, order=99)
+
+
+def _round(value: float) -> float:
+    """Return a number with one figure, as a person would choose it."""
+    return float(f"{value:.0e}")
+
+
+def checked_push(push: float) -> float:
+    """Return metres of a push; `InputError` when they are not more than 0 and at most 10."""
+    metres = float(finite_floats(push, "push", (), "metres"))
+    if not 0.0 < metres <= 10.0:
+        raise InputError("push: expected more than 0 and at most 10 m")
+    return metres
+
+
+def questions(state: State) -> tuple[Question, ...]:
+    """Return what each run has to answer."""
+    part, arm = state[Control], state[RobotPart].robot.arm
+    target = part.target.tobytes()
+    return tuple(
+        Question(
+            arm,
+            replace(run, colour=0, name=""),
+            target if run.reference == "target" else b"",
+            state.derived(plan_question) if run.reference == "planned" else None,
+        )
+        for run in part.runs
+    )
+
+
+def fresh(state: State) -> bool:
+    """Return whether what is shown of the selected run is of the present question."""
+    part = state[Control]
+    return part.outcome is not None and part.outcome.question == state.derived(questions)[part.selected]
+
+
+def standing_start(state: State) -> Floats:
+    """Return where the arm stands for the selected run while that is not made, (n,)."""
+    run = state[Control].run
+    return np.asarray(np.array(run.start) + np.array(run.offset))
+
+
+def here(state: State) -> tuple[float, ...]:
+    """Return where the arm stands."""
+    return tuple(state[Joints].q.tolist())

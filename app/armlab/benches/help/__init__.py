@@ -1,0 +1,1 @@
+"""The tab of help: one folder a page."""

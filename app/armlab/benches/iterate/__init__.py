@@ -1,0 +1,1 @@
+"""The tab of iterate: one folder a page."""

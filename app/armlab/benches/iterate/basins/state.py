@@ -1,0 +1,382 @@
+"""Basins of attraction: which map is asked for, what is being computed, and the map so far.
+
+Target and task vector are those of the film of iterations: a film begun at a point of the map answers the same
+question.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self
+
+import numpy as np
+
+from armlab.benches.iterate.basins.maps import Map, Question
+from armlab.benches.iterate.runs.commands import ChooseTask
+from armlab.benches.iterate.runs.state import (
+    MOST_STEPS,
+    Iterations,
+    StartIterations,
+    checked_limits,
+    checked_start,
+    vector_of,
+)
+from armlab.benches.iterate.runs.worked import Run, fitting, refitted, run_of
+from armlab.content.robots import Robot
+from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
+from armlab.kin.ik.iterate import TaskVector, iteration_method, task_vector
+from armlab.kin.ik.iterate.record import Limits
+from armlab.kin.ik.solve_all import solve_all
+from armlab.kin.task import Task
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import Command, Json, Part, PartType, State
+
+POINTS = (64, 128, 256)
+"""Starts along either side of a map, to choose from."""
+
+STEPS = (50, 100, 200, MOST_STEPS)
+"""Largest numbers of steps to choose from; a film has as many at most."""
+
+
+@dataclass(frozen=True, eq=False)
+class Basins(Part):
+    """The map that will be drawn, the one that is being drawn, and the one there is.
+
+    Attributes
+    ----------
+    run : Run
+        Method and parameters; its colour does not matter.
+    joints : (int, int)
+        0-based; the joints that vary across and up.
+    rest : tuple of float
+        Start values of the others, rad or m; one number for each joint.
+    points, most : int
+        Starts along either side, and largest number of steps.
+    limits : "clamp" or "none"
+    drawing : Question or None
+        What is being computed.
+    map : Map or None
+        The last one, as far as it came; not saved.
+    """
+
+    key: ClassVar[str] = "basins"
+    kept_by_undo: ClassVar[bool] = True
+
+    run: Run
+    joints: tuple[int, int]
+    rest: tuple[float, ...]
+    points: int = POINTS[1]
+    most: int = STEPS[2]
+    limits: Limits = "none"
+    drawing: Question | None = None
+    map: Map | None = None
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return Newton's method over the first two joints that change more than where everything is turned."""
+        return cls(run_of("newton"), _first_joints(robot.arm), tuple(map(float, robot.home)))
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Keep the method, with a step size that suits the arm, and how finely it is mapped."""
+        run = refitted(self.run, robot.arm)
+        return replace(self.initial(robot), run=run, points=self.points, most=self.most, limits=self.limits)
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep also joints and start values of joints that are still there; a map was of the arm as it was."""
+        fresh, rest = self.for_robot(robot), np.array(robot.home, dtype=float)
+        for i, was in enumerate(origin):
+            if was is not None and was < len(self.rest):
+                rest[i] = self.rest[was]
+        across, up = (origin.index(joint) if joint in origin else -1 for joint in self.joints)
+        # An arm of one joint has but one for both axes.
+        joints = (across, up) if min(across, up) >= 0 and across != up else fresh.joints
+        return replace(fresh, run=self.run, rest=tuple(rest.tolist()), joints=joints)
+
+    def to_json(self) -> Json:
+        """Write what will be drawn."""
+        return {
+            "run": self.run.to_json(),
+            "joints": list(self.joints),
+            "rest": list(self.rest),
+            "points": self.points,
+            "most": self.most,
+            "limits": self.limits,
+        }
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read it back; raises when it is not usable with this arm."""
+        across, up = (int(joint) for joint in data["joints"])
+        return cls(
+            run=_checked_run(*data["run"][:2]),
+            joints=_checked_joints(robot.arm, across, up),
+            rest=checked_start(robot, data["rest"]),
+            points=_one_of("points", int(data["points"]), POINTS),
+            most=_one_of("most", int(data["most"]), STEPS),
+            limits=checked_limits(data["limits"]),
+        )
+
+    @property
+    def finished(self) -> Map | None:
+        """The map, if every start has been tried."""
+        return self.map if self.map is not None and self.map.finished else None
+
+
+PART = PartType(Basins, order=98)
+
+
+def question_of(state: State) -> Question:
+    """Return what is asked when a map is drawn; locked joints stand where they stand."""
+    part, joints, problem = state[Basins], state[Joints], state[Iterations]
+    rest = np.where(joints.locked, joints.q, part.rest)
+    return Question(
+        joints.arm,
+        problem.target.tobytes(),
+        vector_of(state),
+        part.run,
+        part.joints,
+        tuple(rest.tolist()),
+        joints.locked,
+        part.limits,
+        part.most,
+        part.points,
+    )
+
+
+def refusal(state: State) -> str:
+    """Return why there can be no map of the present choices; empty when there can be one."""
+    locked = state[Joints].locked
+    if locked.count(False) <= vector_of(state).m and not any(locked[joint] for joint in state[Basins].joints):
+        return ""
+    try:
+        question_of(state).pieces()
+    except InputError as why:
+        return str(why)
+    return ""
+
+
+def belongs_elsewhere(state: State) -> bool:
+    """Return whether target or task vector have changed since the map was asked for."""
+    found = state[Basins].map
+    if found is None:
+        return False
+    return found.question.target != state[Iterations].target.tobytes() or found.question.task != vector_of(state)
+
+
+# -- commands --------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class DrawBasins(Command):
+    """Ask for the map of the present choices; the one that is being computed is given up."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state in which a map is being drawn.
+
+        Raises
+        ------
+        InputError
+            The arm has joints to spare, or one of the two joints is locked.
+        """
+        question = question_of(state)
+        question.pieces()  # refuses at once what cannot be mapped
+        return state.replace(replace(state[Basins], drawing=question))
+
+
+@dataclass(frozen=True)
+class CancelBasins(Command):
+    """Stop drawing; what there is of the map stays."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state in which nothing is being drawn."""
+        part = state[Basins]
+        return state if part.drawing is None else state.replace(replace(part, drawing=None))
+
+
+@dataclass(frozen=True)
+class MapMethod(Command):
+    """Choose the method, or one of its parameters.
+
+    Parameters
+    ----------
+    method : str
+        Another method gets its parameters at their defaults.
+    key : str
+        Of the parameter; empty for none.
+    value : float
+    """
+
+    method: str
+    key: str = ""
+    value: float = 0.0
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        part = state[Basins]
+        run = part.run
+        if run.method != self.method:
+            _checked_run(self.method, {})
+            run = fitting(self.method, state[Joints].arm, vector_of(state))
+        run = run.with_parameter(self.key, self.value) if self.key else run
+        return state if run == part.run else state.replace(replace(part, run=run))
+
+
+@dataclass(frozen=True)
+class MapJoints(Command):
+    """Choose the joints across and up (0-based); one that has the other's place changes places with it."""
+
+    across: int
+    up: int
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the joints chosen."""
+        part, arm = state[Basins], state[Joints].arm
+        joints = (self.across, self.up)
+        if self.across == self.up and self.across in part.joints:
+            joints = part.joints[::-1]
+        checked = _checked_joints(arm, *joints)
+        return state if checked == part.joints else state.replace(replace(part, joints=checked))
+
+
+@dataclass(frozen=True)
+class MapRest(Command):
+    """Set the start value of one joint (0-based), rad or m; None for all of them where the arm stands."""
+
+    joint: int | None = None
+    value: float = 0.0
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the start values set."""
+        part, joints = state[Basins], state[Joints]
+        rest = list(part.rest) if self.joint is not None else joints.q.tolist()
+        if self.joint is not None:
+            if not 0 <= self.joint < joints.arm.n:
+                raise InputError(f"joint: expected 1 to {joints.arm.n}, got {self.joint + 1}")
+            rest[self.joint] = self.value
+        checked = checked_start(state[RobotPart].robot, rest)
+        return state if checked == part.rest else state.replace(replace(part, rest=checked))
+
+
+@dataclass(frozen=True)
+class MapLike(Command):
+    """Choose how finely, with how many steps, and whether limits are kept; None leaves as it is."""
+
+    points: int | None = None
+    most: int | None = None
+    limits: str | None = None
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choices made."""
+        part = state[Basins]
+        changed = replace(
+            part,
+            points=part.points if self.points is None else _one_of("points", self.points, POINTS),
+            most=part.most if self.most is None else _one_of("most", self.most, STEPS),
+            limits=part.limits if self.limits is None else checked_limits(self.limits),
+        )
+        same = (changed.points, changed.most, changed.limits) == (part.points, part.most, part.limits)
+        return state if same else state.replace(changed)
+
+
+@dataclass(frozen=True)
+class TakeJoint(Command):
+    """Make position and one joint (1-based) the task vector, the joint wanted where the target can be reached."""
+
+    joint: int
+    label: ClassVar[str] = "task vector"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the task vector chosen; wanted is the present value where no other is known to do."""
+        arm = state[Joints].arm
+        if not 1 <= self.joint <= arm.n:
+            raise InputError(f"joint: expected 1 to {arm.n}, got {self.joint}")
+        i, here = self.joint - 1, float(state[Joints].q[self.joint - 1])
+        ends = solve_all(arm, state[Iterations].target).q[:, i].tolist()
+        wanted = min(ends, key=lambda value: abs(value - state[Basins].rest[i]), default=here)
+        place = Task(arm.task.position, "none")
+        return ChooseTask(task_vector(arm, place, joints={self.joint: wanted})).apply(state)
+
+
+@dataclass(frozen=True)
+class StartInMap(Command):
+    """Begin the film of iterations at a place of the map, with all that the map was made with.
+
+    Parameters
+    ----------
+    x, y : float
+        In parts of the sides of the map, from its lower left corner.
+    """
+
+    x: float
+    y: float
+    label: ClassVar[str] = "start of the iterations"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the film at its first picture.
+
+        Raises
+        ------
+        InputError
+            There is no map, the place is not in it, or other joints are locked than were.
+        """
+        found, joints = state[Basins].map, state[Joints]
+        if found is None:
+            raise InputError("there is no map yet: draw one first")
+        start, asked = found.start(self.x, self.y), found.question
+        held = np.array(asked.locked)
+        if joints.locked != asked.locked or not np.allclose(joints.q[held], np.array(asked.rest)[held], atol=1e-9):
+            raise InputError("locked joints have changed since the map was drawn: draw it again")
+        part = state[Iterations]
+        target = np.frombuffer(asked.target).reshape(4, 4).copy()
+        target.setflags(write=False)
+        same = asked.task == TaskVector(joints.arm.task)
+        begun = replace(
+            _with_selected(part, asked.run),
+            target=target,
+            task=None if same else asked.task,
+            limits=asked.limits,
+            most=asked.most,
+        )
+        return StartIterations(start).apply(state.replace(begun))
+
+
+def _with_selected(part: Iterations, run: Run) -> Iterations:
+    """Return the part with this run selected: one that is like it, or the selected one made like it."""
+    for i, one in enumerate(part.runs):
+        if replace(one, colour=run.colour) == run:
+            return replace(part, selected=i)
+    runs = list(part.runs)
+    runs[part.selected] = replace(run, colour=part.run.colour)
+    return replace(part, runs=tuple(runs))
+
+
+def _first_joints(arm: Arm) -> tuple[int, int]:
+    """Return the two joints of a 2R, else joints 2 and 3: about the first everything only turns."""
+    return (0, min(1, arm.n - 1)) if arm.n < 3 or arm.task.rotation == "phi" else (1, 2)
+
+
+def _checked_run(method: str, parameters: dict[str, float]) -> Run:
+    iteration_method(method)  # a flow has no steps to be counted
+    return run_of(method, parameters)
+
+
+def _checked_joints(arm: Arm, across: int, up: int) -> tuple[int, int]:
+    if not (0 <= across < arm.n and 0 <= up < arm.n) or (across == up and arm.n > 1):
+        raise InputError(f"joints: expected two different joints of 1 to {arm.n}, got {across + 1} and {up + 1}")
+    return across, up
+
+
+def _one_of(name: str, value: int, options: tuple[int, ...]) -> int:
+    if type(value) is not int or value not in options:
+        raise UnknownName(name, value, [str(option) for option in options])
+    return value

@@ -1,0 +1,193 @@
+"""The map of basins with its axes, marks and legend, as markup."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.iterate.basins.maps import Map
+from armlab.benches.iterate.basins.state import Basins, belongs_elsewhere
+from armlab.benches.iterate.basins.ui.picture import FULL, enlarged, pixels, png, scale_of, solution_colour
+from armlab.benches.iterate.runs.state import Iterations
+from armlab.benches.iterate.runs.ui.words import lowered_index, vector_text
+from armlab.benches.robot.table.ui.files import file_name
+from armlab.kin.arm import Arm
+from armlab.kin.ik.iterate.basins import FAILED
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+from armlab.ui.colours import css
+from armlab.ui.format import capitalised, dot, escaped, number, trimmed
+from armlab.ui.png import as_address
+from armlab.ui.units import Units
+from armlab.ui.widgets import Fields
+
+TICKS = 4
+"""Parts of an axis."""
+
+MOST_NAMED = 16
+"""Rows of the legend."""
+
+
+def map_markup(fields: Fields, found: Map, units: Units) -> str:
+    """Return the picture with axes, the solutions marked, and the marks that `places` moves."""
+    question = found.question
+    across, up = (_axis(found, side, units) for side in (0, 1))
+    picture = png(pixels(found.found))
+    said = f"Basins of {question.run.kind.title}: click a start to see its film"
+    return (
+        f'<div class="basin"><span class="ba-name up">{up[0]}</span><div class="ba-ticks up">{up[1]}</div>'
+        f'<div class="ba-map" data-chan="{fields.channel_id}" data-cell="start" data-pick title="{escaped(said)}">'
+        f'<img alt="{escaped(said)}" src="{as_address(picture)}">{_solutions(found)}'
+        '<b class="ba-start"></b><b class="ba-arm"></b></div>'
+        f'<div class="ba-ticks">{across[1]}</div><span class="ba-name">{across[0]}</span></div>'
+    )
+
+
+def _axis(found: Map, side: int, units: Units) -> tuple[str, str]:
+    """Return the name of an axis with its unit, and its numbers."""
+    joint = found.question.joints[side]
+    revolute = bool(found.question.arm.revolute[joint])
+    values = (found.found.across, found.found.up)[side]
+    half = 0.5 * float(values[1] - values[0])
+    low, high = float(values[0]) - half, float(values[-1]) + half
+    ticks = [(k / TICKS, low + (high - low) * k / TICKS) for k in range(TICKS + 1)]
+    texts = "".join(f'<i style="--at:{100.0 * at:.2f}%">{_tick(value, revolute, units)}</i>' for at, value in ticks)
+    return f"{units.variable(joint, revolute)}, {units.unit(revolute)}", texts
+
+
+def _tick(value: float, revolute: bool, units: Units) -> str:
+    decimals = (0 if units.in_degrees else 2) if revolute else 0 if units.length_unit == "mm" else 2
+    return number(value / units.factor(revolute), decimals)
+
+
+def _solutions(found: Map) -> str:
+    """Return a numbered mark for each solution that lies in the map."""
+    marks = []
+    for k, q in enumerate(found.found.solutions):
+        x, y = (found.part(side, float(q[joint])) for side, joint in enumerate(found.question.joints))
+        if 0.0 <= x <= 1.0 and 0.0 <= y <= 1.0:
+            at = f"--x:{100.0 * x:.2f}%;--y:{100.0 * y:.2f}%;--c:{css(solution_colour(k))}"
+            marks.append(f'<i class="ba-sol" style="{at}" title="{escaped(found.names[k])}">{k + 1}</i>')
+    return "".join(marks)
+
+
+def legend(found: Map, units: Units) -> str:
+    """Return which colour is which solution, and the share of each and of failures among the starts tried."""
+    index = found.found.index[: found.found.rows]
+    if not index.size:
+        return ""
+    rows = [
+        (dot(css(solution_colour(k))), f"{k + 1}", _name(found.names[k]), float(np.mean(index == k)))
+        for k in range(min(len(found.names), MOST_NAMED))
+    ]
+    more = float(np.mean(index >= MOST_NAMED))
+    if more > 0.0:
+        rows.append((dot(css(solution_colour(FULL))), "", f"{len(found.names) - MOST_NAMED} more", more))
+    most = found.question.most
+    rows.append(
+        ('<span class="dot ba-white"></span>', "", f"not reached in {most} steps", float(np.mean(index == FAILED)))
+    )
+    lines = "".join(
+        f"<span>{mark}</span><span>{place}</span><span>{escaped(name)}</span><b>{_share(share)}</b>"
+        for mark, place, name, share in rows
+    )
+    return f'<div class="ba-legend">{lines}</div>{_scale(found)}{_about(found, units)}'
+
+
+def _name(name: str) -> str:
+    return capitalised(name) if not name.startswith("solution ") else "Solution"
+
+
+def _share(share: float) -> str:
+    percent = 100.0 * share
+    return "&lt; 0.1 %" if 0.0 < percent < 0.05 else f"{number(percent, 1)} %"
+
+
+def _scale(found: Map) -> str:
+    low, high = scale_of(found.found)
+    if not high:
+        return ""
+    if low == high:
+        return f'<p class="dim">Every way took {low} steps.</p>'
+    return f'<p class="dim">Bright: {low} steps or fewer. Dark: {high} or more.</p>'
+
+
+def _about(found: Map, units: Units) -> str:
+    """Return of what the map is: target, method and the start values of the joints that do not vary."""
+    asked = found.question
+    target = np.frombuffer(asked.target).reshape(4, 4)
+    others = [
+        f"{units.variable(i, bool(row.revolute))} = {units.constant(value, bool(row.revolute), 0)}"
+        for i, (row, value) in enumerate(zip(asked.arm.rows, asked.rest, strict=True))
+        if i not in asked.joints
+    ]
+    parameters = ", ".join(
+        f"{lowered_index(each.symbol)} = {trimmed(asked.run.values[each.key], 6)}" for each in asked.run.kind.parameters
+    )
+    said = [escaped(capitalised(asked.run.kind.title)) + (f" ({parameters})" if parameters else "")]
+    said.append(f"target {target_text(asked.arm, target, units)}, task {vector_text(asked.task)}")
+    if others:
+        said.append(f"starts with {', '.join(others)}")
+    said.append("limits kept" if asked.limits == "clamp" else "limits not kept")
+    return f'<p class="dim">{"; ".join(said)}.</p>'
+
+
+def target_text(arm: Arm, target: NDArray[np.floating], units: Units) -> str:
+    """Return the place of a target in the world; of an arm that moves in a plane of the world, without the third."""
+    upright = np.array_equal(arm.base[:3, :3], np.eye(3)) and arm.task.position
+    seen = target[arm.task.coordinates, 3] if upright else target[:3, 3]
+    return f"({', '.join(units.text(float(value), False) for value in seen)}) {units.length_unit}"
+
+
+def standing(state: State) -> str:
+    """Return what is said over the picture: that it is of another target, and how far it came."""
+    found, drawing = state[Basins].map, state[Basins].drawing
+    if found is None:
+        return ""
+    said = []
+    if belongs_elsewhere(state):
+        said.append("This map belongs to another target or task: draw it again.")
+    if not found.finished and drawing is not found.question:
+        said.append(f"Cancelled at {100.0 * found.done:.0f} %.")
+    if found.known and not len(found.found.solutions):
+        said.append(escaped(found.known))
+    return "".join(f'<p class="warn">{text}</p>' for text in said)
+
+
+def places(state: State) -> str:
+    """Return where the arm and the start of the film are in the map, for the style sheet."""
+    found = state[Basins].map
+    if found is None:
+        return ""
+    values = {"arm": state[Joints].q, "start": np.array(state[Iterations].start)}
+    rules = []
+    for name, q in values.items():
+        x, y = (found.part(side, float(q[joint])) for side, joint in enumerate(found.question.joints))
+        seen = 0.0 <= x <= 1.0 and 0.0 <= y <= 1.0 and math.isfinite(x + y)
+        rules.append(
+            f".al .ba-map .ba-{name}{{--x:{100.0 * x:.2f}%;--y:{100.0 * y:.2f}%;display:{'block' if seen else 'none'}}}"
+        )
+    return f"<style>{''.join(rules)}</style>"
+
+
+def here(state: State) -> str:
+    """Return where the film of the present start ends, by the map."""
+    found, start = state[Basins].map, state[Iterations].start
+    if found is None:
+        return ""
+    x, y = (found.part(side, start[joint]) for side, joint in enumerate(found.question.joints))
+    if not (0.0 <= x <= 1.0 and 0.0 <= y <= 1.0):
+        return ""
+    index, steps = found.outcome(x, y)
+    if index >= 0:
+        return f"◉ The arm. ◇ The film's start: ends in {index + 1} after {steps} steps."
+    return f"◉ The arm. ◇ The film's start: no solution in {found.question.most} steps." if index == FAILED else ""
+
+
+def save_link(found: Map, robot: str) -> str:
+    """Return what saves the picture without axes as a PNG file."""
+    name = f"basins_{file_name(robot)}_{found.question.run.method}.png"
+    picture = as_address(png(enlarged(pixels(found.found))))
+    return f'<a class="chip" download="{escaped(name)}" href="{picture}">Save as PNG</a>'

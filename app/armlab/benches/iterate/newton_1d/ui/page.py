@@ -1,0 +1,133 @@
+"""Newton's method for one equation in one unknown: the curve with its tangents, and the iterates in numbers."""
+
+from __future__ import annotations
+
+from armlab.benches.iterate.newton_1d.clip import STEP, Place, place_of
+from armlab.benches.iterate.newton_1d.state import CLIP_KEY, ChooseEquation, Newton1D, StartAt, TypeEquation, solution
+from armlab.benches.iterate.runs.one_equation import Solved
+from armlab.benches.iterate.runs.ui.tangents import picture
+from armlab.content.arithmetic import evaluate
+from armlab.errors import InputError
+from armlab.kin.ik.iterate import EXAMPLES
+from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
+from armlab.session.state import Command, State
+from armlab.ui.format import escaped, number, scientific
+from armlab.ui.markup import button, options, select
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tried import tried
+from armlab.ui.verdicts import SIGNS
+from armlab.ui.widgets import Fields, Gui
+
+FORMULA = "<i>x</i><sub>n+1</sub> = <i>x</i><sub>n</sub> − f(<i>x</i><sub>n</sub>) / f′(<i>x</i><sub>n</sub>)"
+
+ROWS = 8
+"""Of the table at once."""
+
+DIGITS = 10
+"""Decimals of x: enough to see the correct ones double."""
+
+KINDS = {"converged": "ok", "most": "warn"}
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make equation, picture and table."""
+    present = state
+
+    def typed(fields: Fields, cell: str, text: str) -> None:
+        if not tried(fields, cell, text, lambda: _commands(present, cell, text), present, post):
+            show(present)
+
+    problem = gui.fields(lambda cell, text: typed(problem, cell, text))
+    drawn = gui.html()
+    numbers = gui.fields(lambda cell, text: typed(numbers, cell, text))
+
+    def show(state: State) -> None:
+        nonlocal present
+        present = state
+        found, place = state.derived(solution), place_of(state)
+        problem.show(_problem(problem, state))
+        drawn.show(picture(found, place))
+        numbers.show(_table(numbers, found, place))
+
+    return show
+
+
+def _commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
+    name, _, rest = cell.partition(" ")
+    if name == "equation":
+        return (ChooseEquation(text),) if text else ()
+    if name == "f":
+        return (TypeEquation(text),)
+    if name == "x0":
+        return (StartAt(_number(text)),)
+    if name == "play-tangents":
+        return (OpenClip(CLIP_KEY, play=True),)
+    if name == "pause-tangents":
+        return (Play(False),)
+    if name == "iterate" and rest.isdecimal():
+        on = () if state[Timeline].clip == CLIP_KEY else (OpenClip(CLIP_KEY),)
+        return (*on, Seek(STEP * int(rest)))
+    return ()
+
+
+def _number(text: str) -> float:
+    try:
+        return evaluate(text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", "."))
+    except InputError:
+        raise InputError(f"x₀: expected a number, got {text.strip()[:40]!r}") from None
+
+
+def _problem(fields: Fields, state: State) -> str:
+    part, channel, found = state[Newton1D], fields.channel_id, state.derived(solution)
+    titles = {**({"": "your own"} if part.text else {}), **{each.key: each.title for each in EXAMPLES}}
+    chooser = select(channel, "equation", "Equation", options(titles, "" if part.text else part.example))
+    playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
+    play = (
+        button(channel, "pause-tangents", "❚❚ Pause", "main")
+        if playing
+        else button(channel, "play-tangents", "▶ Play", "main")
+    )
+    kind = KINDS.get(found.status, "no")
+    slope = '<p class="dim">f′ by central difference.</p>' if found.differenced else ""
+    typed = fields.field("f", part.text, "Function of x")
+    start = fields.field("x0", f"{part.x0:.10g}".replace("-", "−"), "Start")
+    return (
+        f'<div class="eq small" title="Notes 4.106-4.110; printed there without x_n">&emsp;{FORMULA}</div>'
+        f'<div class="it-head"><span class="dim">Equation</span>{chooser}</div>'
+        f'<div class="it-numbers it-typed"><label><span>or f(x) =</span>{typed}</label></div>{slope}'
+        f'<div class="it-numbers"><label><span>x₀</span>{start}</label></div>'
+        f'<div class="bar">{play}<span class="{kind}">{SIGNS[kind]} {escaped(found.says)}.</span></div>'
+    )
+
+
+def _table(fields: Fields, found: Solved, place: Place) -> str:
+    first = max(0, min(place.k - ROWS // 2, found.last - ROWS + 1))
+    rows = []
+    for k in range(first, min(first + ROWS, found.last + 1)):
+        each = found.iterates[k]
+        mark = ' class="now" aria-current="true"' if k == place.k else ""
+        name = button(fields.channel_id, f"iterate {k}", str(k), "copy", "Show this iterate")
+        cells = (name, _plain(each.x, DIGITS), _plain(each.f, 4), _plain(each.tangent.slope, 4))
+        rows.append(f"<tr{mark}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>")
+    heads = "".join(f"<th>{head}</th>" for head in ("k", "x<sub>k</sub>", "f(x<sub>k</sub>)", "f′(x<sub>k</sub>)"))
+    return f'<table class="it-table"><tr>{heads}</tr>{"".join(rows)}</table>'
+
+
+def _plain(value: float, decimals: int) -> str:
+    """Return a number with fixed decimals, or with a power of ten where these would show nothing or too much."""
+    if value == 0.0:
+        return "0"
+    return number(value, decimals) if 10.0 ** (1 - decimals) <= abs(value) < 1e4 else scientific(value, 3)
+
+
+PANEL = Panel(
+    "newton_1d",
+    "One variable",
+    "MATH_FUNCTION",
+    34,
+    (Newton1D, Timeline),
+    build,
+    tab="iterations",
+    rebuilds=(),
+    about=("S4.4.1-newton-scalar", "Newton-Raphson", "tangent", "root of an equation"),
+)

@@ -1,0 +1,257 @@
+"""What a run has given, as the panel, the plots and the film show it: made once for each run and question."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.iterate.runs.worked import methods
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.ik.iterate import Flow, TaskVector, iteration_method, transpose_flow
+from armlab.kin.ik.iterate.loop import march
+from armlab.kin.ik.iterate.problem import Problem
+from armlab.kin.ik.iterate.record import TOLERANCE, Limits, checked_vector, filmed, unfit
+from armlab.kin.transforms import as_pose
+
+Floats = NDArray[np.float64]
+
+PIECE, FLOW_PIECE = 2, 20
+"""Steps between two rests: of coordinate descent on seven joints some 20 ms, of most methods, and of a flow, less."""
+
+MOST_SHOWN = 50
+"""Instants of a flow that are shown as iterates."""
+
+
+class Question(NamedTuple):
+    """All that a run depends on; equal questions have equal answers.
+
+    Attributes
+    ----------
+    arm : Arm
+    target : bytes
+        Of the pose (4, 4).
+    start : tuple of float
+    locked : tuple of bool
+    task : TaskVector or None
+    limits : "clamp" or "none"
+    most : int
+    method : str
+    parameters : tuple of (str, float)
+    """
+
+    arm: Arm
+    target: bytes
+    start: tuple[float, ...]
+    locked: tuple[bool, ...]
+    task: TaskVector | None
+    limits: Limits
+    most: int
+    method: str
+    parameters: tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Film:
+    """A run with k + 1 iterates, or instants of a flow.
+
+    Attributes
+    ----------
+    question : Question
+    q : ndarray, shape (k + 1, n)
+        rad or m; angles are not wrapped.
+    way : ndarray, shape (k + 1, 3)
+        The tool point in the world.
+    position_error, rotation_error : ndarray, shape (k + 1,)
+        Metres and radians, of what the task controls.
+    components : ndarray, shape (k + 1, m)
+        Error of each task component, `names` and `kinds` say of what.
+    step : ndarray, shape (k, n)
+        Joint changes.
+    status, reason, scaling : str
+        As of `Trace` and `Flow`; status ``"refused"`` when there is nothing to run.
+    sigma_min, damping : ndarray, shapes (k + 1,) and (k,), or None
+        None of a flow; damping also of methods that have none.
+    sigma_unit : str
+        Of singular values, ``"m"`` or none.
+    t, V, V_dot : ndarray, shape (k + 1,), or None
+        Seconds, Lyapunov function and its derivative in 1/s; None of a method that takes steps.
+    """
+
+    question: Question
+    q: Floats
+    way: Floats
+    position_error: Floats
+    rotation_error: Floats
+    components: Floats
+    names: tuple[str, ...]
+    kinds: tuple[str, ...]
+    step: Floats
+    status: str
+    reason: str
+    scaling: str
+    sigma_min: Floats | None = None
+    damping: Floats | None = None
+    sigma_unit: str = ""
+    t: Floats | None = None
+    V: Floats | None = None
+    V_dot: Floats | None = None
+
+    @cached_property
+    def step_lengths(self) -> tuple[Floats, Floats]:
+        """Lengths of the steps of turning and of sliding joints, rad and m, (k,)."""
+        turns = self.question.arm.revolute
+        return np.linalg.norm(self.step[:, turns], axis=1), np.linalg.norm(self.step[:, ~turns], axis=1)
+
+    @property
+    def last(self) -> int:
+        """Number of the last iterate."""
+        return len(self.q) - 1
+
+    @property
+    def success(self) -> bool:
+        """Whether the target is reached."""
+        return self.status == "converged"
+
+
+def film_of(question: Question) -> Film:
+    """Return what a run gives; a run that cannot begin is a film of one picture that says why."""
+    work = making(question)
+    while True:
+        try:
+            next(work)
+        except StopIteration as done:
+            film: Film = done.value
+            return film
+
+
+def making(question: Question) -> Generator[None, None, Film]:
+    """Make a film in pieces of some 30 ms at most, and return it at the end."""
+    try:
+        if methods()[question.method].flow:
+            return (yield from _flow(question))
+        return (yield from _steps(question))
+    except InputError as refusal:
+        return _refused(question, str(refusal))
+
+
+def target_of(question: Question) -> Floats:
+    """Return the target pose, (4, 4)."""
+    return np.frombuffer(question.target).reshape(4, 4).copy()
+
+
+def _steps(question: Question) -> Generator[None, None, Film]:
+    """Do what `armlab.kin.ik.iterate.iterate` does, and rest now and then."""
+    arm, method = question.arm, iteration_method(question.method)
+    vector, values = checked_vector(arm, question.task), method.values(dict(question.parameters))
+    free = [i for i in range(arm.n) if not question.locked[i]]
+    clamp, start = question.limits == "clamp", np.array(question.start)
+    if clamp:
+        start[free] = arm.clip(start)[free]
+    problem = Problem(arm, as_pose(target_of(question), "target"), vector, free, None, clamp, method.chord)
+    why_not = unfit(method, vector, len(free))
+    stages = []
+    for stage in march(problem, method, values, start[None], 0 if why_not else question.most, TOLERANCE):
+        stages.append(stage)
+        if len(stages) % PIECE == 0:
+            yield
+    trace = filmed(problem, method, values, stages, 0, why_not)
+    return Film(
+        question=question,
+        q=trace.q,
+        way=_way(arm, trace.q),
+        position_error=trace.position_error,
+        rotation_error=trace.rotation_error,
+        components=trace.components,
+        names=trace.names,
+        kinds=trace.kinds,
+        step=trace.step,
+        sigma_min=trace.sigma_min,
+        damping=trace.damping if np.any(trace.damping > 0.0) else None,
+        status=trace.status,
+        reason=trace.reason,
+        scaling=trace.scaling,
+        sigma_unit=problem.sigma_unit,
+    )
+
+
+def _flow(question: Question) -> Generator[None, None, Film]:
+    """Do what one call of `transpose_flow` does in several, each of which goes on where the one before has ended."""
+    arm, parameters, vector = question.arm, dict(question.parameters), question.task or TaskVector(question.arm.task)
+    dt, start, began = parameters["dt"], np.array(question.start), 0
+    left = math.ceil(parameters["duration"] / dt - 1e-9)
+    parts: list[Flow] = []
+    while True:
+        count = min(left, FLOW_PIECE)
+        flow = transpose_flow(
+            arm,
+            target_of(question),
+            start,
+            gain=parameters["gain"],
+            duration=count * dt,
+            dt=dt,
+            locked=question.locked,
+            task=question.task,
+        )
+        parts.append(flow)
+        left -= count
+        if left <= 0 or flow.status != "going":
+            break
+        start, began = flow.q[-1], began + count
+        yield
+    t = dt * np.arange(float(began + len(flow.t)))
+    pick = np.unique(np.linspace(0, len(t) - 1, min(len(t), MOST_SHOWN + 1)).round().astype(int))
+
+    def joined(name: str) -> Floats:
+        """Return a quantity over the whole run at the instants that are shown; where two parts meet, once."""
+        whole = [getattr(part, name)[: None if part is flow else -1] for part in parts]
+        return np.asarray(np.concatenate(whole)[pick])
+
+    q = joined("q")
+    return Film(
+        question=question,
+        q=q,
+        way=_way(arm, q),
+        position_error=joined("position_error"),
+        rotation_error=joined("rotation_error"),
+        components=joined("components"),
+        names=vector.names,
+        kinds=vector.kinds(arm),
+        step=np.diff(q, axis=0),
+        t=t[pick],
+        V=joined("V"),
+        V_dot=joined("V_dot"),
+        status=flow.status,
+        # The last part counts its own time.
+        reason=flow.reason.replace(f"{flow.t[-1]:.2f} s", f"{t[-1]:.2f} s"),
+        scaling=flow.scaling,
+    )
+
+
+def _refused(question: Question, why: str) -> Film:
+    q = np.array([question.start])
+    vector, nothing = question.task or TaskVector(question.arm.task), np.full(1, np.nan)
+    return Film(
+        question=question,
+        q=q,
+        way=_way(question.arm, q),
+        position_error=nothing,
+        rotation_error=nothing,
+        components=np.full((1, vector.m), np.nan),
+        names=vector.names,
+        kinds=vector.kinds(question.arm),
+        step=np.zeros((0, question.arm.n)),
+        status="refused",
+        reason=why,
+        scaling="",
+    )
+
+
+def _way(arm: Arm, q: Floats) -> Floats:
+    return np.array(arm.position(q), dtype=np.float64).reshape(len(q), 3)

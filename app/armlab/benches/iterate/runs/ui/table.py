@@ -1,0 +1,113 @@
+"""The iterates of the selected run around the present one, in numbers."""
+
+from __future__ import annotations
+
+from armlab.benches.iterate.runs.clip import place_of
+from armlab.benches.iterate.runs.films import Film
+from armlab.benches.iterate.runs.state import Iterations
+from armlab.benches.iterate.runs.ui.words import HUGE, NO_BREAK, small
+from armlab.kin.ik.iterate import TaskVector
+from armlab.session.state import State
+from armlab.ui.format import capitalised, number, scientific
+from armlab.ui.markup import button
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Fields
+
+ROWS = 7
+"""Shown at once, the present one in the middle where it can be."""
+
+IN_LINE = 2
+"""So many joints have their values in the row itself; those of others stand in a line below."""
+
+
+class Table:
+    """The table of one panel; a row is written once for a film, whose numbers do not change."""
+
+    def __init__(self, fields: Fields) -> None:
+        self._fields = fields
+        self._film: Film | None = None
+        self._units: Units | None = None
+        self._rows: dict[tuple[int, bool], str] = {}
+
+    def show(self, state: State) -> None:
+        """Show the rows around the present one; a press on the number of a row shows that iterate."""
+        part, units = state[Iterations], units_of(state)
+        film = part.film
+        if film is None:
+            self._fields.show('<h3>Iterates</h3><p class="dim">…</p>')
+            return
+        if film is not self._film or units != self._units:
+            self._film, self._units, self._rows = film, units, {}
+        i, _ = place_of(state)
+        first = max(0, min(i - ROWS // 2, film.last - ROWS + 1))
+        shown = range(first, min(first + ROWS, film.last + 1))
+        rows = "".join(self._row(film, k, k == i, units) for k in shown)
+        top = "".join(f"<th>{head}</th>" for head in _columns(film, units))
+        title = "Instants" if film.t is not None else "Iterates"
+        self._fields.show(
+            f"<h3>{title} of run {part.selected + 1}</h3>"
+            f'<table class="it-table"><tr>{top}</tr>{rows}</table><p class="dim">{capitalised(film.scaling)}.</p>'
+        )
+
+    def _row(self, film: Film, k: int, present: bool, units: Units) -> str:
+        if (k, present) not in self._rows:
+            self._rows[k, present] = _row(self._fields, film, k, present, units)
+        return self._rows[k, present]
+
+
+def _columns(film: Film, units: Units) -> list[str]:
+    arm, vector = film.question.arm, film.question.task or TaskVector(film.question.arm.task)
+    heads = ["t, s" if film.t is not None else "k"]
+    if arm.n <= IN_LINE:
+        heads += [f"{units.variable(i, bool(t))}, {units.unit(bool(t))}" for i, t in enumerate(arm.revolute)]
+    if vector.task.position:
+        heads.append(f"|e|, {units.length_unit}")
+    if vector.task.rotation != "none":
+        heads.append(f"|e|, {units.angle_unit}")
+    for joint, _ in vector.joints:
+        turns = bool(arm.revolute[joint - 1])
+        heads.append(f"e of {units.variable(joint - 1, turns)}, {units.unit(turns)}")
+    if arm.revolute.any():
+        heads.append(f"|Δq|, {units.angle_unit}")
+    if not arm.revolute.all():
+        heads.append(f"|Δq|, {units.length_unit}")
+    return heads
+
+
+def _row(fields: Fields, film: Film, k: int, present: bool, units: Units) -> str:
+    arm, vector = film.question.arm, film.question.task or TaskVector(film.question.arm.task)
+    name = f"{film.t[k]:.2f}" if film.t is not None else str(k)
+    cells = [button(fields.channel_id, f"row {k}", name, "copy", "Show this iterate")]
+    values = [_value(float(q), bool(turns), units) for q, turns in zip(film.q[k], arm.revolute, strict=True)]
+    if arm.n <= IN_LINE:
+        cells += values
+    if vector.task.position:
+        cells.append(small(float(film.position_error[k]), False, units))
+    if vector.task.rotation != "none":
+        cells.append(small(float(film.rotation_error[k]), True, units))
+    for j, (joint, _) in enumerate(vector.joints):
+        cells.append(small(float(film.components[k, vector.task.m + j]), bool(arm.revolute[joint - 1]), units))
+    turn, slide = film.step_lengths
+    if arm.revolute.any():
+        cells.append(small(float(turn[k]), True, units) if k < film.last else "")
+    if not arm.revolute.all():
+        cells.append(small(float(slide[k]), False, units) if k < film.last else "")
+    mark = ' class="now" aria-current="true"' if present else ""
+    line = f"<tr{mark}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
+    if arm.n <= IN_LINE:
+        return line
+    joints = ", ".join(values)
+    if arm.revolute.all() or not arm.revolute.any():
+        joints = f"({joints}){NO_BREAK}{units.unit(bool(arm.revolute[0]))}"
+    else:
+        turned = zip(values, arm.revolute, strict=True)
+        joints = ", ".join(
+            f"{value}{'' if turns and units.in_degrees else NO_BREAK}{units.unit(bool(turns))}"
+            for value, turns in turned
+        )
+    return f'{line}<tr{mark}><td class="it-q" colspan="{len(cells)}">q = {joints}</td></tr>'
+
+
+def _value(value: float, revolute: bool, units: Units) -> str:
+    scaled = value / units.factor(revolute)
+    return scientific(scaled, 2) if abs(scaled) >= HUGE else number(scaled, units.decimals(revolute))

@@ -1,0 +1,1 @@
+"""The tab of joints: one folder a page."""

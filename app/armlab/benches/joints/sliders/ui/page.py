@@ -1,0 +1,148 @@
+"""Joint variables: sliders, locks, poses, and where the tool is."""
+
+from __future__ import annotations
+
+from armlab.benches.pose.tool.ui.notation import turns
+from armlab.kin.arm import Arm
+from armlab.kin.length_power import POWERS, length_power
+from armlab.kin.rotations import euler_zyx
+from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import State
+from armlab.ui.adapter import gui_id
+from armlab.ui.colours import css, joint_colour
+from armlab.ui.format import mathml, matrix, number, pairs, subscript
+from armlab.ui.markup import button, chip, row
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Control, Gui
+
+"""Of metres, as units."""
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make a slider for each joint and the read-out of the tool."""
+    joints, units = state[Joints], units_of(state)
+    gui.heading("Joint variables")
+    sliders = [_slider(gui, joints, i, post, units) for i in range(joints.arm.n)]
+    gui.html(_colours(sliders))
+    locks = gui.fields(lambda cell, _: post(LockJoint(int(cell), not held[int(cell)])))
+    names = [*state[RobotPart].robot.poses, "zero"]
+    poses = gui.fields(lambda cell, _: post(RandomPose() if cell == "random" else TakePose(cell)))
+    buttons = [(name, name.capitalize()) for name in dict.fromkeys(names)] + [("random", "Random")]
+    poses.show(row("Pose", "".join(chip(poses.channel_id, key, title) for key, title in buttons)))
+    readout = gui.html()
+    held = list(joints.locked)
+
+    def show(state: State) -> None:
+        joints = state[Joints]
+        for i, slider in enumerate(sliders):
+            slider.show(_shown(joints, i, units))
+            slider.enable(not joints.locked[i])
+        held[:] = joints.locked
+        locks.show(row("Hold", "".join(_lock(locks.channel_id, joints, i, units) for i in range(joints.arm.n))))
+        readout.show(_readout(joints, units))
+
+    return show
+
+
+def _shown(joints: Joints, i: int, units: Units) -> float:
+    return units.value(float(joints.q[i]), joints.arm.rows[i].revolute)
+
+
+def _name(joints: Joints, i: int, units: Units) -> str:
+    return units.variable(i, joints.arm.rows[i].revolute)
+
+
+def _slider(gui: Gui, joints: Joints, i: int, post: Post, units: Units) -> Control:
+    revolute = joints.arm.rows[i].revolute
+    unit, scale, decimals = units.unit(revolute), units.factor(revolute), units.decimals(revolute)
+    low, high = (float(value) / scale for value in joints.arm.limits[i])
+    return gui.slider(
+        f"{_name(joints, i, units)} {unit}",
+        round(low, decimals),
+        round(high, decimals),
+        10.0**-decimals,
+        _shown(joints, i, units),
+        lambda value: post(MoveJoint(i, value * scale)),
+        None,  # viser's would cover the slider above; the chip that holds the joint says it
+    )
+
+
+def _colours(sliders: list[Control]) -> str:
+    """Return the style that gives each slider the colour of its joint."""
+    rules = []
+    for i, slider in enumerate(sliders):
+        key, colour = gui_id(slider.handle), css(joint_colour(i))
+        rules.append(
+            f"label[for='{key}']::before{{content:'';display:inline-block;width:9px;height:9px;border-radius:50%;"
+            f"margin-right:7px;background:{colour}}}"
+            f"[id='{key}'] .mantine-Slider-bar,[id='{key}'] .mantine-Slider-thumb"
+            f"{{background:{colour}!important;border-color:{colour}!important}}"
+            f"div:has(>p>label[for='{key}']){{width:4.6em!important}}"
+        )
+    return f"<style>{''.join(rules)}</style>"
+
+
+def _lock(channel: str, joints: Joints, i: int, units: Units) -> str:
+    """Return the chip that holds a joint; its hint also says what the joint does, and between which limits."""
+    revolute, on = joints.arm.rows[i].revolute, joints.locked[i]
+    axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
+    low, high = (units.text(float(value), revolute) for value in joints.arm.limits[i])
+    does = f"{'turns about' if revolute else 'slides along'} {axis}, {low} to {high} {units.unit(revolute)}"
+    wish = "held: click to let it go" if on else "click to hold it where it is"
+    return button(channel, str(i), _name(joints, i, units), "chip lock", f"Joint {i + 1} {does}; {wish}", pressed=on)
+
+
+def _readout(joints: Joints, units: Units) -> str:
+    T = joints.tool_pose
+    (yaw, pitch, roll), singular = euler_zyx(T[:3, :3])
+    position = "&ensp;".join(units.text(float(value), False) for value in T[:3, 3])
+    angles = [units.turned(float(value)) for value in (yaw, pitch, roll)]
+    degrees = "°" if units.in_degrees else ""
+    product = turns("zyx", False, [f"{value}{degrees}" for value in angles])
+    note = '<p class="dim">Pitch is ±90°: only yaw ∓ roll is defined, roll is set to 0.</p>' if bool(singular) else ""
+    return (
+        f"<h3>Tool in the world, {mathml('{}^{w}T_{E}')} <small>position in m</small></h3>{matrix(T, 3, 3)}"
+        + pairs(
+            [
+                (f"position x y z, {units.length_unit}", position),
+                (f"yaw pitch roll, {units.angle_unit}", "&ensp;".join(angles)),
+                (f"{mathml('w')} of the task<br>({_controlled(joints.arm)})", _manipulability(joints)),
+            ]
+        )
+        + f'<div class="eq small">{mathml("R=")} {product}</div>{note}'
+    )
+
+
+def _controlled(arm: Arm) -> str:
+    """Return in a few words what the task is made of."""
+    turns_too = arm.task.rotation != "none"
+    if not arm.task.position:
+        return "orientation"
+    return "position and orientation" if turns_too else ", ".join(arm.task.position)
+
+
+def _manipulability(joints: Joints) -> str:
+    power = length_power(joints.arm)
+    unit = "(mixed units)" if power is None else POWERS[power]
+    return f"{number(joints.manipulability, 4)} {unit}".rstrip()
+
+
+PANEL = Panel(
+    "joints",
+    "Joints",
+    "ADJUSTMENTS_HORIZONTAL",
+    20,
+    (Joints,),
+    build,
+    about=(
+        "S1.1-joint-types",
+        "S4.0-spaces",
+        "S4.0-2R",
+        "sliders",
+        "joint limits",
+        "move the arm",
+        "forward kinematics",
+    ),
+)

@@ -1,0 +1,1 @@
+"""The tab of lessons: one folder a page."""

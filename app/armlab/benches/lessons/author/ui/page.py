@@ -1,0 +1,92 @@
+"""For teachers: the present state saved as a lesson whose goal it is, and the files of lessons that are broken."""
+
+from __future__ import annotations
+
+import re
+
+from armlab.content.lessons import lessons
+from armlab.content.write_lesson import lesson_text
+from armlab.errors import ArmlabError
+from armlab.session.parts.display import Display
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target
+from armlab.session.session import Refuse
+from armlab.session.state import State
+from armlab.ui import markup
+from armlab.ui.picks import broken_files
+from armlab.ui.plugin import Panel, Post, Show, layers
+from armlab.ui.widgets import Gui
+
+HOW = """<p>Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step
+with a check, a hint and a solution; write the text in any editor.</p>
+<p>Put it into a folder and start the lab with <code>armlab --lessons FOLDER</code>: it appears under Lessons, and every
+time you save the file the open lesson changes. <code>armlab lesson check FILE</code> plays it by its solution;
+<code>armlab check NAME --state FOLDER</code> judges what students hand in.</p>"""
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the field of the title and the button."""
+    title, present = "My lesson", state
+
+    def pressed(cell: str, text: str) -> None:
+        nonlocal title
+        if cell == "title":
+            title = " ".join(text.split())[:80] or title
+        elif cell == "save-lesson":
+            if present[LessonPart].hides:
+                # The file would tell what is to be predicted.
+                post(Refuse("Answer the question of the lesson first, or close the lesson."))
+                return
+            try:
+                gui.save(f"{file_name(title)}.md", written(title, present, gui))
+            except ArmlabError as refusal:
+                post(Refuse(str(refusal)))
+
+    gui.heading("Save as lesson")
+    fields = gui.fields(pressed)
+    channel = fields.channel_id
+    line = markup.field(channel, "title", title, "Title of the lesson", maxlength="80")
+    save = markup.chip(channel, "save-lesson", "Save as lesson", "A lesson file whose goal is the arm as it stands")
+    fields.show(f'{markup.row("Title", line)}<div class="bar">{save}</div>')
+    gui.html(HOW)
+    problems = gui.html()
+
+    def show(state: State) -> None:
+        nonlocal present
+        present = state
+        problems.show(broken_files("lesson", lessons().problems))
+
+    return show
+
+
+def written(title: str, state: State, gui: Gui) -> str:
+    """Return the lesson of a state: its arm, pose, target, overlays, and the eye's place."""
+    on = state[Display].switches
+    overlays = [layer.switch.name for layer in layers().values() if layer.switch and on.get(layer.switch.name)]
+    robot, q, eye = state[RobotPart].robot, state[Joints].q, gui.camera.as_view()
+    return lesson_text(title, robot, q, panel="joints", overlays=overlays, target=state[Target].pose, camera=eye)
+
+
+def file_name(title: str) -> str:
+    """Return the title as the name of a lesson file.
+
+    >>> file_name("Über Winkel & Arme")
+    'ber_winkel_arme'
+    """
+    return re.sub(r"[^a-z0-9]+", "_", title.lower()).strip("_")[:60] or "lesson"
+
+
+PANEL = Panel(
+    "author",
+    "For teachers",
+    "PENCIL",
+    6,
+    (RobotPart, Joints, Target, Display, LessonPart),
+    build,
+    tab="lessons",
+    rebuilds=(),
+    about=("write a lesson", "teacher", "save as lesson"),
+    always=True,
+)

@@ -1,0 +1,1 @@
+"""The tab of motion: one folder a page."""

@@ -1,0 +1,126 @@
+"""What is measured on the curves: a table, the limits in words, and the fastest intervals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from armlab.benches.motion.curves.fastest import Fastest
+from armlab.benches.motion.curves.made import Made
+from armlab.benches.motion.curves.state import Curves
+from armlab.benches.motion.curves.ui.words import COLOURS, SYMBOLS, figures, unit
+from armlab.kin.motion.breaks import class_text
+from armlab.kin.motion.peaks import Violation
+from armlab.ui.colours import css
+from armlab.ui.format import dot, number, subscript
+from armlab.ui.markup import button
+from armlab.ui.widgets import Fields
+
+MOST_SPANS = 3
+"""Stretches of time of one violation that are told."""
+
+
+def facts(part: Curves) -> str:
+    """Return the table of facts, a column for each curve there is."""
+    every = [(i, made) for i, made in enumerate(part.outcomes) if isinstance(made, Made)]
+    if not every:
+        return ""
+    of = part.unit
+    heads = "".join(f"<th>{dot(css(COLOURS[made.drawn.colour]))}{i + 1}</th>" for i, made in every)
+    rows: list[tuple[str, str, Callable[[Made], str]]] = [
+        ("Class", "Of continuity between first and last knot", lambda made: class_text(made.trajectory.continuity)),
+        (
+            "Class from rest",
+            "Standing still before and after",
+            lambda made: class_text(made.trajectory.continuity_from_rest),
+        ),
+        (f"max |{SYMBOLS[1]}|, {unit(1, of)}", "", lambda made: _peak(made, 1)),
+        (f"max |{SYMBOLS[2]}|, {unit(2, of)}", "∞ where the velocity jumps", lambda made: _peak(made, 2)),
+        (f"max |{SYMBOLS[3]}|, {unit(3, of)}", "∞ where the acceleration jumps", lambda made: _peak(made, 3)),
+        (f"Overshoot, {of}", "Beyond the range of the knots, at most", lambda made: figures(made.overshoot, 3)),
+        (f"∫{SYMBOLS[2]}² dt, {of}²/s³", "Least for a natural spline", _bending),
+    ]
+    lines = "".join(
+        f'<tr><th title="{hint}">{name}</th>{"".join(f"<td>{_short(value(made))}</td>" for _, made in every)}</tr>'
+        for name, hint, value in rows
+    )
+    return f'<h3>In numbers</h3><table class="cu-facts"><tr><th></th>{heads}</tr>{lines}</table>'
+
+
+def _peak(made: Made, order: int) -> str:
+    """Return the largest value of a derivative; between the first and the last knot."""
+    jumps = made.trajectory.continuity < order - 1
+    return "∞" if jumps else figures(made.peaks[order - 1])
+
+
+def _short(text: str) -> str:
+    return {"C3 or smoother": "≥ C3", "not continuous": "jumps"}.get(text, text)
+
+
+def _bending(made: Made) -> str:
+    return "∞" if made.trajectory.continuity < 1.0 else figures(made.bending)
+
+
+def verdicts(part: Curves) -> str:
+    """Return in words which limits are exceeded, when and by how much."""
+    if part.v_max is None and part.a_max is None:
+        return ""
+    lines = []
+    for i, made in enumerate(part.outcomes):
+        if isinstance(made, Made):
+            found = made.beyond(part.v_max, part.a_max)
+            lines += [
+                _exceeded(i, made, part, order, [v for v in found if v.quantity == quantity])
+                for order, quantity in ((1, "velocity"), (2, "acceleration"))
+                if any(v.quantity == quantity for v in found)
+            ] or [f'<p class="ok">✓ Curve {i + 1} keeps the limits.</p>']
+    return "".join(lines)
+
+
+def _exceeded(i: int, made: Made, part: Curves, order: int, found: list[Violation]) -> str:
+    limit = (part.v_max, part.a_max)[order - 1]
+    said = "velocity" if order == 1 else "acceleration"
+    spans = [_span(made.start + v.start, made.start + v.end) for v in found]
+    more = f" and {len(spans) - MOST_SPANS} more" if len(spans) > MOST_SPANS else ""
+    of = unit(order, part.unit)
+    peak = f"; up to {figures(made.peaks[order - 1])} {of}" if any(v.end > v.start for v in found) else ""
+    return (
+        f'<p class="no">✕ Curve {i + 1}: {said} above {figures(limit or 0.0)} {of} '
+        f"{', '.join(spans[:MOST_SPANS])}{more}{peak}.</p>"
+    )
+
+
+def _span(start: float, end: float) -> str:
+    if start == end:
+        return f"at {number(start, 2)} s, where the velocity jumps"
+    return f"from {number(start, 2)} to {number(end, 2)} s"
+
+
+def fastest_markup(fields: Fields, part: Curves) -> str:
+    """Return the button that looks for the fastest intervals, and what was found."""
+    channel = fields.channel_id
+    ends = {"clamped": "from rest to rest", "natural": "with natural ends", "both": "with two virtual knots"}[part.ends]
+    find = button(channel, "fastest", "Fastest intervals", "main", "Times of the knots that make T smallest")
+    said = '<span class="dim">searching …</span>' if part.asked is not None else ""
+    head = (
+        "<h3>Minimum time by the intervals h<sub>k</sub></h3>"
+        f'<p class="dim">Of a spline {ends} through these q<sub>k</sub>, within both limits.</p>'
+        f'<div class="bar">{find}{said}</div>'
+    )
+    return head + (_found(channel, part, part.fastest) if part.fastest is not None else "")
+
+
+def _found(channel: str, part: Curves, found: Fastest) -> str:
+    before = [later[0] - first[0] for first, later in zip(found.asked.knots, found.asked.knots[1:], strict=False)]
+    taken = part.knots != found.asked.knots
+    take = "" if taken else button(channel, "take-fastest", "Use these times", "chip", "Put them into the table above")
+    rows = "".join(
+        f"<tr><th>{subscript('h', k + 1)}</th><td>{figures(old)}</td><td>{figures(new)}</td></tr>"
+        for k, (old, new) in enumerate(zip(before, found.intervals, strict=True))
+    )
+    total = f"<tr><th>T = Σh</th><td>{figures(found.before)}</td><td><b>{figures(found.duration)}</b></td></tr>"
+    heads = "<tr><th></th><th>before, s</th><th>fastest, s</th></tr>"
+    return (
+        f'<table class="cu-facts">{heads}{rows}{total}</table>'
+        f'<p class="dim">With h<sub>k</sub> by distance: {figures(found.by_distance)} s.</p>'
+        f'<div class="bar">{take}</div>'
+    )

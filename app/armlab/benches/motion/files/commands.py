@@ -1,0 +1,172 @@
+"""Motions and plans read from files, and what is made of a recorded motion."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass, replace
+from typing import ClassVar, Literal, NoReturn
+
+import numpy as np
+
+from armlab.benches.motion.files.read import FORMAT, VERSION
+from armlab.benches.motion.files.table import MOST_BYTES, read_table, refuse_unreadable
+from armlab.benches.motion.files.thin import evenly, farthest
+from armlab.benches.motion.plan.commands import PlanCommand, edited, with_plan
+from armlab.benches.motion.plan.moves import MOST_WAYPOINTS, Move, Waypoint, checked_q
+from armlab.benches.motion.plan.read import too_many
+from armlab.benches.motion.plan.state import Plan
+from armlab.errors import InputError
+from armlab.session.chosen import Chosen
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart, robot_from_json
+from armlab.session.state import Command, Json, State
+
+BOM = "\ufeff"
+"""What some editors put before a text."""
+
+MOST_MADE = 20
+"""Waypoints that are made of a recorded motion: more of them nobody edits."""
+
+SPLINE = Move(path=Chosen("spline"))
+
+WAYPOINT = re.compile(r'"q"\s*:\s*\[\s*[^\s\[]')
+"""Where the joint values of one configuration begin; not those of a recorded motion, which are rows."""
+
+OUTSIDE = 1e-6
+"""rad or m beyond a joint limit that a plan in a file may be by rounding."""
+
+
+def reading(text: str) -> Command:
+    """Return the command for the text of a file: a plan in JSON, or else a table of samples."""
+    return ReadPlan(text) if text.lstrip(BOM + " \t\r\n").startswith("{") else ReadMotion(text)
+
+
+@dataclass(frozen=True)
+class ReadMotion(PlanCommand):
+    """Put a motion from a table in place of the waypoints, which wait behind it."""
+
+    text: str
+    label: ClassVar[str] = "motion from a file"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the motion, in its own time; what cannot be read is refused, with row and column."""
+        recorded = read_table(state[Joints].arm, self.text)
+        return state.replace(edited(state[Plan], recorded=recorded, duration=None))
+
+
+@dataclass(frozen=True)
+class ReadPlan(PlanCommand):
+    """Put a plan from a file in place of the present one; one of another arm brings its arm along."""
+
+    text: str
+    label: ClassVar[str] = "plan from a file"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the plan; what cannot be read is refused."""
+        _refuse_large(self.text)
+        refuse_unreadable(self.text, "plan")
+        try:
+            return _with_file(state, json.loads(self.text.lstrip(BOM), parse_constant=_not_finite))
+        except InputError:
+            raise
+        except json.JSONDecodeError as mistake:
+            raise InputError(f"plan, row {mistake.lineno}, column {mistake.colno}: {mistake.msg}") from None
+        except Exception as error:
+            # Nobody can list what a damaged file may raise, and it must not be more than a refusal.
+            text = "plan: the file does not hold what a plan needs; it is damaged, or something else"
+            raise InputError(text) from error
+
+
+@dataclass(frozen=True)
+class BackToWaypoints(PlanCommand):
+    """Take a recorded motion away; the waypoints stand as they were."""
+
+    label: ClassVar[str] = "back to the waypoints"
+
+    def apply(self, state: State) -> State:
+        """Return the state without a recorded motion."""
+        part = state[Plan]
+        return state if part.recorded is None else state.replace(replace(part, recorded=None))
+
+
+@dataclass(frozen=True)
+class MakeWaypoints(PlanCommand):
+    """Make waypoints of a recorded motion, with a spline through them.
+
+    Parameters
+    ----------
+    count : int
+        2 to `MOST_MADE`; fewer are made where the arm stands still.
+    by : str
+        ``"time"``: evenly spaced; ``"shape"``: those that polygons through the ones before miss most.
+    """
+
+    count: int
+    by: Literal["time", "shape"] = "shape"
+    label: ClassVar[str] = "waypoints of a motion"
+
+    def apply(self, state: State) -> State:
+        """Return the state with waypoints instead of the motion."""
+        part, arm = state[Plan], state[Joints].arm
+        if part.recorded is None:
+            raise InputError("waypoints: there is no recorded motion; read one from a file first")
+        if not 2 <= self.count <= MOST_MADE:
+            raise InputError(f"waypoints: expected 2 to {MOST_MADE}, got {self.count}")
+        t, q = np.array(part.recorded.t), np.array(part.recorded.q)
+        choose = evenly if self.by == "time" else farthest
+        chosen = choose(t, q / np.where(arm.revolute, 1.0, arm.length_scale), self.count)
+        if len(chosen) < 2:
+            raise InputError("waypoints: the arm stands still in this motion")
+        points = tuple(Waypoint(checked_q(arm, q[k])) for k in chosen)
+        moves = (SPLINE if len(points) > 2 else Move(),) * (len(points) - 1)
+        return with_plan(state, edited(part, waypoints=points, moves=moves, selected=1))
+
+
+def _refuse_large(text: str) -> None:
+    """Raise `InputError` for a text that is longer than the page hands in; it may be cut off."""
+    if len(text) <= MOST_BYTES:
+        return
+    count = len(WAYPOINT.findall(text))
+    if count > MOST_WAYPOINTS:
+        raise InputError(too_many(f"{count} or more"))
+    raise InputError(f"plan: the file is larger than {MOST_BYTES / 1e6:g} MB; save a long motion as a table (CSV)")
+
+
+def _not_finite(word: str) -> NoReturn:
+    raise InputError(f"plan: expected finite numbers, got {word}")
+
+
+def _with_file(state: State, data: Json) -> State:
+    """Return the state with the plan a file holds; raises anything when it does not."""
+    if not isinstance(data, dict) or data.get("format") != FORMAT:
+        raise InputError(f'plan: expected a file with "format": "{FORMAT}", as the lab saves it')
+    if data.get("version") != VERSION:
+        raise InputError(f"plan: expected version {VERSION} of the format, got {str(data.get('version'))[:20]}")
+    for name in ("robot", "plan"):
+        if data.get(name) is None:
+            raise InputError(f"plan: {name!r} is missing in the file")
+    robot, written, present = data["robot"], data["plan"], state[RobotPart]
+    same = _table(robot) == _table(present.to_json())
+    if not same:
+        part = RobotPart.from_json(robot, robot_from_json(robot))
+        state = state.with_robot(part.robot).replace(part)
+    whole = {**written, "before": None} if isinstance(written, dict) else written
+    plan = Plan.from_json(whole, state[RobotPart].robot)
+    _refuse_outside(plan, written["waypoints"])
+    old = state[Plan]
+    # Until this plan is worked out, the last one of the arm is drawn and played, as after every other change.
+    return with_plan(state, replace(plan, before=old.before, planned=old.planned, other=old.other))
+
+
+def _table(robot: Json) -> Json:
+    """Return what a written arm says about the arm itself."""
+    return robot["toml"] if isinstance(robot, dict) else robot
+
+
+def _refuse_outside(plan: Plan, written: Json) -> None:
+    """Raise `InputError` where a waypoint had to be moved inside the limits."""
+    for k, (point, data) in enumerate(zip(plan.waypoints, written, strict=True)):
+        moved = np.flatnonzero(np.abs(np.array(point.q) - data["q"]) > OUTSIDE)
+        if len(moved):
+            raise InputError(f"plan, waypoint {k + 1}: joint {moved[0] + 1} is outside its limits")

@@ -1,0 +1,210 @@
+"""Files of a motion: samples, a script, a recording, the plan itself; and motions and plans read from files."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import math
+from collections.abc import Callable
+from typing import Any, cast
+
+from armlab.benches.motion.files.commands import MOST_MADE, BackToWaypoints, MakeWaypoints, reading
+from armlab.benches.motion.files.read import RATE, checked_rate, motion_csv, plan_json, refuse_long
+from armlab.benches.motion.files.script import motion_script
+from armlab.benches.motion.files.table import MOST_BYTES
+from armlab.benches.motion.files.ui.markup import Shown, export_markup, import_markup
+from armlab.benches.motion.plan.question import Planned
+from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.ui.around import way_around, while_on
+from armlab.benches.robot.table.ui.files import file_name
+from armlab.errors import InputError
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import State
+from armlab.ui import recording
+from armlab.ui.format import number
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tried import plain_number
+from armlab.ui.widgets import Fields, Gui
+
+log = logging.getLogger(__name__)
+
+MADE = 8
+"""Waypoints that are made of a motion, if nobody says how many."""
+
+
+class MotionFiles:
+    """The page.
+
+    What takes longer than a hand may wait is made by a thread of its own; until then its buttons are off.
+
+    Parameters
+    ----------
+    gui : Gui
+    state : State
+    post : callable
+    """
+
+    def __init__(self, gui: Gui, state: State, post: Post) -> None:
+        self._gui, self._state, self._post = gui, state, post
+        self._shown = Shown(RATE, MADE)
+        self._waiting: str | None = None  # text of a file that came while another was made or read: the last one counts
+        self._export = gui.fields(lambda cell, text: self._typed(self._export, cell, text))
+        self._import = gui.fields(lambda cell, text: self._typed(self._import, cell, text), MOST_BYTES)
+
+    def show(self, state: State) -> None:
+        """Show what can be saved, and what has been read."""
+        self._state = state
+        self._export.show(export_markup(self._export, state, self._shown))
+        self._import.show(import_markup(self._import, state, self._shown))
+
+    # -- what a person does --------------------------------------------------------------------------------------
+
+    def _typed(self, fields: Fields, cell: str, text: str) -> None:
+        self._shown = self._shown.but(saved="", refused="")
+        try:
+            self._do(cell, text)
+        except InputError as refusal:
+            fields.refuse(cell, text, str(refusal))
+        self.show(self._state)
+
+    def _do(self, cell: str, text: str) -> None:
+        if cell == "rate":
+            self._shown = self._shown.but(rate=checked_rate(plain_number(text)))
+        elif cell == "count":
+            self._shown = self._shown.but(count=_checked_count(text))
+        elif cell == "motion-back":
+            self._post(BackToWaypoints())
+        elif cell == "by-shape":
+            self._try(MakeWaypoints(self._shown.count, "shape"))
+        elif cell == "by-time":
+            self._try(MakeWaypoints(self._shown.count, "time"))
+        elif cell == "read-motion":
+            self._read(text)
+        elif self._shown.busy:
+            return
+        elif cell in ("csv", "python", "json", "html", "viser"):
+            self._save(cell)
+
+    def _try(self, command: MakeWaypoints) -> None:
+        """Hand in a command that the present state takes."""
+        command.apply(self._state)
+        self._post(command)
+
+    # -- files ---------------------------------------------------------------------------------------------------
+
+    def _save(self, kind: str) -> None:
+        """Make a file and have the browser save it."""
+        state, name = self._state, f"{file_name(self._state[RobotPart].robot.name)}_motion"
+        make = (lambda: plan_json(state)) if kind == "json" else self._making(kind, _runs(state), name)
+        ending = {"python": "py"}.get(kind, kind)
+        self._shown = self._shown.but(busy=kind)
+        self._begin(make, lambda content: self._saved(f"{name}.{ending}", content), "export")
+
+    def _making(self, kind: str, plan: Planned, name: str) -> Callable[[], str | bytes]:
+        """Return what makes a file of the motion; `InputError` where there would be too much in it."""
+        state, rate, motion = self._state, self._shown.rate, plan.motion
+        assert motion is not None
+        if kind in ("html", "viser"):
+            recording.refuse_long(motion.duration)
+            view = self._gui.camera.as_view()
+            eye = (math.radians(view.azimuth_deg), math.radians(view.elevation_deg))
+            return lambda: recording.record(recording.Scenario(state, motion, *eye), cast(recording.Kind, kind))
+        refuse_long(motion.duration, rate)
+        if kind == "csv":
+            return lambda: motion_csv(state[Joints].arm, motion, rate)
+        return lambda: motion_script(state[RobotPart], plan, rate, f"{name}.csv")
+
+    def _saved(self, name: str, content: str | bytes) -> None:
+        self._gui.save(name, content)
+        size = len(content.encode() if isinstance(content, str) else content)
+        self._shown = self._shown.but(saved=f"{name}, {size_text(size)}")
+
+    def _read(self, text: str) -> None:
+        """Read a file; what is wrong with it is said here, and the plan stays."""
+        if self._shown.busy:
+            self._waiting = text
+            return
+        state, command = self._state, reading(text)
+        self._shown = self._shown.but(busy="read")
+        self._begin(lambda: command.apply(state), lambda _: self._post(command), "import")
+
+    def _begin(self, make: Callable[[], Any], done: Callable[[Any], None], where: str) -> None:
+        """Have something made beside the lab's own work, and go on with it."""
+        future = asyncio.get_running_loop().run_in_executor(recording.maker(), make)
+        future.add_done_callback(lambda made: self._finish(made, done, where))
+
+    def _finish(self, made: asyncio.Future[Any], done: Callable[[Any], None], where: str) -> None:
+        self._shown = self._shown.but(busy="")
+        failure = None if made.cancelled() else made.exception()
+        if isinstance(failure, InputError):
+            self._shown = self._shown.but(refused=str(failure).rstrip("."), refused_at=where)
+        elif failure is not None:
+            log.error("a file of a motion failed", exc_info=failure)
+            what = "This file has failed inside the lab; nothing was changed"
+            self._shown = self._shown.but(refused=what, refused_at=where)
+        elif not made.cancelled():
+            done(made.result())
+        if self._waiting is not None:
+            text, self._waiting = self._waiting, None
+            self._typed(self._import, "read-motion", text)
+        else:
+            self.show(self._state)
+
+
+def _runs(state: State) -> Planned:
+    """Return the plan of a state; `InputError` while there is none to be run."""
+    plan = planned(state)
+    if plan is None:
+        raise InputError("the motion is still being worked out")
+    if plan.motion is None:
+        raise InputError(f"there is no motion to save: {plan.trouble}")
+    return plan
+
+
+def size_text(size: int) -> str:
+    """Return the size of a file from its bytes.
+
+    >>> size_text(1), size_text(14_200), size_text(1_234_567)
+    ('0.1 kB', '14 kB', '1.23 MB')
+    """
+    if size >= 999_500:
+        return f"{number(size / 1e6, 2)} MB"
+    return f"{number(max(size / 1e3, 0.1), 1 if size < 9950 else 0)} kB"
+
+
+def _checked_count(text: str) -> int:
+    count = plain_number(text)
+    if count not in range(2, MOST_MADE + 1):
+        raise InputError(f"waypoints: expected a whole number from 2 to {MOST_MADE}, got {text.strip()[:20]}")
+    return int(count)
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the page."""
+    return MotionFiles(gui, state, post).show
+
+
+PANEL = Panel(
+    "motion_files",
+    "Files",
+    "FILE_EXPORT",
+    45,
+    (RobotPart, Plan),
+    build,
+    tab="motion",
+    rebuilds=(),
+    hides_then=while_on,
+    around=way_around,
+    about=(
+        "S6.0-pipeline",
+        "export",
+        "import",
+        "CSV",
+        "JSON",
+        "Python",
+        "recording",
+        "samples of a motion",
+        "MATLAB",
+    ),
+)

@@ -1,0 +1,190 @@
+"""The plots of timing laws: s and three derivatives over t, what is above a limit in red; and the race of the laws."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.laws.clip import present_time
+from armlab.benches.motion.laws.state import CLIP_KEY, Laws
+from armlab.benches.motion.laws.ui.form import LAW_COLOURS, names
+from armlab.kin.motion import Law
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import State
+from armlab.ui.colours import VERDICT, css
+from armlab.ui.format import mathml
+from armlab.ui.plot import NOTHING, TIME, Curve, Plot
+from armlab.ui.widgets import Gui
+
+Array = NDArray[np.float64]
+
+SAMPLES = 90
+"""Of each law."""
+
+BESIDE = 1e-9
+"""Of the whole time: a jump is drawn between two samples so near to each other."""
+
+ROOM = 0.08
+"""Above and below the curves, in parts of what they span."""
+
+NUMBER = 0.32
+"""Of the height of a plot: the room of a number beside its axis."""
+
+SEEN = 1.6
+"""A limit up to so many times as large as the peaks is drawn; a larger one would press the curves flat."""
+
+SLACK = 1e-6
+"""A limit exceeded by this part of it is drawn as met."""
+
+TITLES = (
+    (mathml("s"), "s", ""),
+    (mathml(r"\dot s"), "ds", "1/s"),
+    (mathml(r"\ddot s"), "dds", "1/s²"),
+    ("Jerk", "ddds", "1/s³"),
+)
+"""Markup, name in files and unit of each derivative."""
+
+DOT = 3.5
+"""Pixels of the red dots over what is above a limit."""
+
+
+class LawPlot(Plot):
+    """One derivative of all laws."""
+
+    def __init__(self, gui: Gui, order: int) -> None:
+        title, self._name, self._unit = TITLES[order]
+        self.order, self._laws = order, 0
+        heading = f"<span>{title}{f', {self._unit}' if self._unit else ''}</span>"
+        # The page wants a curve from the start; the laws take its place.
+        first = [Curve(self._name, LAW_COLOURS[0])]
+        super().__init__(gui, heading, "t, s", first, f"law_{self._name}", 2 if order else 0, legend=False)
+
+    def show_laws(self, part: Laws, t: Array) -> None:
+        """Show all laws of the bench on a grid of times."""
+        ends = [entry.moving_ends for entry in part.entries]
+        ends += [] if part.stretched is None else [ends[part.scaled]]
+        unit = f", {self._unit}" if self._unit else ""
+        curves = [Curve(f"{self._name} of law {name}{unit}", colour) for name, colour in names(part)]
+        every = [_curve(law, t, self.order, not moves) for law, moves in zip(part.every, ends, strict=True)]
+        limit = part.timing.limit(self.order) if self.order else np.inf
+        above = [np.where(np.abs(each) > limit * (1.0 + SLACK), each, np.nan) for each in every]
+        above = [each for each in above if np.isfinite(each).any()]
+        self._laws = len(curves)
+        self.announce([*curves, *[Curve("above the limit", VERDICT["no"], DOT, dots=True)] * len(above)])
+        self.show(t, [*every, *above], self._scaled(t, every, float(limit)))
+
+    def _scaled(self, t: Array, curves: list[Array], limit: float) -> tuple[float, ...]:
+        """Choose the ranges, which the page cannot where curves end; return the limit lines that are in them."""
+        values = np.concatenate(curves)
+        values = values[np.isfinite(values)]
+        low, high = float(values.min(initial=0.0)), float(values.max(initial=0.0))
+        lines: list[float] = []
+        if np.isfinite(limit) and limit <= SEEN * max(high, -low):
+            lines = [limit] if low > -NOTHING - 0.01 * high else [limit, -limit]
+            low, high = min(low, *lines), max(high, *lines)
+        room = ROOM * (high - low) if high - low > NOTHING else 0.5
+        y = with_numbers(low - room, high + room)
+        scales = {"x": {"time": False, "range": (0.0, float(t[-1]))}, "y": {"range": y}}
+        if self._handle.scales != scales:
+            self._handle.scales = scales
+        return tuple(lines)
+
+    def csv(self) -> str:
+        """Return the curves of the laws, without the marks over them."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([self._x, *(curve.name for curve in self._curves[: self._laws])])
+        writer.writerows(zip(*(column.tolist() for column in self._table[: 1 + self._laws]), strict=True))
+        return text.getvalue()
+
+
+class Plots:
+    """All plots over time, with the cursor of the timeline."""
+
+    def __init__(self, gui: Gui) -> None:
+        self._plots = [LawPlot(gui, order) for order in range(len(TITLES))]
+        self._shown: object = None
+
+    def show(self, state: State) -> None:
+        """Show the curves when they are others, and the cursor while the film is on."""
+        part = state[Laws]
+        drawn = (part.entries, part.timing, part.scaled if part.k != 1.0 else 0, part.k)
+        if drawn != self._shown:
+            self._shown = drawn
+            t = grid(part)
+            for plot in self._plots:
+                plot.show_laws(part, t)
+        on = state[Timeline].clip == CLIP_KEY
+        for plot in self._plots:
+            plot.cursor(TIME if on else None)
+
+
+def grid(part: Laws) -> Array:
+    """Return times for the curves of all laws: dense enough for each, and both sides of every jump."""
+    beside = BESIDE * part.end
+    found = [np.linspace(0.0, law.duration, SAMPLES) for law in part.every]
+    found += [law.edges + side for law in part.every for side in (-beside, beside)]
+    times = np.unique(np.concatenate(found))
+    return times[times >= 0.0]
+
+
+def with_numbers(low: float, high: float) -> tuple[float, float]:
+    """Return a range, widened where fewer than two round numbers would stand beside the axis.
+
+    Examples
+    --------
+    >>> with_numbers(-0.4, 0.4), with_numbers(-0.1, 1.1)
+    ((-0.5, 0.5), (-0.1, 1.1))
+    """
+    least = NUMBER * (high - low)
+    power = 10.0 ** np.floor(np.log10(least))
+    step = next(float(power * digit) for digit in (1.0, 2.0, 2.5, 5.0, 10.0) if power * digit >= least)
+    if np.floor(high / step) - np.ceil(low / step) >= 1.0:
+        return low, high
+    return float(np.floor(low / step) * step), float(np.ceil(high / step) * step)
+
+
+def _curve(law: Law, t: Array, order: int, rests: bool) -> Array:
+    """Return a derivative, and nothing after the law has ended, but for the jump to standstill where it rests then."""
+    last = law.duration
+    if rests and t[-1] > last:
+        last = float(t[np.searchsorted(t, last, side="right")])
+    return np.where(t <= last, law.at(t, order), np.nan)
+
+
+# -- the race --------------------------------------------------------------------------------------------------------
+
+WIDTH, LANE, MARGIN = 320, 18, 10
+FLASHES = 24
+"""Pictures of each law, at equal times of the whole."""
+
+
+def race_markup(state: State) -> str:
+    """Return a line for each law with its places at equal times, and the place at the present time."""
+    part, t = state[Laws], present_time(state)
+    spans = np.array([law.span for law in part.every])
+    low, high = float(spans[:, 0].min()), float(spans[:, 1].max())
+    step = part.end / FLASHES
+
+    def x(law: Law, times: Array) -> list[float]:
+        place = (law.at(times) - low) / (high - low)
+        return [round(float(at), 1) for at in MARGIN + (WIDTH - 2 * MARGIN) * np.clip(place, 0.0, 1.0)]
+
+    lanes = []
+    for i, (law, (_, colour)) in enumerate(zip(part.every, names(part), strict=True)):
+        y, fill = LANE * i + LANE // 2, css(colour)
+        times = np.append(np.arange(0.0, law.duration, step), law.duration)
+        marks = "".join(f'<circle cx="{at}" cy="{y}" r="2"/>' for at in x(law, times))
+        now = x(law, np.array([t]))[0]
+        lanes.append(
+            f'<line x1="{MARGIN}" x2="{WIDTH - MARGIN}" y1="{y}" y2="{y}"/><g fill="{fill}">{marks}'
+            f'<circle class="now" cx="{now}" cy="{y}" r="5.5"/></g>'
+        )
+    label = f"Places of the laws each {step:.3g} s"
+    return (
+        f'<svg class="law-race" viewBox="0 0 {WIDTH} {LANE * len(lanes)}" role="img" aria-label="{label}">'
+        f"<title>{label}</title>{''.join(lanes)}</svg>"
+    )

@@ -1,0 +1,40 @@
+"""The motion of the plan, played by its own clock."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, last_planned
+from armlab.session.arm_on_clip import ArmOnClip
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import Clip
+from armlab.session.state import State
+
+WAITING = 1.0
+"""Seconds of a motion that is still being planned, or that cannot be run."""
+
+Floats = NDArray[np.float64]
+
+
+def duration(state: State) -> float:
+    """Return the seconds of the motion."""
+    plan = last_planned(state)
+    return WAITING if plan is None or plan.motion is None else plan.duration
+
+
+def stops(state: State) -> tuple[float, ...]:
+    """Return the times at which one leg ends and the next begins."""
+    plan = last_planned(state)
+    return () if plan is None else tuple(leg.start for leg in plan.legs if leg.motion is not None and leg.start > 0.0)
+
+
+def configuration(state: State, time: float) -> Floats | None:
+    """Return the joint values at a time, (n,), inside the limits; None while there is no motion."""
+    plan = last_planned(state)
+    return None if plan is None or plan.motion is None else np.asarray(state[Joints].arm.clip(plan.motion.at(time)))
+
+
+ARM = ArmOnClip(CLIP_KEY, Plan, duration, configuration)
+
+CLIP = Clip(CLIP_KEY, "Motion", duration, stops, ARM.at, closed=ARM.put_back)

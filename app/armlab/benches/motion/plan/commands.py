@@ -1,0 +1,215 @@
+"""What a person does to the moves of a plan. What makes no plan is refused, and the old one stays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import ClassVar, Literal
+
+import numpy as np
+
+from armlab.benches.motion.plan.moves import (
+    Move,
+    checked_space,
+    checked_turning,
+    resting,
+    stretch_at,
+    stretches,
+)
+from armlab.benches.motion.plan.paths import joint_path, refuse_coincident, tool_path
+from armlab.benches.motion.plan.state import (
+    Plan,
+)
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.motion import law_types, path_type, path_types
+from armlab.session.chosen import Chosen, Value
+from armlab.session.parts.joints import Joints
+from armlab.session.state import Command, State
+
+
+def with_plan(state: State, part: Plan) -> State:
+    """Return the state with a changed plan that paths can be laid through.
+
+    Raises
+    ------
+    InputError
+        They cannot; the text names the move or the waypoint.
+    """
+    refuse_pathless(state[Joints].arm, part)
+    return state.replace(part)
+
+
+def refuse_pathless(arm: Arm, part: Plan) -> None:
+    """Raise `InputError` where no path can be laid through the waypoints of a stretch."""
+    parts = stretches(part.moves)
+    refuse_coincident(arm, part.waypoints, parts)
+    for stretch in parts:
+        points = part.waypoints[stretch.first : stretch.last + 1]
+        if stretch.move.space == "joint":
+            joint_path(arm, stretch, np.array([point.q for point in points]))
+        else:
+            tool_path(arm, stretch, np.array([point.wanted(arm) for point in points]))
+
+
+def edited(part: Plan, **changes: object) -> Plan:
+    """Return a part changed by a hand: no example any more, and no recorded motion in place of the waypoints."""
+    return replace(part, **{"example": "", "recorded": None, **changes})  # type: ignore[arg-type]
+
+
+class PlanCommand(Command):
+    """A change of the plan."""
+
+    label: ClassVar[str] = "change of the plan"
+
+
+@dataclass(frozen=True)
+class SetMove(PlanCommand):
+    """Choose how the arm comes to a waypoint; None leaves as it is.
+
+    Of a stretch through several waypoints all moves change.
+
+    Parameters
+    ----------
+    k : int
+        The waypoint, from 0; the first has no move.
+    space, path, law, turning : str, optional
+        Keys.
+    stop : bool, optional
+        Whether the arm rests at this waypoint; of this move alone.
+    apart : bool, optional
+        Whether each joint goes by itself in a straight joint move.
+    """
+
+    k: int
+    space: str | None = None
+    path: str | None = None
+    law: str | None = None
+    turning: str | None = None
+    stop: bool | None = None
+    apart: bool | None = None
+    label: ClassVar[str] = "kind of move"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        part = state[Plan]
+        first, last = _moves_of(part, self.k) if self.path is None else self._reached(part)
+        moves = list(part.moves)
+        for i in range(first, last):
+            moves[i] = self._changed(moves[i])
+        if self.stop is not None:
+            moves[self.k - 1] = replace(moves[self.k - 1], stop=self.stop)
+        if tuple(moves) == part.moves:
+            return state
+        return with_plan(state, refitted(edited(part, moves=tuple(moves))))
+
+    def _reached(self, part: Plan) -> tuple[int, int]:
+        """Return the moves a new path takes: those of the stretch, and as many beside it as it needs or goes through.
+
+        Through any number of waypoints it goes where moves like this one follow each other.
+        """
+        first, last = _moves_of(part, self.k)
+        kind = path_type(str(self.path))
+        like = part.moves[first].through()
+        most = len(part.moves) if kind.most is None else max(kind.least - 1, 1)
+        while last < len(part.moves) and last - first < most and part.moves[last].through() == like:
+            last += 1
+        while first > 0 and last - first < most and part.moves[first - 1].through() == like:
+            first -= 1
+        if last - first < kind.least - 1:
+            raise InputError(
+                f"move {first + 1} → {last + 1}: {kind.title} takes {kind.least} waypoints, with moves of one kind "
+                f"between them; here are {last - first + 1}. Add waypoints, or make the moves alike first"
+            )
+        if kind.most is not None and kind.least > 2:
+            last = min(last, first + kind.most - 1)
+        return first, last
+
+    def _changed(self, move: Move) -> Move:
+        if self.space is not None and self.space != move.space:
+            space = checked_space(self.space)
+            path = move.path if space in move.kind.spaces else Chosen("line")
+            move = replace(move, space=space, path=Chosen(path.key))
+        if self.path is not None and self.path != move.path.key:
+            path = Chosen.of(path_types(), self.path)
+            if move.space not in path_types()[path.key].spaces:
+                raise InputError(f"path: {path_types()[path.key].title} is none in {move.space} space")
+            # A path that has its own time, and rests at its ends, keeps it: the parameter runs evenly.
+            kind = path_types()[path.key]
+            own = kind.rests and "duration" in {field.key for field in kind.fields}
+            move = replace(move, path=path, law=Chosen("constant") if own else resting(move.law))
+        if self.law is not None and self.law != move.law.key:
+            move = replace(move, law=Chosen.of(law_types(), self.law))
+        if self.apart is not None:
+            move = replace(move, apart=self.apart)
+        return move if self.turning is None else replace(move, turning=checked_turning(self.turning))
+
+
+@dataclass(frozen=True)
+class SetMoveOption(PlanCommand):
+    """Set one option of the path or the law of the move to a waypoint; None leaves it as it comes."""
+
+    k: int
+    of: Literal["path", "law"]
+    name: str
+    value: Value
+    label: ClassVar[str] = "option of a move"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the option set in the whole stretch."""
+        part = state[Plan]
+        first, last = _moves_of(part, self.k)
+        kinds = path_types() if self.of == "path" else law_types()
+        moves = list(part.moves)
+        for i in range(first, last):
+            chosen: Chosen = getattr(moves[i], self.of)
+            changed = chosen.with_option(kinds[chosen.key], self.name, self.value)
+            moves[i] = replace(moves[i], path=changed) if self.of == "path" else replace(moves[i], law=changed)
+        return with_plan(state, edited(part, moves=tuple(moves)))
+
+
+@dataclass(frozen=True)
+class AllMovesLike(PlanCommand):
+    """Make all moves like the one to a waypoint."""
+
+    k: int
+    label: ClassVar[str] = "kind of all moves"
+
+    def apply(self, state: State) -> State:
+        """Return the state with equal moves, none of which stops where its path goes through."""
+        part = state[Plan]
+        first, _ = _moves_of(part, self.k)
+        like = part.moves[first].through()
+        return with_plan(state, edited(part, moves=(like,) * len(part.moves)))
+
+
+def checked_index(part: Plan, k: int) -> int:
+    """Return the index of a waypoint; `InputError` when there is none such."""
+    if not 0 <= k < len(part.waypoints):
+        raise InputError(f"waypoint: expected 1 to {len(part.waypoints)}, got {k + 1}")
+    return k
+
+
+def _moves_of(part: Plan, k: int) -> tuple[int, int]:
+    """Return the first move, and the one after the last, of the stretch that comes to a waypoint."""
+    if checked_index(part, k) == 0:
+        raise InputError("waypoint 1: the motion begins there, no move comes to it")
+    stretch = stretch_at(part.moves, k - 1)
+    return stretch.first, stretch.last
+
+
+def refitted(part: Plan) -> Plan:
+    """Return a plan without the options that list a value for each of another number of waypoints."""
+    moves = list(part.moves)
+    for stretch in stretches(part.moves):
+        count = stretch.last - stretch.first + 1
+        for i in range(stretch.first, stretch.last):
+            move = moves[i]
+            lists = {field.key for field in move.kind.fields if field.kind == "list"}
+            kept = tuple((name, value) for name, value in move.path.given if name not in lists or _fits(value, count))
+            moves[i] = replace(move, path=Chosen(move.path.key, kept))
+    return part if tuple(moves) == part.moves else replace(part, moves=tuple(moves))
+
+
+def _fits(value: Value, count: int) -> bool:
+    """Return whether a list has one value, or as many as there are waypoints, segments, or corners."""
+    return len(value) in (1, count, count - 1, count - 2)

@@ -1,0 +1,60 @@
+"""The trihedron of the way of the tool at a time of a planned motion."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.question import Planned
+from armlab.benches.motion.plan.samples import STANDS, tool_rates
+
+Floats = NDArray[np.float64]
+
+INSIDE = 1e-3
+"""Part of a leg by which its ends are left out: there the tool stands, and its way has no direction."""
+
+STRAIGHT = 1e-4
+"""Curvature, times the length scale of the arm, below which a way is straight and has no normal."""
+
+
+class Trihedron(NamedTuple):
+    """The tool point with unit tangent, normal and binormal, (3,) each, world; zeros where not defined.
+
+    The curvature is in 1/m.
+    """
+
+    position: Floats
+    t: Floats
+    n: Floats
+    b: Floats
+    curvature: float
+
+
+def trihedron(plan: Planned, time: float) -> Trihedron | None:
+    """Return the Frenet frame of the way of the tool; None where there is no motion.
+
+    From velocity and acceleration of the tool: t = v / |v|, kappa b = (v x a) / |v|^3, n = b x t.
+
+    References
+    ----------
+    Notes 6.136-6.141, in time instead of the path parameter.
+    """
+    leg, arm = plan.leg_at(time), plan.question.arm
+    if leg is None or leg.motion is None or plan.samples is None:
+        return None
+    T = leg.motion.duration
+    inside = np.array([min(max(time - leg.start, INSIDE * T), (1.0 - INSIDE) * T)])
+    v, a = (each[0] for each in tool_rates(arm, *leg.motion.derivatives(inside, (0, 1, 2))))
+    here = np.asarray(arm.position(leg.motion.at(min(max(time - leg.start, 0.0), T))), dtype=np.float64)
+    speed, nothing = float(np.linalg.norm(v)), np.zeros(3)
+    if speed <= STANDS * max(float(plan.samples.tool_speed.max()), 1e-12):
+        return Trihedron(here, nothing, nothing, nothing, 0.0)
+    bend = np.cross(v, a) / speed**3
+    curvature = float(np.linalg.norm(bend))
+    t = v / speed
+    if curvature * arm.length_scale < STRAIGHT:
+        return Trihedron(here, t, nothing, nothing, 0.0)
+    b = bend / curvature
+    return Trihedron(here, t, np.cross(b, t), b, curvature)

@@ -1,0 +1,127 @@
+"""The timing of a planned path: as fast as the limits allow, or in a given time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.moves import Stretch
+from armlab.benches.motion.plan.question import Limits, Question
+from armlab.benches.motion.plan.samples import fastest_tool
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.motion import (
+    LawBounds,
+    Motion,
+    Path,
+    Trajectory,
+    as_fast_as_allowed,
+    independent,
+    law_bounds,
+    law_types,
+    scaled,
+)
+from armlab.kin.motion.breaks import SMOOTH_ENOUGH
+
+Floats = NDArray[np.float64]
+
+RAMPS = {"ramp", "rounding"}
+"""Options that say the shape of a law in a given time; as fast as allowed the limits shape it."""
+
+JERK_JUMPS = "the acceleration jumps, so the limit of jerk cannot be kept"
+SPEED_JUMPS = "the speed jumps where it begins or ends: no motor can do that. Take a law that rests there"
+CORNERS = "the velocity jumps at a corner: no motor can do that. Fly over it, or take the time-optimal law, which stops"
+
+
+def fastest(question: Question, stretch: Stretch, path: Path) -> Trajectory:
+    """Return a path in joint space run through as fast as its law can be within the limits.
+
+    Raises
+    ------
+    InputError
+        The law does not fit; the text names the move.
+    """
+    limits, kind = question.limits, law_types()[stretch.move.law.key]
+    try:
+        law = kind.along(path, limits.of_joints(), **how(question, stretch))
+    except InputError as refusal:
+        raise InputError(f"move {stretch.title}: {refusal}") from None
+    motion = Trajectory(path, law)
+    slower = scaled(motion, max(1.0, _too_fast(question.arm, motion, limits)))
+    assert isinstance(slower, Trajectory)
+    return slower
+
+
+def bounds_of(question: Question, stretch: Stretch, path: Path) -> LawBounds | None:
+    """Return what the limits leave to the law of a stretch; None where its shape does not come from that."""
+    kind = law_types()[stretch.move.law.key]
+    if stretch.move.independent or kind.on_path is not None:
+        return None
+    return law_bounds(path, how(question, stretch)["shape"]).usable
+
+
+def how(question: Question, stretch: Stretch) -> dict[str, Any]:
+    """Return the options with which the law of a stretch is made along its path.
+
+    What jumps is told, not refused, and a law that needs a limit of jerk takes a usual one for its shape.
+    """
+    law = stretch.move.law
+    shape = question.limits.of_joints("jerk" in law_types()[law.key].needs)
+    return {"shape": shape, "jumps": True, **law.options}
+
+
+def unkept(question: Question, motion: Motion) -> tuple[str, ...]:
+    """Return the limits that a motion cannot keep in any time, in words."""
+    if motion.continuity < 1.0:
+        return (CORNERS,)
+    if motion.continuity_from_rest < 1.0:
+        return (SPEED_JUMPS,)
+    jumps = motion.continuity_from_rest < SMOOTH_ENOUGH
+    return (JERK_JUMPS,) if question.limits.jerk_time is not None and jumps else ()
+
+
+def independent_motion(question: Question, stretch: Stretch, start: Floats, end: Floats) -> Motion:
+    """Return a straight joint move in which each joint is as fast as its limits allow, and those there first wait.
+
+    Raises
+    ------
+    InputError
+        The law does not fit; the text names the move.
+    """
+    try:
+        motion: Motion = independent(
+            start, end, stretch.move.law.key, question.limits.of_joints(), **how(question, stretch)
+        )
+    except InputError as refusal:
+        raise InputError(f"move {stretch.title}: {refusal}") from None
+    return scaled(motion, max(1.0, slack(question, motion)))
+
+
+def lasting(stretch: Stretch, path: Path, motion: Motion, duration: float) -> Motion:
+    """Return a motion of a stretch in another time: the same law scaled, or with the ramps that were typed for it.
+
+    Raises
+    ------
+    InputError
+        The typed law does not fit; the text names the move.
+    """
+    if stretch.move.independent or not RAMPS & set(stretch.move.law.options):
+        return scaled(motion, duration / motion.duration)
+    try:
+        return Trajectory(path, law_types()[stretch.move.law.key].law(duration, **stretch.move.law.options))
+    except InputError as refusal:
+        raise InputError(f"move {stretch.title}: {refusal}") from None
+
+
+def slack(question: Question, motion: Motion) -> float:
+    """Return the factor for the time of a motion at which one limit is met; below 1 it may be faster."""
+    limits = question.limits
+    _, scaling = as_fast_as_allowed(motion, limits.of_joints(), jumps=True)
+    return max(scaling.k, _too_fast(question.arm, motion, limits))
+
+
+def _too_fast(arm: Arm, motion: Motion, limits: Limits) -> float:
+    """Return the largest speed of the tool in parts of its limit."""
+    return 0.0 if limits.tool_speed is None else fastest_tool(arm, motion) / limits.tool_speed

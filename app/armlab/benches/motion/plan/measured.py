@@ -1,0 +1,112 @@
+"""Measuring a plan that is worked out: once, with the planning, so that what shows it only reads."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.figures import TOOL, Binding, Figures, Limited, Overrun
+from armlab.benches.motion.plan.question import Planned
+from armlab.benches.motion.plan.samples import too_fast
+from armlab.kin.motion import Motion, peaks
+
+Floats = NDArray[np.float64]
+
+AT_LIMIT = 0.995
+"""A share from which on a limit is what keeps a motion from being faster; the bounds of the tool are met at samples."""
+
+
+def measuring(work: Iterator[Planned | None]) -> Iterator[Planned | None]:
+    """Yield what the making of a plan yields, the plan measured; None between pieces of the work."""
+    for plan in work:
+        if plan is None:
+            yield None
+            continue
+        yield None
+        found = replace(plan, overruns=_overruns(plan))
+        yield None
+        figures = yield from _figures(found)
+        yield replace(found, figures=figures)
+
+
+def _figures(plan: Planned) -> Generator[None, None, Figures | None]:
+    """Return the largest values of what can be run of a plan, None for nothing; pause behind each quantity."""
+    samples, limits = plan.samples, plan.question.limits
+    if plan.motion is None or samples is None:
+        return None
+    peaks_of: dict[int, list[Floats]] = {1: [], 2: []}
+    times_of: dict[int, list[Floats]] = {1: [], 2: []}
+    met = []
+    for leg in plan.legs:
+        if leg.motion is None:
+            continue
+        for order in (1, 2):
+            found = peaks(leg.motion, order)
+            peaks_of[order].append(found.peak)
+            times_of[order].append(leg.start + found.peak_at)
+            yield
+        met.append((leg.motion.duration, _met(plan, leg.start, leg.motion, peaks_of[1][-1], peaks_of[2][-1])))
+        yield
+    velocity, velocity_at = _largest(np.array(peaks_of[1]), np.array(times_of[1]))
+    acceleration, acceleration_at = _largest(np.array(peaks_of[2]), np.array(times_of[2]))
+    return Figures(
+        velocity,
+        acceleration,
+        velocity_at,
+        acceleration_at,
+        velocity / np.array(limits.velocity),
+        acceleration / np.array(limits.acceleration),
+        float(np.linalg.norm(np.diff(samples.tool, axis=0), axis=1).sum()),
+        float(samples.tool_speed.max()),
+        _longest(met),
+    )
+
+
+def _largest(values: Floats, times: Floats) -> tuple[Floats, Floats]:
+    """Return the largest of each column of legs (k, n), and when it is."""
+    leg, joints = np.argmax(values, axis=0), np.arange(values.shape[1])
+    return values[leg, joints], times[leg, joints]
+
+
+def _met(plan: Planned, start: float, motion: Motion, velocity: Floats, acceleration: Floats) -> Binding | None:
+    """Return the limit a leg comes nearest to, if it meets it."""
+    limits = plan.question.limits
+    shares: dict[Binding, float] = {}
+    _note(shares, "velocity", velocity / np.array(limits.velocity))
+    _note(shares, "acceleration", acceleration / np.array(limits.acceleration))
+    if limits.jerk_time is not None:
+        _note(shares, "jerk", peaks(motion, 3).peak / limits.jerk())
+    if limits.tool_speed is not None and plan.samples is not None:
+        on = (plan.samples.t >= start) & (plan.samples.t <= start + motion.duration)
+        shares[Binding(TOOL, "tool speed")] = float(plan.samples.tool_speed[on].max(initial=0.0)) / limits.tool_speed
+    most = max(shares, key=lambda binding: shares[binding])
+    return most if shares[most] >= AT_LIMIT else None
+
+
+def _note(shares: dict[Binding, float], quantity: Limited, values: Floats) -> None:
+    j = int(np.argmax(values))
+    shares[Binding(j + 1, quantity)] = float(values[j])
+
+
+def _longest(met: list[tuple[float, Binding | None]]) -> Binding | None:
+    """Return the limit that is met in legs that last longest together."""
+    lasting: dict[Binding, float] = {}
+    for duration, binding in met:
+        if binding is not None:
+            lasting[binding] = lasting.get(binding, 0.0) + duration
+    return max(lasting, key=lambda binding: lasting[binding]) if lasting else None
+
+
+def _overruns(plan: Planned) -> tuple[Overrun, ...]:
+    """Return every limit that is exceeded, each once, in the order of time; that of the tool speed among them."""
+    found: dict[tuple[int, Limited], list[tuple[float, float]]] = {}
+    for violation in plan.violations:
+        found.setdefault((violation.joint, violation.quantity), []).append((violation.start, violation.end))
+    fast = [] if plan.samples is None else too_fast(plan.samples, plan.question.limits.tool_speed)
+    if fast:
+        found[TOOL, "tool speed"] = fast
+    every = [Overrun.of(joint, quantity, sorted(spans)) for (joint, quantity), spans in found.items()]
+    return tuple(sorted(every, key=lambda overrun: overrun.spans[0][0]))

@@ -1,0 +1,21 @@
+"""The plan a motion is compared with: the same waypoints, joint moves for Cartesian ones and the other way round."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from armlab.benches.motion.plan.moves import LINE, Move
+from armlab.benches.motion.plan.question import Question
+
+
+def other_way(question: Question) -> Question | None:
+    """Return the question with straight moves in the other space; None where there are no waypoints to go through."""
+    if question.recorded is not None or not question.moves:
+        return None
+    moves = tuple(_swapped(move) for move in question.moves)
+    return question._replace(moves=moves, duration=None)
+
+
+def _swapped(move: Move) -> Move:
+    """Return a straight move in the other space, with the same law where that is one between rests."""
+    return replace(move, space="joint" if move.space == "cartesian" else "cartesian", path=LINE, turning="axis")

@@ -1,0 +1,177 @@
+"""Working out a plan: paths, inverse kinematics, laws; in pieces, because it takes longer than a command may."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import takewhile
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.laws import bounds_of, fastest, independent_motion, lasting, unkept
+from armlab.benches.motion.plan.moves import Stretch
+from armlab.benches.motion.plan.paths import joint_path, shortfall, tool_path
+from armlab.benches.motion.plan.question import LONGEST, Feasible, Leg, Planned, Question
+from armlab.benches.motion.plan.recorded import recorded_plan
+from armlab.benches.motion.plan.samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
+from armlab.errors import InputError
+from armlab.kin.ik.branches import branch_names
+from armlab.kin.motion import (
+    Followed,
+    Motion,
+    Path,
+    Sequential,
+    ToolPath,
+    follow,
+)
+
+Floats = NDArray[np.float64]
+
+NEARLY_SINGULAR = 0.03
+"""Smallest over largest singular value of the task Jacobian below which a path is marked: joints turn fast there."""
+
+APART = 1e-6
+"""Radians, or length scales: a leg that ends nearer to a waypoint's configuration has kept it."""
+
+
+def making(question: Question) -> Iterator[Planned | None]:
+    """Work out a plan; yield None between pieces of the work, and at last the plan."""
+    if question.recorded is not None:
+        yield from recorded_plan(question)
+        return
+    legs: list[Leg] = []
+    q: Floats | None = np.array(question.waypoints[0].q)
+    for stretch in question.parts:
+        yield None
+        # Behind a leg that cannot be run the arm begins as its waypoint was stored.
+        leg = _laid(question, stretch, np.array(question.waypoints[stretch.first].q) if q is None else q)
+        yield None
+        leg = _timed(question, leg)
+        q = None if leg.motion is None else leg.motion.at(leg.motion.duration)
+        legs.append(leg)
+    yield None
+    yield _together(question, legs)
+
+
+def _laid(question: Question, stretch: Stretch, q: Floats) -> Leg:
+    """Return a leg with its path in joint space, or with the reason why it has none."""
+    lay = _in_space if stretch.move.space == "cartesian" else _in_joints
+    try:
+        return lay(question, stretch, q)
+    except InputError as refusal:
+        return Leg(stretch, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, str(refusal))
+
+
+def _timed(question: Question, leg: Leg) -> Leg:
+    """Return a leg run through as fast as the limits allow."""
+    if leg.path is None or leg.stretch is None or leg.trouble:
+        return leg
+    motion: Motion
+    try:
+        if leg.stretch.move.independent:
+            motion = independent_motion(question, leg.stretch, leg.path.at(0.0), leg.path.at(1.0))
+        else:
+            motion = fastest(question, leg.stretch, leg.path)
+        bounds = bounds_of(question, leg.stretch, leg.path)
+    except InputError as refusal:
+        return replace(leg, trouble=str(refusal))
+    if motion.duration > LONGEST:
+        long = f"move {leg.stretch.title}: within the limits it lasts {motion.duration:.0f} s, more than {LONGEST:g} s"
+        return replace(leg, trouble=long)
+    other_way = _other_way(question, leg.stretch, motion.at(motion.duration))
+    return replace(leg, motion=motion, bounds=bounds, remarks=(*leg.remarks, *leg.path.remarks, *other_way))
+
+
+def _in_joints(question: Question, stretch: Stretch, q: Floats) -> Leg:
+    knots = np.array([point.q for point in question.waypoints[stretch.first : stretch.last + 1]])
+    knots[0] = q
+    path = joint_path(question.arm, stretch, knots)
+    s = np.linspace(0.0, 1.0, DRAWN)
+    points = np.asarray(question.arm.position(path.at(s)), dtype=np.float64)
+    leg = Leg(stretch, 0.0, points, np.zeros(DRAWN, dtype=int), None, path=path)
+    for k in range(stretch.first, stretch.last + 1):
+        if short := shortfall(question.arm, question.waypoints[k]):
+            worth = np.full(DRAWN, int(Feasible.NOT_REACHED))
+            return replace(leg, path=None, worth=worth, trouble=f"waypoint {k + 1}: {short}")
+    return leg
+
+
+def _in_space(question: Question, stretch: Stretch, q: Floats) -> Leg:
+    arm = question.arm
+    poses = np.array([point.wanted(arm) for point in question.waypoints[stretch.first : stretch.last + 1]])
+    poses[0] = arm.fk(q) if question.waypoints[stretch.first].pose is None or stretch.first else poses[0]
+    way = tool_path(arm, stretch, poses)
+    found = follow(arm, way, q, question.samples, carry_on=True)
+    leg = Leg(stretch, 0.0, way.pose(found.s)[:, :3, 3], _worth(found), None, tool_path=way, followed=found)
+    if not found.whole:
+        return replace(leg, trouble=f"move {stretch.title}: {_decapitalised(found.reason).rstrip('.')}")
+    path = found.joint_path()
+    return replace(leg, path=path, deviation=_deviation(question, way, path, found))
+
+
+def _worth(found: Followed) -> NDArray[np.int_]:
+    near = np.where(np.nan_to_num(found.singular_value) < NEARLY_SINGULAR, Feasible.NEAR_SINGULAR, Feasible.YES)
+    return np.where(found.reached, near, Feasible.NOT_REACHED).astype(int)
+
+
+def _deviation(question: Question, way: ToolPath, path: Path, found: Followed) -> float:
+    """Return how far the tool is from its path half way between two samples, at most."""
+    between = 0.5 * (found.s[1:] + found.s[:-1])
+    arm = question.arm
+    gap = arm.position(path.at(between)) - way.pose(between)[:, :3, 3]
+    # A planar arm holds two coordinates, along the axes of frame 0.
+    held = ["xyz".index(axis) for axis in arm.task.position]
+    return float(np.linalg.norm((gap @ arm.base[:3, :3])[:, held], axis=1).max())
+
+
+def _decapitalised(text: str) -> str:
+    return text[:1].lower() + text[1:]
+
+
+def _other_way(question: Question, stretch: Stretch, q: Floats) -> tuple[str, ...]:
+    """Return the sentence on a waypoint that is reached in another way than it was stored in."""
+    if stretch.move.space == "joint":
+        return ()
+    arm, stored = question.arm, np.array(question.waypoints[stretch.last].q)
+    scale = np.where(arm.revolute, 1.0, arm.length_scale)
+    if np.abs((q - stored) / scale).max() <= APART:
+        return ()
+    names = branch_names(arm, np.stack([q, stored]))
+    how = f": {names[0]} instead of {names[1]}" if names[0] != names[1] and not names[0].startswith("solution") else ""
+    return (f"waypoint {stretch.last + 1} is reached on the branch the move began on{how}, not as it was stored",)
+
+
+def _together(question: Question, legs: Sequence[Leg]) -> Planned:
+    """Return the plan of legs one after the other, in the time that was asked for."""
+    running = list(takewhile(lambda leg: leg.motion is not None, legs))
+    within = sum(leg.motion.duration for leg in running if leg.motion is not None)
+    start, placed = 0.0, []
+    for k, leg in enumerate(running):
+        try:
+            placed.append(replace(_lasting(question, leg, within), start=start))
+        except InputError as refusal:
+            return _together(question, (*legs[:k], replace(leg, motion=None, trouble=str(refusal)), *legs[k + 1 :]))
+        start += _motion(placed[-1]).duration
+    if not placed:
+        return Planned(question, tuple(legs), None, None, (), math.nan)
+    motion: Motion = _motion(placed[0]) if len(placed) == 1 else Sequential([_motion(leg) for leg in placed])
+    over, samples = exceeded(question, motion), sampled(question.arm, motion, placed)
+    spans = (*spans_of(over), *too_fast(samples, question.limits.tool_speed))
+    drawn = [drawn_leg(question.arm, leg, spans) for leg in placed]
+    every = (*drawn, *legs[len(running) :])
+    return Planned(question, every, motion, samples, over, within, unkept(question, motion))
+
+
+def _lasting(question: Question, leg: Leg, within: float) -> Leg:
+    """Return a leg in its share of the time that was asked for; as fast as allowed where none was."""
+    if question.duration is None or leg.stretch is None or leg.path is None:
+        return leg
+    share = question.duration * _motion(leg).duration / within
+    return replace(leg, motion=lasting(leg.stretch, leg.path, _motion(leg), share))
+
+
+def _motion(leg: Leg) -> Motion:
+    assert leg.motion is not None
+    return leg.motion

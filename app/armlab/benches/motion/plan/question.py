@@ -1,0 +1,242 @@
+"""All that a plan depends on, and what is found out about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.figures import Figures, Overrun
+from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint, stretches
+from armlab.kin.arm import Arm
+from armlab.kin.motion import Followed, LawBounds, Motion, Path, ToolPath, Trajectory, Violation
+from armlab.kin.motion import Limits as JointLimits
+
+Floats = NDArray[np.float64]
+
+TURN_SPEED, TURN_ACCELERATION = np.radians(90.0), np.radians(180.0)
+"""rad/s and rad/s² of a joint whose file says none; a sliding one covers as many length scales of the arm."""
+
+FULL_AFTER = 0.1
+"""Seconds in which an acceleration is built up where a law needs a limit of jerk and none was given."""
+
+
+LONGEST = 600.0
+"""Seconds of a motion."""
+
+
+class Limits(NamedTuple):
+    """What a motion must keep to, besides the joint limits.
+
+    Attributes
+    ----------
+    velocity, acceleration : tuple of float
+        rad/s and rad/s², m/s and m/s², one for each joint.
+    jerk_time : float or None
+        Seconds in which the full acceleration may be built up, so that the jerk is at most a / jerk_time; None: any.
+    tool_speed : float or None
+        m/s of the tool point; None: any.
+    """
+
+    velocity: tuple[float, ...]
+    acceleration: tuple[float, ...]
+    jerk_time: float | None = None
+    tool_speed: float | None = None
+
+    def of_joints(self, needed: bool = False) -> JointLimits:
+        """Return those of the joints; ``needed``: with a usual limit of jerk where none is set, for a law's shape."""
+        return JointLimits(self.velocity, self.acceleration, self.jerk(needed))
+
+    def jerk(self, needed: bool = False) -> Floats:
+        """Return the limits of jerk, infinite where there are none and none is needed."""
+        time = FULL_AFTER if self.jerk_time is None and needed else self.jerk_time
+        a = np.array(self.acceleration)
+        return np.full(len(a), np.inf) if time is None else a / time
+
+
+Rows = tuple[tuple[float, ...], ...]
+
+
+class Recorded(NamedTuple):
+    """A motion that was read from a file: samples joined by a spline, or by cubics with the velocities of the file.
+
+    Attributes
+    ----------
+    t : tuple of float
+        Seconds.
+    q : tuple of tuple of float
+        rad and m, a row for each time.
+    qdot, qddot : tuple of tuple of float, or None
+        Their derivatives, where the file has both.
+    """
+
+    t: tuple[float, ...]
+    q: Rows
+    qdot: Rows | None = None
+    qddot: Rows | None = None
+
+
+class Question(NamedTuple):
+    """All that a plan depends on; equal questions have equal answers."""
+
+    arm: Arm
+    waypoints: tuple[Waypoint, ...]
+    moves: tuple[Move, ...]
+    limits: Limits
+    duration: float | None
+    samples: int
+    recorded: Recorded | None = None
+
+    @property
+    def parts(self) -> tuple[Stretch, ...]:
+        """The stretches."""
+        return stretches(self.moves)
+
+
+class Feasible(IntEnum):
+    """What a place of a path is worth."""
+
+    YES = 0
+    NEAR_SINGULAR = 1
+    OVER_LIMIT = 2
+    NOT_REACHED = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Leg:
+    """A stretch, planned.
+
+    Attributes
+    ----------
+    stretch : Stretch or None
+        None of a recorded motion.
+    start : float
+        Seconds at which it begins, if the legs before can be run.
+    points : ndarray, shape (k, 3)
+        The way of the tool point, world, metres.
+    worth : ndarray of int, shape (k,)
+        `Feasible` of each point.
+    times : ndarray, shape (k,), or None
+        Seconds from the beginning of the plan; None when it cannot be run.
+    trouble : str
+        Why it cannot be run; empty when it can.
+    remarks : tuple of str
+        What is worth knowing although it can.
+    path : Path or None
+        In joint space.
+    motion : Motion or None
+    tool_path : ToolPath or None
+        Of a Cartesian stretch.
+    followed : Followed or None
+        Its inverse kinematics.
+    bounds : LawBounds or None
+        What the limits of the joints leave to the law.
+    deviation : float
+        Metres by which the tool leaves its path between the samples of the inverse kinematics, at most.
+    """
+
+    stretch: Stretch | None
+    start: float
+    points: Floats
+    worth: NDArray[np.int_]
+    times: Floats | None
+    trouble: str = ""
+    remarks: tuple[str, ...] = ()
+    path: Path | None = None
+    motion: Motion | None = None
+    tool_path: ToolPath | None = None
+    followed: Followed | None = None
+    bounds: LawBounds | None = None
+    deviation: float = 0.0
+
+    @property
+    def trajectory(self) -> Trajectory | None:
+        """Its motion where that is one path with one law."""
+        return self.motion if isinstance(self.motion, Trajectory) else None
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """A motion at evenly spaced times, for plots and files.
+
+    Attributes
+    ----------
+    t : ndarray, shape (k,)
+    q, qdot, qddot, qdddot : ndarray, shape (k, n)
+    tool : ndarray, shape (k, 3)
+        m, world.
+    tool_speed : ndarray, shape (k,)
+        m/s.
+    s : ndarray, shape (k,)
+        The path parameter of the leg that is on, 0 to 1.
+    curvature : ndarray, shape (k,)
+        1/m, of the way of the tool; nan where it stands or turns on the spot.
+    """
+
+    t: Floats
+    q: Floats
+    qdot: Floats
+    qddot: Floats
+    qdddot: Floats
+    tool: Floats
+    tool_speed: Floats
+    s: Floats
+    curvature: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Planned:
+    """A plan, worked out.
+
+    Attributes
+    ----------
+    question : Question
+    legs : tuple of Leg
+    motion : Motion or None
+        Of the legs that can be run, up to the first that cannot; None when there is none.
+    samples : Samples or None
+        Of that motion.
+    violations : tuple of Violation
+        When which limit is exceeded.
+    fastest : float
+        Seconds within the limits; nan when there is no motion.
+    unkept : tuple of str
+        Limits that it cannot keep in any time, such as a velocity that would have to jump.
+    overruns : tuple of Overrun
+        The limits it exceeds, each once, in the order of time; that of the tool speed among them.
+    figures : Figures or None
+        The largest values of that motion; None when there is none. See `armlab.benches.motion.plan.measured`.
+    """
+
+    question: Question
+    legs: tuple[Leg, ...]
+    motion: Motion | None
+    samples: Samples | None
+    violations: tuple[Violation, ...]
+    fastest: float
+    unkept: tuple[str, ...] = ()
+    overruns: tuple[Overrun, ...] = ()
+    figures: Figures | None = None
+
+    @property
+    def whole(self) -> bool:
+        """Whether all of it can be run."""
+        return self.motion is not None and not any(leg.trouble for leg in self.legs)
+
+    @property
+    def trouble(self) -> str:
+        """The first thing that keeps it from being run; empty when nothing does."""
+        return next((leg.trouble for leg in self.legs if leg.trouble), "")
+
+    @property
+    def duration(self) -> float:
+        """Seconds of what can be run."""
+        return 0.0 if self.motion is None else self.motion.duration
+
+    def leg_at(self, time: float) -> Leg | None:
+        """Return the leg that is on at a time."""
+        on = [leg for leg in self.legs if leg.motion is not None and leg.start <= time + 1e-9]
+        return on[-1] if on else None

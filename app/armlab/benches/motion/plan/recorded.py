@@ -1,0 +1,98 @@
+"""A motion that was read from a file, as a plan: in its own time or another, judged where it was sampled."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.laws import slack
+from armlab.benches.motion.plan.question import Leg, Planned, Question, Recorded
+from armlab.benches.motion.plan.samples import ROUNDING, drawn_leg, exceeded, sampled, spans_of, too_fast
+from armlab.errors import InputError
+from armlab.kin.arm import Arm
+from armlab.kin.motion import Motion, Trajectory, Violation, law_type, path_type, scaled
+
+Floats = NDArray[np.float64]
+
+
+def recorded_plan(question: Question) -> Iterator[Planned | None]:
+    """Yield None between pieces of the work, and at last the plan of the recorded motion of a question."""
+    recorded = question.recorded
+    assert recorded is not None
+    own = _motion(recorded)
+    k = 1.0 if question.duration is None else question.duration / own.duration
+    motion = own if k == 1.0 else scaled(own, k)
+    yield None
+    try:
+        over, within = _judged(question, recorded, motion, own, k)
+    except InputError as refusal:
+        leg = Leg(None, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, str(refusal))
+        yield Planned(question, (leg,), None, None, (), math.nan)
+        return
+    yield None
+    leg = Leg(None, 0.0, np.zeros((0, 3)), np.zeros(0, dtype=int), None, motion=motion)
+    samples = sampled(question.arm, motion, [leg])
+    yield None
+    leg = drawn_leg(question.arm, leg, (*spans_of(over), *too_fast(samples, question.limits.tool_speed)))
+    yield Planned(question, (leg,), motion, samples, over, within)
+
+
+def _motion(recorded: Recorded) -> Motion:
+    """Return the motion: a natural spline, or cubics with the velocities of the file."""
+    t = np.array(recorded.t) - recorded.t[0]
+    if recorded.qdot is None:
+        path = path_type("spline").path(recorded.q, times=t, ends="natural")
+    else:
+        path = path_type("hermite").path(recorded.q, times=t, velocities=recorded.qdot)
+    return Trajectory(path, law_type("constant").law(float(t[-1])))
+
+
+def _judged(
+    question: Question, recorded: Recorded, motion: Motion, own: Motion, k: float
+) -> tuple[tuple[Violation, ...], float]:
+    """Return when limits are exceeded, and the seconds within them.
+
+    A file that has rates is believed at its samples: between them nobody knows where an acceleration has jumped, and
+    any curve swings over there.
+    """
+    if recorded.qdot is None or recorded.qddot is None:
+        return exceeded(question, motion), own.duration * slack(question, own)
+    t = (np.array(recorded.t) - recorded.t[0]) * k
+    rates = {"velocity": np.array(recorded.qdot) / k, "acceleration": np.array(recorded.qddot) / k**2}
+    limits = {"velocity": question.limits.velocity, "acceleration": question.limits.acceleration}
+    shares = {name: np.abs(rates[name]) / np.array(limits[name]) for name in rates}
+    over = [*_outside(question.arm, t, np.array(recorded.q))]
+    for name, share in shares.items():
+        over += _above(t, share, "velocity" if name == "velocity" else "acceleration")
+    most = max(float(shares["velocity"].max()), math.sqrt(float(shares["acceleration"].max())))
+    if most == 0.0:
+        raise InputError("recorded motion: the arm stands still all the time")
+    return tuple(sorted(over, key=lambda each: (each.start, each.joint, each.quantity))), motion.duration * most
+
+
+def _above(t: Floats, shares: Floats, quantity: str) -> list[Violation]:
+    found = []
+    for joint in range(shares.shape[1]):
+        for first, last in _runs(shares[:, joint] > ROUNDING):
+            found.append(Violation(joint + 1, quantity, float(t[first]), float(t[last])))  # type: ignore[arg-type]
+    return found
+
+
+def _outside(arm: Arm, t: Floats, q: Floats) -> list[Violation]:
+    low, high = arm.limits.T
+    room = 1e-6 * np.where(arm.revolute, 1.0, arm.length_scale)
+    beyond = (q < low - room) | (q > high + room)
+    return [
+        Violation(joint + 1, "position", float(t[first]), float(t[last]))
+        for joint in range(arm.n)
+        for first, last in _runs(beyond[:, joint])
+    ]
+
+
+def _runs(on: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return first and last index of each run of True."""
+    edges = np.diff(np.concatenate([[False], on, [False]]).astype(int))
+    return list(zip(np.flatnonzero(edges == 1).tolist(), (np.flatnonzero(edges == -1) - 1).tolist(), strict=True))

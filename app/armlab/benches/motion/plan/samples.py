@@ -1,0 +1,136 @@
+"""A planned motion at many times: for pictures, plots and files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.question import Feasible, Leg, Question, Samples
+from armlab.kin.arm import Arm
+from armlab.kin.motion import Limits, Motion, Violation, violations
+
+Floats = NDArray[np.float64]
+
+ROUNDING = 1.0 + 1e-6
+"""Times a limit: what exceeds it by less keeps it."""
+
+DRAWN = 161
+"""Points of the way of a leg in the scene."""
+
+PLOTTED = 601
+"""Samples of a whole motion in the plots."""
+
+SEARCHED, FINER, REFINEMENTS = 400, 41, 3
+"""Samples among which the largest speed of the tool is looked for, those around the best, and how often."""
+
+DIFFERENCE = 1e-5
+"""Seconds to either side of the change of the Jacobian."""
+
+TOOL_SLACK = 1e-4
+"""Part of its limit by which the tool may be faster: rounding, and the search for the largest of its speeds."""
+
+STANDS = 1e-6
+"""Of the largest speed of the tool: below, the tool stands and its way has no curvature."""
+
+
+def exceeded(question: Question, motion: Motion) -> tuple[Violation, ...]:
+    """Return when which limit is exceeded by more than rounding."""
+    held = Limits(*(ROUNDING * values for values in question.limits.of_joints().each))
+    # What was recorded may begin with a speed, and a spline through it does so by rounding.
+    from_rest = question.recorded is None
+    return tuple(violations(motion, held, positions=question.arm.limits, from_rest=from_rest))
+
+
+def sampled(arm: Arm, motion: Motion, legs: Sequence[Leg], count: int = PLOTTED) -> Samples:
+    """Return a motion at evenly spaced times, with what the tool does."""
+    t = np.linspace(0.0, motion.duration, count)
+    q, qdot, qddot, qdddot = motion.derivatives(t)
+    tool = np.asarray(arm.position(q), dtype=np.float64)
+    v, a = tool_rates(arm, q, qdot, qddot)
+    speed = np.linalg.norm(v, axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        bend = np.linalg.norm(np.cross(v, a), axis=1) / speed**3
+    curvature = np.where(speed > STANDS * max(float(speed.max()), 1e-12), bend, np.nan)
+    return Samples(t, q, qdot, qddot, qdddot, tool, speed, _parameter(legs, t), curvature)
+
+
+def fastest_tool(arm: Arm, motion: Motion) -> float:
+    """Return the largest speed of the tool point, m/s: from samples, and finer ones around the largest."""
+    t = np.union1d(np.linspace(0.0, motion.duration, SEARCHED), motion.edges)
+    best = 0.0
+    for _ in range(REFINEMENTS):
+        q, qdot = motion.derivatives(t, (0, 1))
+        speed = np.linalg.norm((arm.jacobian(q)[:, :3] @ qdot[:, :, None])[:, :, 0], axis=1)
+        k = int(np.argmax(speed))
+        best = max(best, float(speed[k]))
+        t = np.linspace(t[max(k - 1, 0)], t[min(k + 1, len(t) - 1)], FINER)
+    return best
+
+
+def tool_rates(arm: Arm, q: Floats, qdot: Floats, qddot: Floats) -> tuple[Floats, Floats]:
+    """Return velocity and acceleration of the tool point in the world, (k, 3) each, from (k, n) joint rates.
+
+    J-dot times q-dot is the change of J along q-dot, by a central difference.
+    """
+    J = arm.jacobian(q)[:, :3]
+    v = (J @ qdot[:, :, None])[:, :, 0]
+    turned = (arm.jacobian(q + DIFFERENCE * qdot)[:, :3] - arm.jacobian(q - DIFFERENCE * qdot)[:, :3]) / (
+        2.0 * DIFFERENCE
+    )
+    a = (J @ qddot[:, :, None] + turned @ qdot[:, :, None])[:, :, 0]
+    return np.asarray(v), np.asarray(a)
+
+
+def _parameter(legs: Sequence[Leg], t: Floats) -> Floats:
+    """Return the path parameter of the leg that is on."""
+    found = np.full(len(t), np.nan)
+    for leg in legs:
+        if leg.trajectory is not None:
+            on = (t >= leg.start - 1e-12) & (t <= leg.start + leg.trajectory.duration + 1e-12)
+            found[on] = leg.trajectory.law.at(t[on] - leg.start)
+    return found
+
+
+def drawn_leg(arm: Arm, leg: Leg, over: Sequence[tuple[float, float]]) -> Leg:
+    """Return a leg with its way at even times, marked where a limit is exceeded."""
+    motion = leg.motion
+    assert motion is not None
+    t = np.linspace(0.0, motion.duration, DRAWN)
+    points = np.asarray(arm.position(motion.at(t)), dtype=np.float64)
+    worth = np.zeros(DRAWN, dtype=int)
+    if leg.followed is not None and leg.trajectory is not None:
+        place = leg.trajectory.law.at(t)
+        worth = leg.worth[np.clip(np.searchsorted(leg.followed.s, place), 0, len(leg.followed.s) - 1)]
+    times = leg.start + t
+    half = 0.5 * motion.duration / (DRAWN - 1)
+    for begin, end in over:
+        # What lasts shorter than from one point to the next is seen as well.
+        on = (times >= begin - half) & (times <= end + half)
+        worth = np.where(on, int(Feasible.OVER_LIMIT), worth)
+    return replace(leg, points=points, worth=worth, times=times)
+
+
+def spans_of(over: Sequence[Violation]) -> tuple[tuple[float, float], ...]:
+    """Return when limits of joints are exceeded, seconds."""
+    return tuple((violation.start, violation.end) for violation in over)
+
+
+def too_fast(samples: Samples, limit: float | None) -> list[tuple[float, float]]:
+    """Return when the tool is faster than it may be, from samples and straight lines between them."""
+    if limit is None:
+        return []
+    t, over = samples.t, samples.tool_speed - limit * (1.0 + TOOL_SLACK)
+    above = np.concatenate([[False], over > 0.0, [False]])
+    first, last = np.flatnonzero(above[1:] & ~above[:-1]), np.flatnonzero(above[:-1] & ~above[1:]) - 1
+    return [
+        (_crossing(t, over, i - 1) if i else float(t[0]), _crossing(t, over, j) if j + 1 < len(t) else float(t[-1]))
+        for i, j in zip(first.tolist(), last.tolist(), strict=True)
+    ]
+
+
+def _crossing(t: Floats, values: Floats, i: int) -> float:
+    """Return where values cross zero between samples i and i + 1."""
+    return float(t[i] + (t[i + 1] - t[i]) * values[i] / (values[i] - values[i + 1]))

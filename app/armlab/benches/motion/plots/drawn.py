@@ -1,0 +1,59 @@
+"""What the plots of a motion show besides its samples: shares of the limits, and the comparison with another plan."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.other import other_way
+from armlab.benches.motion.plan.question import Limits, Planned, Question
+from armlab.benches.motion.plan.state import Plan
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+
+Floats = NDArray[np.float64]
+Kind = Literal["joint", "cartesian", "mixed"]
+
+SAME = 1e-4
+"""Part of the duration by which motions that take the same time may differ: one follows its path by samples."""
+
+
+def boundaries(plan: Planned) -> tuple[float, ...]:
+    """Return the times at which one leg ends and the next begins."""
+    return tuple(leg.start for leg in plan.legs if leg.motion is not None and leg.start > 0.0)
+
+
+def shares(plan: Planned) -> tuple[Floats, Floats] | None:
+    """Return |qdot_i| / v_i and |qddot_i| / a_i at the samples of a plan, (k, n) each; None when it cannot be run."""
+    if plan.samples is None:
+        return None
+    limits: Limits = plan.question.limits
+    first = np.abs(plan.samples.qdot) / np.array(limits.velocity)
+    return first, np.abs(plan.samples.qddot) / np.array(limits.acceleration)
+
+
+def kind_of(question: Question) -> Kind:
+    """Return in which space the moves of a plan are straight: one, or both."""
+    spaces = {move.space for move in question.moves}
+    return spaces.pop() if len(spaces) == 1 else "mixed"
+
+
+def can_compare(state: State) -> bool:
+    """Return whether there are moves of which another kind can be planned: not of a motion read from a file."""
+    part = state[Plan]
+    return part.recorded is None and bool(part.moves)
+
+
+def compared(state: State, plan: Planned) -> Planned | None:
+    """Return the plan of the other kind of moves that belongs to a plan; None while it is not wanted or not ready."""
+    part = state[Plan]
+    if not part.compared or part.other is None or part.other.question.arm is not state[Joints].arm:
+        return None
+    return part.other if part.other.question == other_way(plan.question) else None
+
+
+def same_time(one: Planned, other: Planned) -> bool:
+    """Return whether two plans are equally fast within the limits."""
+    return abs(one.fastest - other.fastest) <= SAME * max(one.fastest, other.fastest)

@@ -1,0 +1,168 @@
+"""Plots of the planned motion over time, its peaks, what is exceeded, and the other kind of moves beside it."""
+
+from __future__ import annotations
+
+from armlab.benches.motion.plan.limits import CompareMoves
+from armlab.benches.motion.plan.question import Planned
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, last_planned
+from armlab.benches.motion.plan.ui.around import in_the_way, way_around
+from armlab.benches.motion.plots.drawn import (
+    boundaries,
+    can_compare,
+    compared,
+    kind_of,
+)
+from armlab.benches.motion.plots.state import MotionPlots, Quantity, ShowMotionPlot
+from armlab.benches.motion.plots.ui.curves import IN_SIGHT, NEAR, MotionPlot, Times
+from armlab.benches.motion.plots.ui.lines import DOTS, Slot, from_zero, lines_of, most_of, slots
+from armlab.benches.motion.plots.ui.words import OTHERS, comparison, legend, peaks_table, status
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import State
+from armlab.ui import markup
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import units_of
+from armlab.ui.widgets import Gui
+
+CHIPS: dict[Quantity, tuple[str, str]] = {
+    "q": ("q", "Joint positions"),
+    "q_dot": (f"q{DOTS[1]}", "Joint velocities"),
+    "q_ddot": (f"q{DOTS[2]}", "Joint accelerations"),
+    "jerk": ("jerk", "Rate of change of the accelerations"),
+    "s": ("s", "Path parameter, from 0 to 1 in each move"),
+    "speed": ("tool speed", "Speed of the tool point"),
+    "curvature": ("curvature", "Curvature of the way of the tool point"),
+    "load": ("load", "Velocities and accelerations as shares of their limits"),
+}
+
+COMPARE = "compare"
+
+
+class _Answer:
+    """The plan on screen, and the one beside it."""
+
+    def __init__(self) -> None:
+        self.plan: Planned | None = None
+        self.other: Planned | None = None
+
+    def of(self, plan: Planned | None, other: Planned | None) -> bool:
+        """Turn to these plans; return whether they are others."""
+        same = plan is self.plan and other is self.other
+        self.plan, self.other = plan, other
+        return not same
+
+
+def _plot(gui: Gui, slot: Slot) -> MotionPlot:
+    return MotionPlot(gui, slot.title, slot.file, from_zero(slot), NEAR if slot.quantity == "q" else IN_SIGHT)
+
+
+class _Page:
+    """The controls of the page."""
+
+    def __init__(self, gui: Gui, state: State, post: Post) -> None:
+        self._state, self._post = state, post
+        self._choice = gui.fields(self._pressed)
+        self._status, self._beside, self._legend = gui.html(), gui.html(), gui.html()
+        units = units_of(state)
+        self._slots = slots(state[Joints].arm, units)
+        self._plots = [_plot(gui, slot) for slot in self._slots]
+        self._peaks = gui.html()
+        self._answer = _Answer()
+        self._drawn: object = None
+
+    def _pressed(self, cell: str, _: str) -> None:
+        if cell == COMPARE:
+            self._post(CompareMoves(not self._state[Plan].compared))
+        elif cell in CHIPS:
+            self._post(ShowMotionPlot(cell, cell not in self._state[MotionPlots].shown))
+
+    def show(self, state: State) -> None:
+        """Show a state; curves are sent when they are others."""
+        self._state = state
+        plan = last_planned(state)
+        other = None if plan is None else compared(state, plan)
+        new = self._answer.of(plan, other)
+        drawn = (state[MotionPlots], state[Plan].compared, can_compare(state))
+        if new or drawn != self._drawn:
+            self._drawn = drawn
+            self._choose(state)
+            self._tell(state)
+            self._draw(state)
+        self._place_cursors(state)
+
+    def _choose(self, state: State) -> None:
+        channel, shown, part = self._choice.channel_id, state[MotionPlots].shown, state[Plan]
+        chips = "".join(markup.chip(channel, key, text, hint, key in shown) for key, (text, hint) in CHIPS.items())
+        plan = self._answer.plan
+        name = OTHERS["mixed" if plan is None else kind_of(plan.question)]
+        can = can_compare(state)
+        hint = "Plan the same waypoints this way, too" if can else "A motion read from a file has no moves"
+        compare = markup.chip(channel, COMPARE, name, hint, part.compared and can, off=not can)
+        self._choice.show(markup.row("Show", chips) + markup.row("Compare", compare))
+
+    def _tell(self, state: State) -> None:
+        plan, other, units = self._answer.plan, self._answer.other, units_of(state)
+        on = state[Plan].compared and can_compare(state)
+        own, theirs = None if plan is None else plan.figures, None if other is None else other.figures
+        self._status.show(status(plan, own, () if plan is None else plan.overruns))
+        self._legend.show("" if plan is None or own is None else legend(plan, units, on))
+        self._peaks.show("" if plan is None or own is None else peaks_table(plan, own, units))
+        self._beside.show("" if plan is None or not on else comparison(plan, own, other, theirs, units))
+
+    def _draw(self, state: State) -> None:
+        plan, other, units = self._answer.plan, self._answer.other, units_of(state)
+        samples, shown = None if plan is None else plan.samples, state[MotionPlots].shown
+        beside = None if other is None else other.samples
+        for slot, plot in zip(self._slots, self._plots, strict=True):
+            there = plan is not None and samples is not None and slot.quantity in shown
+            # A motion read from a file runs along no path with a parameter.
+            there = there and not (slot.quantity == "s" and plan is not None and plan.question.recorded is not None)
+            plot.visible(there)
+            if plan is None or samples is None or not there:
+                continue
+            times = Times(samples.t, None if beside is None else beside.t, boundaries(plan))
+            lines = lines_of(slot, plan, samples, other, plan.overruns, units)
+            plot.draw(times, lines, most_of(slot, plan.question.arm, lines))
+
+    def _place_cursors(self, state: State) -> None:
+        timeline, plan = state[Timeline], self._answer.plan
+        on = timeline.clip == CLIP_KEY and plan is not None
+        shown = state[MotionPlots].shown
+        for slot, plot in zip(self._slots, self._plots, strict=True):
+            if slot.quantity in shown:
+                plot.at_time(timeline.time if on else None, 0.0 if plan is None else plan.duration)
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the choice, the plots and the tables."""
+    return _Page(gui, state, post).show
+
+
+PANEL = Panel(
+    "motion_plots",
+    "Plots of the motion",
+    "CHART_LINE",
+    40,
+    (Plan, MotionPlots, Joints, Timeline),
+    build,
+    tab="motion",
+    page="Plots",
+    hides_then=in_the_way,
+    around=way_around,
+    about=(
+        "S6.1-space-time",
+        "S6.2-classes",
+        "S6.3.2-optimality",
+        "S6.3-cartesian",
+        "6.18-6.19",
+        "plots of the motion",
+        "velocity",
+        "acceleration",
+        "jerk",
+        "tool speed",
+        "curvature",
+        "joint limits over time",
+        "joint move against Cartesian move",
+        "travel time",
+    ),
+)

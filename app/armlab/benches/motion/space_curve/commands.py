@@ -1,0 +1,347 @@
+"""What a person can change of the curve and of the turn in the laboratory of geometry."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+
+from armlab.benches.motion.space_curve.laid import FORMULA, Point, kinds, made_curve
+from armlab.benches.motion.space_curve.state import (
+    CLIP_KEY,
+    MOST_POINTS,
+    POINTS,
+    Shown,
+    SpaceCurve,
+    changed,
+    curve_of,
+    point_of,
+)
+from armlab.benches.motion.space_curve.turn import rotation_of, written
+from armlab.errors import InputError, UnknownName
+from armlab.kin.euler import SEQUENCES
+from armlab.kin.motion import free_law_types
+from armlab.kin.motion.trajectory import times_at
+from armlab.session.chosen import Chosen
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import target_pose
+from armlab.session.parts.timeline import Timeline, clips
+from armlab.session.state import Command, State
+
+End = Literal["A", "B"]
+
+NEXT = 0.2
+"""Metres beyond the last waypoint at which one is added."""
+
+
+@dataclass(frozen=True)
+class LookAt(Command):
+    """Look at the curve or at the turn."""
+
+    shown: Shown
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the other one in view."""
+        if self.shown not in ("curve", "turn"):
+            raise UnknownName("view", self.shown, ("curve", "turn"))
+        return changed(state, replace(state[SpaceCurve], shown=self.shown, example=""))
+
+
+@dataclass(frozen=True)
+class DrawMarks(Command):
+    """Show or hide the Frenet frame ("frame") or velocity and acceleration ("arrows")."""
+
+    name: str
+    on: bool
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the marks shown or hidden."""
+        part = state[SpaceCurve]
+        if self.name not in ("frame", "arrows"):
+            raise UnknownName("marks", self.name, ("frame", "arrows"))
+        marks = {"frame": part.frame, "arrows": part.arrows, self.name: self.on}
+        shown = replace(part, frame=marks["frame"], arrows=marks["arrows"])
+        return state if shown == part else state.replace(shown)
+
+
+@dataclass(frozen=True)
+class ChooseCurve(Command):
+    """Take another kind of curve through as many of the waypoints as it takes, its options as they come."""
+
+    key: str
+    label: ClassVar[str] = "kind of curve"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the curve; where it does not pass through these waypoints, through others."""
+        part = state[SpaceCurve]
+        if self.key == part.curve.key:
+            return state
+        chosen = Chosen.of(kinds(), self.key)
+        kind = kinds()[self.key]
+        if self.key == FORMULA:
+            return _curve(state, curve=chosen)
+        for known in (part.points, POINTS):
+            points = _fitting(known, kind.least, kind.most)
+            try:
+                made_curve(replace(part, curve=chosen, points=points).question)
+            except InputError:
+                continue
+            return _curve(state, curve=chosen, points=points)
+        return _curve(state, curve=chosen, points=_fitting(part.points, kind.least, kind.most))
+
+
+@dataclass(frozen=True)
+class SetPoint(Command):
+    """Move one waypoint along one axis, to metres; both counted from 0."""
+
+    point: int
+    axis: int
+    value: float
+    label: ClassVar[str] = "waypoint"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the waypoint there."""
+        points = [list(point) for point in state[SpaceCurve].points]
+        if not (0 <= self.point < len(points) and 0 <= self.axis < 3):
+            raise InputError(f"waypoint: expected 1 to {len(points)}, got {self.point + 1}")
+        points[self.point][self.axis] = self.value
+        each = tuple(point_of(point, f"waypoint {k + 1}") for k, point in enumerate(points))
+        return _curve(state, points=each)
+
+
+@dataclass(frozen=True)
+class AddPoint(Command):
+    """Add a waypoint behind the last one, a little aside."""
+
+    label: ClassVar[str] = "added waypoint"
+
+    def apply(self, state: State) -> State:
+        """Return the state with one waypoint more."""
+        points = state[SpaceCurve].points
+        return _curve(state, points=_fitting(points, len(points) + 1, None))
+
+
+@dataclass(frozen=True)
+class RemovePoint(Command):
+    """Take a waypoint away; counted from 0."""
+
+    point: int
+    label: ClassVar[str] = "removed waypoint"
+
+    def apply(self, state: State) -> State:
+        """Return the state without it."""
+        points = state[SpaceCurve].points
+        if not 0 <= self.point < len(points):
+            raise InputError(f"waypoint: expected 1 to {len(points)}, got {self.point + 1}")
+        return _curve(state, points=points[: self.point] + points[self.point + 1 :])
+
+
+@dataclass(frozen=True)
+class TypeFormula(Command):
+    """Write x(s), y(s) or z(s): axis 0, 1 or 2."""
+
+    axis: int
+    text: str
+    label: ClassVar[str] = "formula of the curve"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the formula."""
+        texts = list(state[SpaceCurve].formula)
+        _refuse_index("axis", self.axis)
+        texts[self.axis] = self.text.strip()
+        return _curve(state, formula=(texts[0], texts[1], texts[2]))
+
+
+@dataclass(frozen=True)
+class SetOption(Command):
+    """Set an option of the curve ("curve") or of the law ("law"); None leaves it as it comes."""
+
+    of: str
+    name: str
+    value: Any
+    label: ClassVar[str] = "option"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the option."""
+        part = state[SpaceCurve]
+        if self.of == "curve":
+            kind = kinds()[part.curve.key]
+            return _curve(state, curve=part.curve.with_option(kind, self.name, self.value))
+        return _curve(state, law=part.law.with_option(free_law_types()[part.law.key], self.name, self.value))
+
+
+@dataclass(frozen=True)
+class UseLength(Command):
+    """Parametrise the curve by its length, or as it was made."""
+
+    on: bool
+    label: ClassVar[str] = "parameter of the curve"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the parameter; a curve that stands still somewhere has none."""
+        return _curve(state, by_length=self.on)
+
+
+@dataclass(frozen=True)
+class ChooseLaw(Command):
+    """Take another timing law, its options as they come."""
+
+    key: str
+    label: ClassVar[str] = "timing law"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the law."""
+        if self.key == state[SpaceCurve].law.key:
+            return state
+        return _curve(state, law=Chosen.of(free_law_types(), self.key))
+
+
+@dataclass(frozen=True)
+class SetDuration(Command):
+    """Set the seconds of the motion."""
+
+    duration: float
+    label: ClassVar[str] = "duration"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the duration."""
+        return _curve(state, duration=self.duration)
+
+
+@dataclass(frozen=True)
+class OwnTimes(Command):
+    """Move as the curve was made: at constant rate, in the time of its waypoints."""
+
+    label: ClassVar[str] = "times of the waypoints"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the constant law of that duration."""
+        duration = state.derived(curve_of).given.duration
+        if duration is None:
+            raise InputError("T: this curve has no times of its own")
+        return _curve(state, law=Chosen.of(free_law_types(), "constant"), duration=duration)
+
+
+@dataclass(frozen=True)
+class GoTo(Command):
+    """Put the film on where it passes a place s from 0 to 1."""
+
+    s: float
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the film there, paused."""
+        if not 0.0 <= self.s <= 1.0:
+            raise InputError("s: it must be on the curve, from its beginning to its end")
+        law = state.derived(curve_of).law
+        times = times_at(law, np.array([self.s]))
+        timeline = state[Timeline]
+        if timeline.clip not in ("", CLIP_KEY):
+            state = clips()[timeline.clip].closed(state)
+        time = float(times[0]) if len(times) else 0.0
+        return state.replace(replace(timeline, clip=CLIP_KEY, time=time, playing=False))
+
+
+@dataclass(frozen=True)
+class WriteIn(Command):
+    """Write both orientations in other angles; they stay what they are."""
+
+    axes: str | None = None
+    fixed: bool | None = None
+    label: ClassVar[str] = "sequence of angles"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the sequence."""
+        part = state[SpaceCurve]
+        axes = part.axes if self.axes is None else self.axes
+        if axes not in SEQUENCES:
+            raise UnknownName("axes", axes, SEQUENCES)
+        fixed = part.fixed if self.fixed is None else self.fixed
+        ends = (rotation_of(part.axes, part.fixed, angles) for angles in (part.start, part.end))
+        start, end = written(axes, fixed, *ends)
+        return _curve(state, axes=axes, fixed=fixed, start=start, end=end)
+
+
+@dataclass(frozen=True)
+class SetAngle(Command):
+    """Set one angle of R_A or R_B; k from 0, radians."""
+
+    end: End
+    k: int
+    value: float
+    label: ClassVar[str] = "orientation"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the angle."""
+        angles = list(_angles(state, self.end))
+        _refuse_index(f"angle of {self.end}", self.k)
+        angles[self.k] = self.value
+        return _turned(state, self.end, point_of(angles, f"angles of {self.end}"))
+
+
+@dataclass(frozen=True)
+class TakeOrientation(Command):
+    """Take R_A or R_B from the tool ("tool") or from the handle of the target ("handle")."""
+
+    end: End
+    source: str
+    label: ClassVar[str] = "orientation"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the orientation, written in the present sequence."""
+        if self.source not in ("tool", "handle"):
+            raise UnknownName("source", self.source, ("tool", "handle"))
+        pose = state[Joints].tool_pose if self.source == "tool" else target_pose(state)
+        part = state[SpaceCurve]
+        R = np.asarray(pose, dtype=np.float64)[:3, :3]
+        other = rotation_of(part.axes, part.fixed, _angles(state, "B" if self.end == "A" else "A"))
+        start, end = written(part.axes, part.fixed, *((R, other) if self.end == "A" else (other, R)))
+        return _curve(state, start=start, end=end)
+
+
+@dataclass(frozen=True)
+class GoLongWay(Command):
+    """Turn about the one axis the long way round, or the short way."""
+
+    on: bool
+    label: ClassVar[str] = "way round"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the way."""
+        return _curve(state, other_way=self.on)
+
+
+def _curve(state: State, **fields: Any) -> State:
+    return changed(state, replace(state[SpaceCurve], example="", **fields))
+
+
+def _refuse_index(name: str, k: int) -> None:
+    """Raise `InputError` where one of three is meant by a number, from 0, that is none of theirs."""
+    if not 0 <= k < 3:
+        raise InputError(f"{name}: expected 1 to 3, got {k + 1}")
+
+
+def _angles(state: State, end: End) -> Point:
+    if end not in ("A", "B"):
+        raise UnknownName("orientation", end, ("A", "B"))
+    return state[SpaceCurve].start if end == "A" else state[SpaceCurve].end
+
+
+def _turned(state: State, end: End, angles: Point) -> State:
+    return _curve(state, start=angles) if end == "A" else _curve(state, end=angles)
+
+
+def _fitting(points: tuple[Point, ...], least: int, most: int | None) -> tuple[Point, ...]:
+    """Return as many of the points as are wanted, and others behind them where they are too few."""
+    kept = list(points[: MOST_POINTS if most is None else most])
+    for spare in POINTS:
+        if len(kept) < least and spare not in kept:
+            kept.append(spare)
+    while len(kept) < least:
+        x, y, z = kept[-1] if kept else (0.0, 0.0, 0.0)
+        side = NEXT if len(kept) % 2 else -NEXT
+        kept.append((round(x - NEXT, 6), round(y + NEXT, 6), round(z + side, 6)))
+    return tuple(kept)

@@ -1,0 +1,144 @@
+"""A curve in numbers: at the present moment, of its kind, and as a whole."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.benches.motion.space_curve.laid import Laid, Moment
+from armlab.benches.motion.space_curve.state import SpaceCurve, curve_of, moment_of
+from armlab.benches.motion.space_curve.ui.words import Row, corrected, length, lengths, per_metre, plain, said, vectors
+from armlab.kin.paths.circle import Arc
+from armlab.kin.paths.clothoid import Clothoid
+from armlab.kin.paths.helix import Helix
+from armlab.kin.paths.overfly import Overfly
+from armlab.session.state import State
+from armlab.ui.format import escaped, mathml, number, pairs
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Fields
+
+KAPPA = r"\kappa=\frac{|p′\times p″|}{|p′|^3}"
+TAU = r"\tau=\frac{p′\cdot(p″\times p‴)}{|p′\times p″|^2}"
+
+TANGENT = "t = p′/|p′|. Notes 6.145 multiply p by the norm instead: corrected."
+NORMAL = "κv² n is the centripetal acceleration; the text after 6.135 calls n itself “the normal acceleration”."
+NOT_ACROSS = (
+    "p″ṡ² is across the way only by arc length (6.135). Here the acceleration is {along} along t and {across} along n."
+)
+BOUNDED = "A bounded curvature does not make a curve regular, as the text before 6.12 has it; p′ ≠ 0 does."
+
+ACROSS = 1e-6
+"""Part of p''s-dot² along the way, relative, below which it is across."""
+
+
+def at_present(fields: Fields, state: State) -> str:
+    """Return the numbers where the film stands."""
+    found, now, units = state.derived(curve_of), state.derived(moment_of), units_of(state)
+    frame, by_length = now.frame, found.by_length
+    rows: list[Row] = [("p", units.length_unit, lengths(now.p, units))]
+    if by_length:
+        rows += [("p′", "", plain(now.d1)), ("p″", "1/m", plain(now.d2))]
+    else:
+        rows += [("p′", units.length_unit, lengths(now.d1, units)), ("p″", units.length_unit, lengths(now.d2, units))]
+    for name, vector in (("t", frame.tangent), ("n", frame.normal), ("b", frame.binormal)):
+        there = bool(vector.any())
+        rows.append((name, "", plain(vector) if there else ("–",) * 4))
+    return f"{_place(fields, now, found, units)}{vectors(rows)}{_remark(now)}{_scalars(now, found, units)}"
+
+
+def _place(fields: Fields, now: Moment, found: Laid, units: Units) -> str:
+    """Return the heading with the field of s."""
+    if found.by_length:
+        cell = fields.field("sigma", units.text(now.sigma, False), "Distance gone")
+        place = f"<label>At σ = {cell} <small>of {units.length(found.arc.length)}</small></label>"
+    else:
+        cell = fields.field("s", number(now.s, 3), "Parameter s, from 0 to 1")
+        place = f"<label>At s = {cell}</label>"
+    return f'<h3 class="sc-at">{place}<small class="sc-t">t = {number(now.t, 2)} s</small></h3>'
+
+
+def _remark(now: Moment) -> str:
+    text = now.frame.remark
+    return said("warn", escaped(text)) if text else ""
+
+
+def _scalars(now: Moment, found: Laid, units: Units) -> str:
+    frame = now.frame
+    kappa, moves = float(frame.curvature), bool(frame.moves)
+    bends = bool(frame.bends)
+    return pairs(
+        [
+            ("curvature κ", per_metre(kappa) if moves else "–"),
+            ("radius 1/κ", f"{length(1.0 / kappa, units)} {units.length_unit}" if bends else "–"),
+            ("torsion τ", per_metre(float(frame.torsion)) if bends else "–"),
+            ("distance gone σ, of L", f"{units.text(now.sigma, False)} of {units.length(found.arc.length)}"),
+        ]
+    )
+
+
+def moving(state: State) -> str:
+    """Return velocity and acceleration with their parts, while they are drawn."""
+    if not state[SpaceCurve].arrows:
+        return ""
+    now, units = state.derived(moment_of), units_of(state)
+    unit = units.length_unit
+    rows: list[Row] = [
+        ("ṗ", f"{unit}/s", lengths(now.velocity, units)),
+        ("p′s̈", f"{unit}/s²", lengths(now.tangential, units)),
+        ("p″ṡ²", f"{unit}/s²", lengths(now.centripetal, units)),
+        ("p̈", f"{unit}/s²", lengths(now.tangential + now.centripetal, units)),
+    ]
+    along = float(now.centripetal @ now.frame.tangent)
+    size = float(np.linalg.norm(now.centripetal))
+    text = NORMAL
+    if abs(along) > ACROSS * size and size > 0.0:
+        whole = now.tangential + now.centripetal
+        parts = (float(whole @ axis) for axis in (now.frame.tangent, now.frame.normal))
+        values = dict(zip(("along", "across"), (f"{units.text(part, False)} {unit}/s²" for part in parts), strict=True))
+        text = NOT_ACROSS.format(**values)
+    return f"<h3>Velocity and acceleration</h3>{vectors(rows)}{corrected(text)}"
+
+
+def whole(state: State) -> str:
+    """Return what holds of the curve as a whole, and the formulas."""
+    found, units = state.derived(curve_of), units_of(state)
+    if len(found.stands):
+        places = ", ".join(number(float(s), 3) for s in found.stands[:4])
+        regular = said("no", f"Not regular: p′ = 0 at s = {places}") + corrected(BOUNDED)
+    else:
+        regular = said("ok", "Regular: p′ ≠ 0 everywhere")
+    formulas = (
+        f'<div class="eq small" title="Notes 6.140–6.141; for any number of coordinates 6.11">&emsp;{mathml(KAPPA)}'
+        f"&emsp;&emsp;{mathml(TAU)}</div>"
+    )
+    return f"{_facts(found, units)}{regular}{formulas}{corrected(TANGENT)}"
+
+
+def _facts(found: Laid, units: Units) -> str:
+    """Return the numbers of a kind of curve that has some."""
+    path = found.given
+    unit = units.length_unit
+    if isinstance(path, Arc):
+        centre = ", ".join(units.text(float(value), False) for value in path.centre)
+        rows = [("centre", f"({centre}) {unit}"), ("radius", units.length(path.radius))]
+        return pairs([*rows, ("angle", units.angle(path.angle))])
+    if isinstance(path, Helix):
+        rise = float(np.linalg.norm(path.advance)) / path.angle
+        return pairs([("radius r", units.length(path.radius)), ("advance h a radian", units.length(rise))])
+    if isinstance(path, Clothoid):
+        return pairs([("κ = 2θσ/L², at its end", per_metre(2.0 * abs(path.turn) / path.length))])
+    return _blends(path, units) if isinstance(path, Overfly) else ""
+
+
+def _blends(path: Overfly, units: Units) -> str:
+    """Return the blends of the corners: notes 6.120 and 6.130-6.133."""
+    rows = []
+    for k, (time, d1, d2, a) in enumerate(zip(path.blend_times, path.d1, path.d2, path.accelerations, strict=True)):
+        cells = (number(float(time), 3), units.text(float(d1), False), units.text(float(d2), False))
+        size = units.text(float(np.linalg.norm(a)), False)
+        rows.append(f"<tr><th>{k + 2}</th>{''.join(f'<td>{cell}</td>' for cell in (*cells, size))}</tr>")
+    unit = units.length_unit
+    heads = ("corner", "ΔT, s", f"d₁, {unit}", f"d₂, {unit}", f"|p̈|, {unit}/s²")
+    return (
+        f'<table class="sc-table"><tr>{"".join(f"<th>{head}</th>" for head in heads)}</tr>{"".join(rows)}</table>'
+        '<p class="dim">ΔT = 2d₁/v₁ = 2d₂/v₂ (6.130–6.133), p̈ = (v₂k₂ − v₁k₁)/ΔT (6.120).</p>'
+    )

@@ -1,0 +1,142 @@
+"""The five planning steps of a stretch of the plan: knots, path, samples, inverse kinematics, joint path."""
+
+from __future__ import annotations
+
+from armlab.benches.motion.plan.limits import SampleBy
+from armlab.benches.motion.plan.points import SelectWaypoint
+from armlab.benches.motion.plan.state import Plan, planned
+from armlab.benches.motion.plan.ui.around import way_around
+from armlab.benches.motion.steps.state import INVERSE, KNOTS, PATH, SAMPLING, STEPS, PlanSteps, ShowStep
+from armlab.benches.motion.steps.ui import words
+from armlab.benches.motion.steps.ui.plots import Plots
+from armlab.benches.motion.steps.ui.scene import RESULT, WANTED
+from armlab.benches.motion.steps.worked import Steps, kept, steps
+from armlab.errors import InputError
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import Command, State
+from armlab.ui.colours import css
+from armlab.ui.markup import chip, chips, options, row, select
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tried import plain_number, tried
+from armlab.ui.units import units_of
+from armlab.ui.widgets import Fields, Gui
+
+MOST_CHIPS = 6
+"""Stretches that are chosen by chips; more of them by a list."""
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the choice of stretch and step, what is said of the step, and its plots."""
+    present, looked = state, steps(state)
+
+    def typed(cell: str, text: str) -> None:
+        if not tried(fields, cell, text, lambda: _commands(present, cell, text), present, post):
+            show(present)
+
+    fields = gui.fields(typed)
+    plots = Plots(gui, state)
+
+    def show(state: State) -> None:
+        nonlocal present, looked
+        present, looked = state, kept(state.derived(steps), looked)
+        fields.show(_markup(fields, state, looked))
+        plots.show(looked, state)
+
+    return show
+
+
+def _commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
+    """Return what a person asked for."""
+    name, _, rest = cell.partition(" ")
+    if name == "step" and rest.isdecimal():
+        return (ShowStep(int(rest)),)
+    if name == "stretch":
+        chosen = rest or text
+        if not chosen.isdecimal():
+            raise InputError(f"stretch: expected the number of a waypoint, got {chosen[:20]!r}")
+        return (SelectWaypoint(int(chosen)),)
+    if name == "samples":
+        return (SampleBy(plain_number(text)),)
+    return ()
+
+
+def _markup(fields: Fields, state: State, found: Steps | None) -> str:
+    part = state[Plan]
+    if part.recorded is not None:
+        return (
+            "<p>The motion was read from a file: its samples are joined by a spline, which is step 5 alone. The steps "
+            "before it were done elsewhere.</p>"
+        )
+    if not part.moves:
+        return "<p>One waypoint makes no motion. Add another on the page Plan.</p>"
+    head = _stretches(fields.channel_id, part) + _steps(fields.channel_id, state, found)
+    if found is None:
+        return head + '<p class="dim">The plan is being worked out …</p>'
+    busy = "" if planned(state) is not None else '<p class="dim">The plan is being worked out anew …</p>'
+    return head + _step(fields, state, found) + busy
+
+
+def _stretches(channel: str, part: Plan) -> str:
+    """Return the choice among the stretches; nothing where there is one."""
+    titles = {str(each.last): each.title for each in part.parts}
+    chosen = str(part.stretch.last) if part.stretch is not None else ""
+    if len(titles) < 2:
+        return ""
+    if len(titles) > MOST_CHIPS:
+        return row("Stretch", select(channel, "stretch", "Stretch", options(titles, chosen)))
+    named = {f"stretch {key}": title for key, title in titles.items()}
+    return row("Stretch", chips(channel, named, f"stretch {chosen}", "Waypoints that are one path"))
+
+
+def _steps(channel: str, state: State, found: Steps | None) -> str:
+    """Return a chip for each step; those a joint move leaves out are pale."""
+    made = []
+    for k in STEPS:
+        skipped = found is not None and not found.in_space and k in words.SKIPPED
+        hint = "A joint move leaves this out" if skipped else f"Step {k} of 5"
+        text = chip(channel, f"step {k}", f"{k} {words.TITLES[k]}", hint, k == state[PlanSteps].shown)
+        made.append(f'<span class="ms-skipped">{text}</span>' if skipped else text)
+    return f'<div class="bar ms-steps">{"".join(made)}</div>'
+
+
+def _step(fields: Fields, state: State, found: Steps) -> str:
+    step, units = state[PlanSteps].shown, units_of(state)
+    if step == KNOTS:
+        said = words.knots(found, units)
+    elif step == PATH:
+        said = words.path(found, units)
+    elif step == SAMPLING:
+        typed = fields.field("samples", str(state[Plan].samples), "Number of samples")
+        said = words.sampling(found, f'<div class="it-numbers"><label><span>samples</span>{typed}</label></div>', units)
+    elif step == INVERSE:
+        said = words.inverse(found, units)
+    else:
+        said = words.joints(found, units, (css(WANTED), css(RESULT)))
+    return words.head_of(step, found) + said
+
+
+PANEL = Panel(
+    "motion_steps",
+    "Five steps",
+    "STAIRS",
+    43,
+    (Plan, PlanSteps, RobotPart, Notation),
+    build,
+    tab="motion",
+    hides=("gizmo", "gap"),
+    around=way_around,
+    about=(
+        "S6.0-planning",
+        "S6.0-pipeline",
+        "S6.0-checklist",
+        "S6.3-cartesian",
+        "6",
+        "five planning steps",
+        "trajectory planning",
+        "motion planning",
+        "sampling",
+        "knots",
+        "inverse kinematics along a path",
+    ),
+)

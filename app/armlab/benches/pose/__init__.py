@@ -1,0 +1,1 @@
+"""The tab of pose: one folder a page."""

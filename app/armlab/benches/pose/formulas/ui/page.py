@@ -1,0 +1,143 @@
+"""Position and rotation of the tool as formulas in symbols, where they can be read, with their present values."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.pose.tool.ui.formulas import (
+    LONGEST,
+    MOST_TERMS,
+    Written,
+    has_numbers,
+    offset_lines,
+    short_forms,
+    used_constants,
+    written,
+)
+from armlab.benches.pose.tool.ui.notation import symbol
+from armlab.kin.arm import Arm
+from armlab.kin.symbolic import PoseFormulas, constants
+from armlab.kin.transforms import inverse
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+from armlab.ui.format import mathml, number, subscript
+from armlab.ui.markup import copy_button
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Gui, Html
+
+MOST_COPIED = 20_000
+"""Characters of a text that waits in the page to be copied."""
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Write the formulas of the arm once; only the values follow its motion."""
+    del post
+    arm, units = state[Joints].arm, units_of(state)
+    pose = PoseFormulas(arm)
+    python, latex = pose.printed("text", MOST_TERMS), pose.printed("latex", MOST_TERMS)
+    formulas = {name: written(arm, units, latex[name]) for name in latex}
+    gui.html(_head(python, formulas, len(pose.terms)))
+    values: dict[str, Html] = {}
+    for title, letter in (("Position p", "p"), ("Rotation R: row, column", "r")):
+        gui.heading(title)
+        fixed = {name: formula.latex for name, formula in formulas.items() if name[0] == letter and formula.constant}
+        if fixed:
+            gui.html(_constant(fixed))
+        for name, terms in pose.terms.items():
+            if name[0] == letter and name not in fixed:
+                values[name] = gui.html()
+                formula = formulas.get(name)
+                gui.html(_formula(formula, python[name]) if formula else _too_long(terms))
+    gui.html(_symbols(arm, units, python, formulas))
+
+    def show(state: State) -> None:
+        joints = state[Joints]
+        T = inverse(joints.arm.base) @ joints.tool_pose
+        for name, element in values.items():
+            element.show(_value(name, T, units))
+
+    return show
+
+
+def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> str:
+    everything = {
+        "LaTeX": "\\begin{aligned}\n"
+        + " \\\\\n".join(f"{_symbol(name)} &= {formula.latex}" for name, formula in formulas.items())
+        + "\n\\end{aligned}",
+        "Python": "\n".join(f"{name} = {text}" for name, text in python.items()),
+    }
+    notes = []
+    if any(has_numbers(formula.latex) for name, formula in formulas.items() if name[0] == "p"):
+        notes.append("Numbers in the formulas of p are lengths in m, in every unit chosen under View.")
+    hidden = sum(formula.left_out > 0 for formula in formulas.values())
+    if hidden:
+        notes.append(
+            f"{hidden} of {count} formulas are long (over {LONGEST} characters of LaTeX): only their beginning is "
+            "shown. The copies have them whole."
+        )
+    if len(formulas) < count:
+        notes.append(f"{count - len(formulas)} of {count} formulas have over {MOST_TERMS} terms and are not written.")
+    copies = "".join(_copy(kind, text) for kind, text in everything.items()) if formulas else ""
+    note = f'<p class="dim">{" ".join(notes)}</p>' if notes else ""
+    return f'<h3>Tool in frame 0 {mathml(symbol("0", "E"))}<span class="copies">{copies}</span></h3>{note}'
+
+
+def _too_long(terms: int) -> str:
+    """Return what stands in the place of a formula nobody could read."""
+    return f'<div class="formula dim">too long to be read: about {float(f"{terms:.2g}"):,.0f} terms</div>'
+
+
+def _constant(numbers: dict[str, str]) -> str:
+    """Return the entries that do not depend on the joints, in one line."""
+    entries = "".join(f"<span>{mathml(f'{_symbol(name)}={{{value}}}')}</span>" for name, value in numbers.items())
+    return f'<div class="where small">{entries}</div>'
+
+
+def _formula(formula: Written, python: str) -> str:
+    rest = f' <span class="dim">… and {formula.left_out} more terms</span>' if formula.left_out else ""
+    copies = _copy("LaTeX", formula.latex) + _copy("Python", python)
+    return f'<div class="formula">= {formula.markup}{rest}<span class="copies">{copies}</span></div>'
+
+
+def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str, Written]) -> str:
+    """Return what the letters stand for: short forms of sines and cosines, angles with an offset, constants."""
+    lines = short_forms(arm, units, (formula.latex for formula in formulas.values()))
+    lines += offset_lines(arm, units)
+    known = constants(arm)
+    for name in used_constants(python.values()):
+        letter, index = name.rstrip("0123456789"), int(name.lstrip("alphd"))
+        value = units.constant(known[name], letter == "alpha")
+        lines.append(f"{subscript({'alpha': 'α'}.get(letter, letter), index)} = {value}")
+    return f'<h3>Where</h3><div class="where">{"".join(f"<span>{line}</span>" for line in lines)}</div>'
+
+
+def _value(name: str, T: NDArray[np.floating], units: Units) -> str:
+    if name[0] == "p":
+        text = units.length(float(T["xyz".index(name[1]), 3]))
+    else:
+        text = number(float(T[int(name[1]) - 1, int(name[2]) - 1]), 3)
+    return f'<div class="value">{mathml(_symbol(name))} = {text}</div>'
+
+
+def _symbol(name: str) -> str:
+    return f"{name[0]}_{{{name[1:]}}}"
+
+
+def _copy(kind: str, text: str) -> str:
+    if len(text) > MOST_COPIED:
+        return ""
+    return copy_button(kind, text)
+
+
+PANEL = Panel(
+    "formulas",
+    "Formulas",
+    "MATH_FUNCTION",
+    27,
+    (Joints,),
+    build,
+    tab="pose",
+    about=("S1.1-direct-kinematics", "S4.0-2R", "S4.1-dh-chain", "symbolic", "closed form of the direct kinematics"),
+)

@@ -1,0 +1,102 @@
+"""How transforms are written: names with indices, the chain they are a product of, elementary factors with numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from armlab.benches.pose.tool.state import TOOL, WORLD, PoseView, step_of
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Convention
+from armlab.ui.format import MINUS, mathml
+from armlab.ui.units import Units
+
+NAMES = {WORLD: "world", TOOL: "tool"}
+
+FACTORS = {
+    "standard": (("R", "z", "theta"), ("T", "z", "d"), ("T", "x", "a"), ("R", "x", "alpha")),
+    "modified": (("R", "x", "alpha"), ("T", "x", "a"), ("R", "z", "theta"), ("T", "z", "d")),
+}
+"""The elementary transforms of A_i in order: turn or shift, axis, and the entry of the table."""
+
+INVERSE = r"T^{-1}=\begin{pmatrix}R^{T} & -R^{T}p\\ 0 & 1\end{pmatrix}"
+
+
+def symbol(reference: str, frame: str) -> str:
+    """Return the LaTeX name of the pose of one frame in another."""
+    return rf"{{}}^{{{reference}}}T_{{{frame}}}"
+
+
+def short_symbol(reference: str, frame: str) -> str:
+    """Return the same as plain markup, for a small button."""
+    return f"<sup>{reference}</sup>T<sub>{frame}</sub>"
+
+
+def in_words(reference: str, frame: str) -> str:
+    """Return what a transform is: tool in the world, frame 3 in frame 0."""
+    moved = NAMES.get(frame, f"frame {frame}")
+    seen_from = f"the {NAMES[reference]}" if reference in NAMES else f"frame {reference}"
+    return f"{moved} in {seen_from}"
+
+
+def title(view: PoseView) -> str:
+    """Return the heading of the matrix of the transform that is looked at."""
+    return f"{mathml(symbol(view.reference, view.frame))} <small>{in_words(view.reference, view.frame)}, p in m</small>"
+
+
+def chain(view: PoseView) -> str:
+    """Return the transform as the product it is computed from, as MathML; empty for a constant one."""
+    reference, frame = view.outer_pair
+    i = step_of(view)
+    name = symbol(reference, frame)
+    if i is not None:
+        return mathml(f"{name}=A_{{{i}}}")
+    first = 1 if reference in (WORLD, "0") else view.n + 1 if reference == TOOL else int(reference) + 1
+    last = view.n if frame == TOOL else 0 if frame == WORLD else int(frame)
+    links = [f"A_{{{k}}}" for k in range(first, last + 1)]
+    if not links:
+        return ""
+    product = r"\,".join(links if len(links) <= 4 else [*links[:2], r"\cdots", links[-1]])
+    before = symbol(WORLD, "0") + r"\," if reference == WORLD else ""
+    after = r"\," + symbol(str(view.n), TOOL) if frame == TOOL else ""
+    return mathml(f"{name}={before}{product}{after}")
+
+
+def elementary(kind: str, axis: str, text: str) -> str:
+    """Return one elementary turn or shift with its number, as MathML; not cached, for numbers that move."""
+    left, right = (f'<mo stretchy="false">{sign}</mo>' for sign in "()")
+    return f"<math><msub><mi>{kind}</mi><mi>{axis}</mi></msub>{left}<mn>{text}</mn>{right}</math>"
+
+
+def link_product(arm: Arm, parameters: dict[str, float], units: Units) -> str:
+    """Return A_i as the product of its elementary transforms with the present numbers; it breaks between factors."""
+    texts = {
+        name: units.angle(value) if name in ("alpha", "theta") else units.length(value)
+        for name, value in parameters.items()
+    }
+    factors = (elementary(kind, axis, texts[name]) for kind, axis, name in FACTORS[arm.convention])
+    return " ".join(factors)
+
+
+def link_symbols(arm: Arm, i: int, units: Units) -> str:
+    """Return A_i as the product of its elementary transforms in the symbols of the table, as MathML."""
+    return mathml(f"A_{{{i}}}={product_latex(arm.convention, units, str(i), str(i - 1))}")
+
+
+def product_latex(convention: Convention, units: Units, index: str, before: str) -> str:
+    """Return the product of the moves of a row in LaTeX; the modified table counts a and alpha from the row before."""
+    modified = convention == "modified"
+    return r"\,".join(
+        rf"{kind}_{axis}({units.latex(name)}_{{{before if modified and name in ('a', 'alpha') else index}}})"
+        for kind, axis, name in FACTORS[convention]
+    )
+
+
+def turns(axes: str, fixed: bool, texts: Sequence[str]) -> str:
+    """Return a product of turns with numbers as it is multiplied: about fixed axes the first turn stands last."""
+    factors = [elementary("R", axis, text) for axis, text in zip(axes, texts, strict=True)]
+    return " ".join(reversed(factors) if fixed else factors)
+
+
+def cosine(value: float, angle: float, units: Units) -> str:
+    """Return ``cos 57.3° = 0.540``."""
+    return f"cos {units.angle(angle)} = {value:.3f}".replace("-", MINUS)

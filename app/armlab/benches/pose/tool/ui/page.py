@@ -1,0 +1,104 @@
+"""Transforms as matrices: what is selected in one is a vector in the scene; position in three kinds of coordinates."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.benches.pose.tool.state import MATRIX, Pair, PoseView, link_parameters, pair_of, step_of
+from armlab.benches.pose.tool.ui.chooser import Chooser
+from armlab.benches.pose.tool.ui.notation import INVERSE, chain, link_product, link_symbols, title
+from armlab.benches.pose.tool.ui.words import in_words
+from armlab.kin.coordinates import cylindrical, spherical
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.selection import Selection
+from armlab.session.state import State
+from armlab.ui.format import mathml
+from armlab.ui.matrices import MatrixView
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Gui
+
+COLUMNS = (*(f'<b class="axis-{axis}">{axis}</b>' for axis in "xyz"), "<b>p</b>")
+ROWS = (*(f'<b class="axis-{axis}">{axis}</b>' for axis in "xyz"), "")
+"""The columns are the axes and the origin of the moved frame, the rows belong to the axes of the reference."""
+
+ON_AXIS = 1e-9
+"""Metres from the z axis, or from the origin, below which an angle of the coordinates is not defined."""
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the choice of a transform, its matrix, and the read-out below."""
+    units = units_of(state)
+    chooser = Chooser(gui, post)
+    matrix = MatrixView(gui, post, MATRIX)
+    words, product, position = gui.html(), gui.html(), gui.html()
+
+    def show(state: State) -> None:
+        view, pair = state[PoseView], state.derived(pair_of)
+        chooser.show(state)
+        matrix.show(state, title(view), pair.transform, 3, 3, COLUMNS, ROWS)
+        words.show(f'<p class="dim said">{in_words(view, state[Selection].of(MATRIX), pair, units)}</p>')
+        product.show(_product(state, units))
+        position.show(_position(pair, units))
+
+    return show
+
+
+def _product(state: State, units: Units) -> str:
+    """Return what the transform is a product of; of a single step with its numbers."""
+    view, joints = state[PoseView], state[Joints]
+    i = step_of(view)
+    parts = [chain(view)] if i is None else [link_symbols(joints.arm, i, units)]
+    if i is not None:
+        parts.append(f"= {link_product(joints.arm, link_parameters(joints.arm, joints.q, i), units)}")
+    if view.inward:
+        parts.append(mathml(INVERSE))
+    lines = "".join(f"<div>{part}</div>" for part in parts if part)
+    return f'<div class="eq small">{lines}</div>' if lines else ""
+
+
+def _position(pair: Pair, units: Units) -> str:
+    p = pair.transform[:3, 3]
+    r, azimuth, height = (float(value) for value in cylindrical(p))
+    radius, _, polar = (float(value) for value in spherical(p))
+    at_origin = float(np.linalg.norm(p)) < ON_AXIS
+    theta = "–" if r < ON_AXIS else units.orientation(azimuth)
+    rows = (
+        ("Cartesian", [(axis, units.length(float(value))) for axis, value in zip("xyz", p, strict=True)]),
+        ("cylindrical", [("r", units.length(r)), ("θ", theta), ("z", units.length(height))]),
+        ("spherical", [("r", units.length(radius)), ("θ", theta), ("φ", "–" if at_origin else units.angle(polar))]),
+    )
+    lines = "".join(
+        f"<tr><th>{name}</th>{''.join(f'<td><i>{letter}</i> {text}</td>' for letter, text in cells)}</tr>"
+        for name, cells in rows
+    )
+    note = "θ about z from x; spherical φ down from z."
+    if at_origin:
+        note = "At the origin θ and φ are not defined."
+    elif r < ON_AXIS:
+        note = "On the z axis θ is not defined."
+    return f'<h3>Position p</h3><table class="coordinates">{lines}</table><p class="dim">{note}</p>'
+
+
+PANEL = Panel(
+    "pose",
+    "Pose",
+    "BRACKETS",
+    25,
+    (Joints, PoseView, Selection),
+    build,
+    see_through=True,
+    about=(
+        "S1.1-direct-kinematics",
+        "S1.1-world-frame",
+        "S3.1-rotation-matrix",
+        "S3.1-chain",
+        "S3.1-cylindrical",
+        "S3.1-three-meanings",
+        "(3.109-3.115)",
+        "S4.1-dh-chain",
+        "matrix",
+        "position",
+        "coordinates",
+    ),
+)

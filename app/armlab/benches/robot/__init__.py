@@ -1,0 +1,1 @@
+"""The tab of robot: one folder a page."""

@@ -1,0 +1,1 @@
+"""What is seen of "choose": its page and its part of the scene."""

@@ -1,0 +1,77 @@
+"""Choose an arm: by family, each with a line about it; below, the table of the one in use."""
+
+from __future__ import annotations
+
+from armlab.content.robots import FAMILIES, Robot, catalogue
+from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.state import State
+from armlab.ui.format import escaped, pairs
+from armlab.ui.picks import broken_files, pick
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.tables import dh_table
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Gui
+
+BOOKS = {"standard": "standard (Paul, Spong, Siciliano)", "modified": "modified (Craig)"}
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the list of arms and the description of the present one."""
+    present = state[RobotPart].robot
+    shown = present.family
+
+    def choose_family(family: str) -> None:
+        nonlocal shown
+        shown = family
+        list_arms()
+
+    gui.dropdown(
+        "Family",
+        {family: family.capitalize() for family in FAMILIES},
+        shown,
+        choose_family,
+        "Arms by their structure; the list below shows one family.",
+    )
+    arms = gui.fields(lambda key, _: post(ChooseRobot(key)))
+    gui.html(_description(present, units_of(state)))
+
+    def list_arms() -> None:
+        robots = [robot for robot in catalogue().robots.values() if robot.family == shown]
+        entries = "".join(_entry(robot, robot is present, arms.channel_id) for robot in robots)
+        arms.show(entries + broken_files("robot", catalogue().problems))
+
+    list_arms()
+
+    def show(state: State) -> None:
+        # Another arm rebuilds the whole panel; nothing else is watched.
+        del state
+
+    return show
+
+
+def _entry(robot: Robot, present: bool, channel: str) -> str:
+    kinds = "".join(row.kind for row in robot.arm.rows)
+    return pick(channel, robot.key, robot.name, kinds, robot.summary, present)
+
+
+def _description(robot: Robot, units: Units) -> str:
+    arm = robot.arm
+    rows = [
+        ("convention", BOOKS[arm.convention]),
+        ("task", escaped(arm.task.title)),
+        ("all lengths in a line", units.length(arm.reach)),
+    ]
+    table = f"<h3>Denavit–Hartenberg table</h3>{dh_table(arm, units)}"
+    source = f'<p class="dim">{escaped(robot.source)}</p>'
+    return f"<h3>{escaped(robot.name)}</h3>{pairs(rows)}{table}<h3>Source</h3>{source}"
+
+
+PANEL = Panel(
+    "robot",
+    "Robot",
+    "ROBOT",
+    10,
+    (RobotPart,),
+    build,
+    about=("R", "S1.1-joint-types", "S1.1-r4-robot", "S1.7-history", "catalogue of arms", "choose an arm"),
+)

@@ -1,0 +1,1 @@
+"""What is seen of "{_hint(name)}": its page and its part of the scene."""

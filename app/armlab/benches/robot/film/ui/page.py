@@ -1,0 +1,218 @@
+"""The film of the table: the four factors of a row, one after the other, and their growing product."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.robot.film.clip import (
+    CLIP,
+    Place,
+    end_of,
+    has_tool,
+    place_of,
+    row_product,
+    running_product,
+    start_of,
+)
+from armlab.benches.robot.film.ui.scene import COLOURS, amount, symbol
+from armlab.kin.arm import Arm
+from armlab.kin.dh import Row
+from armlab.kin.moves import MOVES, Factors, Move, factors
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
+from armlab.session.state import Command, State
+from armlab.ui.colours import css
+from armlab.ui.format import mathml, matrix, number
+from armlab.ui.matrices import copy_buttons
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import NAMES, Units, units_of
+from armlab.ui.widgets import Fields, Gui
+
+DONE = 1e-9
+"""Part of a move that is as good as the whole."""
+
+SIGNS = {"turn": "↻", "shift": "→"}
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the rows to choose from, the factors and the products; put the film on."""
+    head = gui.fields(lambda cell, _: post(_command(cell, arm)))
+    matrices = gui.html()
+    arm = state[Joints].arm
+    if not state[Timeline].clip:
+        post(OpenClip(CLIP.key))
+
+    def show(state: State) -> None:
+        nonlocal arm
+        arm = state[Joints].arm
+        on = state[Timeline].clip == CLIP.key
+        head.show(_head(head, state) if on else _invitation(head))
+        matrices.show(_matrices(state) if on else "")
+
+    return show
+
+
+def _command(cell: str, arm: Arm) -> Command:
+    if cell == "show":
+        return OpenClip(CLIP.key)
+    row, _, move = cell.partition(",")
+    return Seek(end_of(arm, int(row), int(move)) if move else start_of(arm, int(row)))
+
+
+def _invitation(fields: Fields) -> str:
+    return (
+        '<p class="dim">Each row of the table is four moves of a frame: a turn and a shift along z, a shift and a turn'
+        " along x. The film makes them one by one, from frame 0 to the tool.</p>"
+        f'<button class="main" data-chan="{fields.channel_id}" data-cell="show">▶ Show the film</button>'
+    )
+
+
+# -- the row ---------------------------------------------------------------------------------------------------------
+
+
+def _head(fields: Fields, state: State) -> str:
+    """Return the rows to choose from, and the formula of the present one."""
+    joints, place, units = state[Joints], place_of(state), units_of(state)
+    names = [str(i + 1) for i in range(joints.arm.n)] + (["E"] if has_tool(joints.arm) else [])
+    chips = "".join(
+        f'<button class="chip" data-chan="{fields.channel_id}" data-cell="{i}"'
+        f' aria-pressed="{str(i == place.row).lower()}" title="{_hint(name)}">{name}</button>'
+        for i, name in enumerate(names)
+    )
+    rows = f'<div class="row"><span>Row</span><div>{chips}</div></div>'
+    if place.row == joints.arm.n:
+        return f"{rows}<h3>From frame {{{place.row}}} to the tool {{E}}</h3>"
+    done = state.derived(_done)
+    title = f"<h3>From frame {{{place.row}}} to frame {{{place.row + 1}}}: {mathml(_matrix_name(state, place.row))} ="
+    pills = "".join(
+        _pill(fields, k, move, place, symbol(units, move.symbol, place.row, joints.arm.convention))
+        for k, move in enumerate(done.moves)
+    )
+    line = _sentence(joints.arm.rows[place.row], float(joints.q[place.row]), done, place, units, state)
+    return f'{rows}{title}</h3><div class="film">{pills}</div>{line}'
+
+
+def _hint(name: str) -> str:
+    return "To the start of the step to the tool" if name == "E" else f"To the start of row {name}"
+
+
+def _pill(fields: Fields, k: int, move: Move, place: Place, letter: str) -> str:
+    kind = "R" if move.kind == "turn" else "T"
+    when = "now" if k == place.move else ("past" if k < place.move else "next")
+    what = f"{NAMES[move.symbol]}: {'turn about' if move.kind == 'turn' else 'shift along'} {move.axis}"
+    return (
+        f'<button class="{when}" style="--c:{css(COLOURS[move.symbol])}" data-chan="{fields.channel_id}"'
+        f' data-cell="{place.row},{k}" title="{what}"{" aria-current=true" if when == "now" else ""}>'
+        f"{kind}<sub>{move.axis}</sub>({letter})</button>"
+    )
+
+
+def _sentence(row: Row, q: float, done: Factors, place: Place, units: Units, state: State) -> str:
+    """Return what the present move is, how far it goes, and how far it has gone."""
+    move, convention = done.moves[place.move], state[Joints].arm.convention
+    letter = symbol(units, move.symbol, place.row, convention)
+    turns = move.kind == "turn"
+    whole = f"{letter} = {amount(units, move)}"
+    if move.variable:
+        offset = row.theta if turns else row.d
+        value = units.angle if turns else units.length
+        name = units.variable(place.row, turns)
+        parts = [name if name != letter else value(q)]
+        if offset:
+            parts.append(f"{'−' if offset < 0.0 else '+'} {value(abs(offset))}")
+        if parts != [value(q)]:
+            whole = f"{letter} = {' '.join(parts)} = {amount(units, move)}"
+    gone = place.part * move.amount
+    so_far = units.angle(gone) if turns else units.length(gone)
+    verb = "turn about" if turns else "shift along"
+    colour = css(COLOURS[move.symbol])
+    return (
+        f'<div class="film-line"><i style="background:{colour}">{SIGNS[move.kind]}</i><span>{NAMES[move.symbol]},'
+        f" {verb} {move.axis}<br><b>{whole}</b></span><span>so far<br>{so_far}</span></div>"
+    )
+
+
+# -- the matrices ----------------------------------------------------------------------------------------------------
+
+
+def _done(state: State) -> Factors:
+    joints, place = state[Joints], place_of(state)
+    return factors(joints.arm, joints.q, place.row, place.progress)
+
+
+def _matrix_name(state: State, row: int) -> str:
+    """Return the matrix of a row in LaTeX: A_i of a standard table, the transform between frames of a modified one."""
+    if state[Joints].arm.convention == "standard":
+        return f"A_{{{row + 1}}}"
+    return f"{{}}^{{{row}}}T_{{{row + 1}}}"
+
+
+def _matrices(state: State) -> str:
+    place = place_of(state)
+    return _small_factors(state, place) + _products(state, place)
+
+
+def _small_factors(state: State, place: Place) -> str:
+    """Return the four factors two by two; one that has not begun is the identity, pale."""
+    if place.row == state[Joints].arm.n:
+        return ""
+    done, units = state.derived(_done), units_of(state)
+    cells = []
+    for k, (move, factor) in enumerate(zip(done.moves, done.matrices, strict=True)):
+        letter = symbol(units, move.symbol, place.row, state[Joints].arm.convention)
+        when = "now" if k == place.move else ("past" if k < place.move else "next")
+        name = f"{'R' if move.kind == 'turn' else 'T'}<sub>{move.axis}</sub>({letter})"
+        cells.append(
+            f'<div class="{when}" style="--c:{css(COLOURS[move.symbol])}"><span>{name}</span>{_small(factor)}</div>'
+        )
+    return f'<div class="factors">{"".join(cells)}</div>'
+
+
+def _small(values: NDArray[np.float64]) -> str:
+    def cell(value: float) -> str:
+        if abs(value) < 5e-4:
+            return '<td class="zero">0</td>'
+        return f"<td>{'1' if value == 1.0 else number(value, 3)}</td>"
+
+    rows = ("".join(cell(float(value)) for value in row) for row in values)
+    return f'<table class="mat">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'
+
+
+def _products(state: State, place: Place) -> str:
+    """Return the product of the row so far, and that of all rows so far."""
+    arm, i = state[Joints].arm, place.row
+    if i == arm.n:
+        over = place.part >= 1.0 - DONE
+        name, whole = f"{{}}^{{{i}}}T_{{E}}", "{}^{0}T_{E}"
+        step = state.derived(row_product)
+    else:
+        over = place.progress >= MOVES - DONE
+        name, whole = _matrix_name(state, i), f"{{}}^{{0}}T_{{{i + 1}}}"
+        step = state.derived(_done).product
+    before = f"{{}}^{{0}}T_{{{i}}}"
+    titles = ("Product so far", f"{mathml(before)} × product so far")
+    if over:
+        titles = (mathml(name), mathml(f"{whole}={before}\\,{name}"))
+    return _titled(titles[0], step) + _titled(titles[1], state.derived(running_product))
+
+
+def _titled(title: str, values: NDArray[np.float64]) -> str:
+    return f'<h3>{title}<span class="copies">{copy_buttons(values)}</span></h3>{matrix(values, 3, rule=3)}'
+
+
+PANEL = Panel(
+    "film",
+    "Film",
+    "MOVIE",
+    12,
+    (RobotPart, Joints, Timeline, Notation),
+    build,
+    tab="robot",
+    rebuilds=(),
+    see_through=True,
+    hides=("gizmo", "gap", "names"),
+    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step"),
+)

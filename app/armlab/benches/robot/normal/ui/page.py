@@ -1,0 +1,206 @@
+"""Two lines to drag, and the common normal that makes a and alpha of the table."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from armlab.benches.robot.normal.state import (
+    SNAP_ANGLE,
+    SNAP_DISTANCE,
+    HandleLines,
+    KeepLines,
+    Lines,
+    PlaceLines,
+    TakeAxes,
+    table_entry,
+)
+from armlab.benches.robot.normal.ui.scene import COLOURS
+from armlab.kin.lines import CommonNormal
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import State
+from armlab.ui.colours import css
+from armlab.ui.format import dot, mathml, number, pairs, subscript
+from armlab.ui.markup import chips
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.verdicts import SIGNS
+from armlab.ui.widgets import Gui
+
+CASES = {"skew": "Skew", "parallel": "Parallel", "intersecting": "Intersecting", "coincident": "Coincident"}
+OWN = "own"
+ARM = ("arm", "skeleton", "names", "frames", "symbols", "angles", "lengths", "projections", "trace", "swept")
+"""Layers that draw the arm and what belongs to it."""
+
+SAME = 1e-9
+"""m and rad within which the table and the lines agree."""
+
+DIRECTION = r"n=z_1\times z_2,\quad x=\pm\frac{n}{|n|}"
+LENGTH = r"a=(p_2-p_1)\cdot x"
+TWIST = r"\alpha=\mathrm{atan2}\big((z_1\times z_2)\cdot x,\;z_1\cdot z_2\big)"
+NO_CROSS = {
+    "parallel": "x is taken straight across, from the first line to the second.",
+    "coincident": "x is any direction perpendicular to the line; here one is chosen.",
+}
+"""How x is found where the cross product is zero."""
+
+FOOT = r"f_1=p_1+\frac{\big((p_2-p_1)\times z_2\big)\cdot n}{|n|^2}\,z_1"
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the cases, the axes of the arm, and the numbers."""
+    units, n = units_of(state), state[Joints].arm.n
+    gui.heading("Two lines")
+    cases = gui.fields(lambda key, _: post(PlaceLines(key)))
+    handle = gui.segments(
+        "Handles",
+        {"move": "Move", "turn": "Turn"},
+        state[Lines].handle,
+        lambda key: post(HandleLines(key)),
+        "What dragging a line does; near a special case it snaps into it",
+    )
+    axes = None
+    if n > 1:
+        axes = gui.dropdown(
+            "Axes of arm",
+            {OWN: "lines of my own", **{str(i): _pair(i, state) for i in range(n - 1)}},
+            _chosen(state),
+            lambda key: post(KeepLines() if key == OWN else TakeAxes(int(key))),
+            "Take two neighbouring joint axes: a and α become those of the table.",
+        )
+    card, numbers, table = gui.html(), gui.html(), gui.html()
+    gui.html(_formulas())
+    products = gui.html()
+
+    def show(state: State) -> None:
+        lines = state[Lines]
+        cases.show(_cases(cases.channel_id, lines.normal.kind))
+        handle.show(lines.handle)
+        if axes is not None:
+            axes.show(_chosen(state))
+        card.show(_card(lines, units))
+        numbers.show(_numbers(lines, units))
+        table.show(_table(state, units))
+        products.show(_products(lines))
+
+    return show
+
+
+def _cases(channel: str, kind: str) -> str:
+    return f'<div class="cases">{chips(channel, CASES, kind, "Put the lines into this case")}</div>'
+
+
+def _pair(i: int, state: State) -> str:
+    shift = 0 if state[Joints].arm.convention == "standard" else 1
+    return f"joints {i + 1} and {i + 2}: {subscript('z', i + shift)}, {subscript('z', i + 1 + shift)}"
+
+
+def _chosen(state: State) -> str:
+    pair = state[Lines].pair
+    return OWN if pair is None else str(pair)
+
+
+def _card(lines: Lines, units: Units) -> str:
+    normal = lines.normal
+    kind = "ok" if normal.kind == "skew" else "warn"
+    near = f"{units.angle(SNAP_ANGLE)} or {units.length(SNAP_DISTANCE * lines.scale)}"
+    snapped = f" Snapped: the hand was within {near} of it." if lines.snapped else ""
+    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {CASES[normal.kind]}</b>{normal.free}{snapped}</div>'
+
+
+def _numbers(lines: Lines, units: Units) -> str:
+    normal = lines.normal
+    rows = [
+        (f"length of the normal {mathml('a')}", f"<b>{units.length(normal.a)}</b>"),
+        (f"twist {mathml(chr(92) + 'alpha')} about x", f"<b>{units.angle(normal.alpha)}</b>"),
+    ]
+    for k, line in enumerate((lines.first, lines.second)):
+        rows.append((f"{dot(css(COLOURS[k]))}{mathml(f'z_{k + 1}')}", _vector(line.direction, 3)))
+    rows += [
+        (f"x of the normal {mathml('x')}", _vector(normal.normal, 3)),
+        (f"foot {mathml('f_1')}, {units.length_unit}", _point(normal.foot1, units)),
+        (f"foot {mathml('f_2')}, {units.length_unit}", _point(normal.foot2, units)),
+    ]
+    return pairs(rows)
+
+
+def _vector(values: object, decimals: int) -> str:
+    return "&ensp;".join(number(float(value), decimals) for value in values)  # type: ignore[attr-defined]
+
+
+def _point(point: object, units: Units) -> str:
+    return "&ensp;".join(units.text(float(value), False) for value in point)  # type: ignore[attr-defined]
+
+
+def _table(state: State, units: Units) -> str:
+    """Return what the table says of the axes taken, and why it may differ in sign."""
+    entry = table_entry(state)
+    if entry is None:
+        return ""
+    row, a, alpha = entry
+    modified = state[RobotPart].robot.arm.convention == "modified"
+    index = row if modified else row + 1
+    twist = f"{units.latex('alpha')}_{{{index}}}"
+    values = [
+        (f"{mathml(f'a_{{{index}}}')} of the table", units.constant(a, False)),
+        (f"{mathml(twist)} of the table", units.constant(alpha, True)),
+    ]
+    return f"<h3>Row {row + 1} of the table</h3>{pairs(values)}<p>{_agreement(state[Lines].normal, a, alpha)}</p>"
+
+
+def _agreement(normal: CommonNormal, a: float, alpha: float) -> str:
+    """Return how a and alpha of the table are those of the normal."""
+    if abs(normal.a - a) < SAME and _turned(normal.alpha - alpha) < SAME:
+        return "The same as of the normal."
+    free = "the sense of x is free" if normal.kind != "skew" else "a may be negative"
+    return f"The same normal with x the other way round ({free}): both change their sign."
+
+
+def _turned(angle: float) -> float:
+    return abs(math.remainder(angle, 2.0 * math.pi))
+
+
+def _formulas() -> str:
+    lines = "".join(
+        f'<div class="eq small" title="{hint}">{mathml(latex)}</div>'
+        for latex, hint in (
+            (DIRECTION, "x from the first line to the second; lines as p + v t, notes 4.8 and 4.9"),
+            (LENGTH, "Notes, definition 6"),
+            (TWIST, "Notes, definition 7; right in all quadrants"),
+            (FOOT, "The foot on the first line; the second one alike"),
+        )
+    )
+    return f"<h3>How they are found</h3>{lines}"
+
+
+def _products(lines: Lines) -> str:
+    """Return what the formulas are made of, in numbers."""
+    z1, z2, normal = lines.first.direction, lines.second.direction, lines.normal
+    rows = [
+        (mathml("z_1\\cdot z_2"), number(float(z1 @ z2), 4)),
+        (mathml(r"(z_1\times z_2)\cdot x"), number(float(np.cross(z1, z2) @ normal.normal), 4)),
+    ]
+    taken = NO_CROSS.get(normal.kind)
+    return pairs(rows) + (f'<p class="dim">{mathml("n=0")}: {taken}</p>' if taken else "")
+
+
+def in_the_way(state: State) -> tuple[str, ...]:
+    """Return the layers of the arm while the lines are the student's own, which run through it."""
+    return ARM if state[Lines].pair is None else ()
+
+
+PANEL = Panel(
+    "normal",
+    "Common normal",
+    "VECTOR",
+    13,
+    (Lines, Joints, RobotPart),
+    build,
+    tab="robot",
+    see_through=True,
+    hides=("gizmo", "gap"),
+    hides_then=in_the_way,
+    about=("S4.1-common-normal", "(4.8-4.9)", "common normal", "skew lines", "twist angle"),
+)

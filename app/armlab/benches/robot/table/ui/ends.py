@@ -1,0 +1,100 @@
+"""Base, tool and tool point as fields: position, and yaw, pitch and roll."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.robot.table.state import Point, SetPoint, world_point
+from armlab.kin.arm import Arm
+from armlab.kin.rotations import euler_zyx, rotation_from_sequence
+from armlab.session.edits import SetEnd
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import Command, State
+from armlab.ui.format import MINUS, mathml, pairs
+from armlab.ui.markup import row
+from armlab.ui.tables import cell_text
+from armlab.ui.units import Units
+from armlab.ui.widgets import Fields
+
+ANGLES = ("yaw", "pitch", "roll")
+ENDS = {"base": "frame 0 in the world", "tool": "frame n to the tool {E}"}
+PRODUCT = "R = Rz(yaw) Ry(pitch) Rx(roll)"
+
+
+def ends_typed(state: State, cell: str, text: str, units: Units) -> Command | None:
+    """Return the command that a field asks for; None when it says what is there.
+
+    Raises
+    ------
+    InputError
+        Not a number; names the field.
+    """
+    which, axis = cell.split("-")
+    if text == _texts(state, which, units)[axis]:
+        return None
+    turns = axis in ANGLES
+    value = units.read(text, turns, f"{'tool point' if which == 'point' else which}, {axis}")
+    if which == "point":
+        x, y, z = (value if name == axis else was for name, was in zip("xyz", state[Point].xyz, strict=True))
+        return SetPoint((x, y, z))
+    pose = np.array(_pose(state[RobotPart].robot.arm, which))
+    if turns:
+        angles = euler_zyx(pose[:3, :3])[0].tolist()
+        angles[ANGLES.index(axis)] = value
+        pose[:3, :3] = rotation_from_sequence("zyx", angles)
+    else:
+        pose["xyz".index(axis), 3] = value
+    return SetEnd(which, pose)
+
+
+def ends_fields(fields: Fields, state: State, units: Units) -> str:
+    """Return the markup of all fields."""
+    arm = state[RobotPart].robot.arm
+    parts = ["<h3>Base, tool and tool point</h3>"]
+    for end, title in ENDS.items():
+        texts = _texts(state, end, units)
+        told = title.replace("n to the", f"{arm.n} to the")
+        parts.append(_row(fields, end, f"{end} x y z, {units.length_unit}", tuple("xyz"), texts, told))
+        turned = f"{told}: {PRODUCT}"
+        parts.append(_row(fields, end, f"yaw pitch roll, {units.angle_unit}", ANGLES, texts, turned))
+    point = _texts(state, "point", units)
+    told = "fixed to the tool, in the axes of its frame {E}"
+    parts.append(_row(fields, "point", f"point x y z, {units.length_unit}", tuple("xyz"), point, told))
+    return "".join(parts)
+
+
+def point_line(state: State, units: Units) -> str:
+    """Return where the tool point is in the world."""
+    formula = mathml(r"{}^{w}p={}^{w}T_E\,{}^{E}p")
+    place = "&ensp;".join(units.text(float(value), False) for value in world_point(state))
+    return pairs([(f"{formula}, {units.length_unit}", place)])
+
+
+def _row(fields: Fields, which: str, label: str, axes: tuple[str, ...], texts: dict[str, str], title: str) -> str:
+    cells = "".join(fields.field(f"{which}-{axis}", texts[axis], f"{which}, {axis}") for axis in axes)
+    return row(label, cells, wide=True, cells=True, hint=title)
+
+
+def _texts(state: State, which: str, units: Units) -> dict[str, str]:
+    """Return what the fields of the base, the tool or the point show."""
+    if which == "point":
+        pose = np.eye(4)
+        pose[:3, 3] = state[Point].xyz
+    else:
+        pose = _pose(state[RobotPart].robot.arm, which)
+    position, angles = pose[:3, 3], euler_zyx(pose[:3, :3])[0]
+    texts = {axis: cell_text(float(value), "d", units) for axis, value in zip("xyz", position, strict=True)}
+    return texts | {name: _turned(float(value), units) for name, value in zip(ANGLES, angles, strict=True)}
+
+
+def _turned(angle: float, units: Units) -> str:
+    """Return an angle of an orientation: half a turn is 180°."""
+    text = cell_text(angle, "theta", units)
+    return text.removeprefix(MINUS) if text == cell_text(-math.pi, "theta", units) else text
+
+
+def _pose(arm: Arm, which: str) -> NDArray[np.float64]:
+    return arm.base if which == "base" else arm.tool

@@ -1,0 +1,162 @@
+"""The assignment trainer: an arm without frames; a person places the axes and fills the table, and is marked."""
+
+from __future__ import annotations
+
+from armlab.benches.robot.trainer.commands import EndTrainer, StartTrainer, TakeTrainerPose, at_reference
+from armlab.benches.robot.trainer.exercise import usable_robots
+from armlab.benches.robot.trainer.state import Trainer
+from armlab.benches.robot.trainer.ui.axes import axes_stage, axes_typed
+from armlab.benches.robot.trainer.ui.table import TableStage
+from armlab.content.robots import Robot
+from armlab.errors import ArmlabError
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import ChooseRobot
+from armlab.session.session import Refuse
+from armlab.session.state import Command, State
+from armlab.ui.format import escaped
+from armlab.ui.markup import button, chip
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import units_of
+from armlab.ui.widgets import Gui
+
+INTRODUCTION = (
+    "The arm is drawn without frames. First choose the directions of z and x of each frame, then fill the table that "
+    "follows from them. Each step is marked, and the arm of your table is drawn over the right one."
+)
+END = "Put the arm back as it was before the exercise; the answers are forgotten"
+SIZES = (("Up to 3 joints", 1, 3), ("4 and 5 joints", 4, 5), ("6 joints", 6, 6), ("7 joints and more", 7, 99))
+
+
+class TrainerPanel:
+    """What the panel shows."""
+
+    def __init__(self, gui: Gui, state: State, post: Post) -> None:
+        self._state, self._post, self._units, self._camera = state, post, units_of(state), gui.camera
+        self._fields = gui.fields(self._typed)
+        self._table = TableStage(gui, self._units, self._typed)
+        self._after = gui.fields(self._typed)
+
+    def show(self, state: State) -> None:
+        """Show a state."""
+        began = state[Trainer].started and not self._state[Trainer].started
+        self._state = state
+        trainer = state[Trainer]
+        if began:  # the pose of the exercise may lie outside the picture
+            self._camera.look_from("Home")
+        if not trainer.exercise.usable:
+            self._fields.show(self._unusable(trainer))
+        elif not trainer.started:
+            self._fields.show(self._beginning(trainer))
+        else:
+            self._fields.show(self._running(trainer))
+        if trainer.answers.placed:
+            self._table.show(trainer)
+        else:
+            self._table.hide()
+        self._after.show(self._next(trainer))
+
+    def _typed(self, cell: str, text: str) -> None:
+        """Hand in a command; what cannot become one is refused."""
+        try:
+            command = self._command(cell, text)
+        except ArmlabError as refusal:
+            command = Refuse(str(refusal))
+        if command is not None:
+            self._post(command)
+        else:
+            self.show(self._state)
+
+    def _command(self, cell: str, text: str) -> Command | None:
+        trainer = self._state[Trainer]
+        if cell.startswith("trainer-robot-"):
+            return ChooseRobot(cell.removeprefix("trainer-robot-"))
+        if cell == "trainer-start":
+            return StartTrainer()
+        if cell == "trainer-end":
+            return EndTrainer()
+        if cell == "trainer-pose":
+            return TakeTrainerPose()
+        if trainer.answers.placed:
+            return self._table.typed(trainer, cell, text)
+        return axes_typed(cell, text)
+
+    # -- markup --------------------------------------------------------------------------------------------------
+
+    def _unusable(self, trainer: Trainer) -> str:
+        name = escaped(trainer.exercise.robot.name)
+        return (
+            f"<h3>{name}</h3>"
+            '<div class="verdict warn"><b>Not for this arm</b>In no pose that is known do all of its joint axes lie '
+            "along x, y or z of the world, so their directions cannot be chosen from six. Take one of these:</div>"
+            + self._arms(trainer)
+        )
+
+    def _beginning(self, trainer: Trainer) -> str:
+        start = button(self._channel, "trainer-start", "Start", "main", "Put the arm into the pose of the exercise")
+        return (
+            f"<h3>Exercise: {escaped(trainer.exercise.robot.name)}</h3><p>{INTRODUCTION}</p>"
+            f'<div class="bar">{start}</div><h3>Other arms</h3>{self._arms(trainer)}'
+        )
+
+    def _running(self, trainer: Trainer) -> str:
+        again = button(self._channel, "trainer-start", "start again", "copy", "Forget all answers and begin anew")
+        end = button(self._channel, "trainer-end", "end", END, "copy")
+        stage = "2 Table" if trainer.answers.placed else "1 Axes"
+        name = escaped(trainer.exercise.robot.name)
+        if trainer.answers.placed:
+            body = self._table.frames(trainer, self._channel)
+        else:
+            body = axes_stage(trainer, self._channel, self._units)
+        return f'<h3>{stage}: {name}<span class="copies">{again}{end}</span></h3>{self._moved()}{body}'
+
+    def _moved(self) -> str:
+        if at_reference(self._state):
+            return ""
+        back = chip(self._channel, "trainer-pose", "Back to it", "Put the arm back")
+        return f'<p class="warn">The arm has left the pose the directions are chosen in. {back}</p>'
+
+    def _next(self, trainer: Trainer) -> str:
+        if not trainer.done:
+            return ""
+        robots = usable_robots()
+        keys = [robot.key for robot in robots]
+        after = keys.index(trainer.exercise.robot.key) + 1 if trainer.exercise.robot.key in keys else 0
+        chip = self._chip(robots[after % len(robots)], self._after.channel_id)
+        end = button(self._after.channel_id, "trainer-end", "End the exercise", END, "chip")
+        return f'<div class="bar"><span class="dim">Next arm</span>{chip}{end}</div>'
+
+    def _arms(self, trainer: Trainer) -> str:
+        lines = []
+        for title, least, most in SIZES:
+            robots = [robot for robot in usable_robots() if least <= robot.arm.n <= most]
+            chips = "".join(
+                self._chip(robot, self._channel) for robot in robots if robot.key != trainer.exercise.robot.key
+            )
+            lines.append(f'<p class="tr-arms"><span class="dim">{title}</span>{chips}</p>')
+        return "".join(lines)
+
+    def _chip(self, robot: Robot, channel: str) -> str:
+        return chip(channel, f"trainer-robot-{robot.key}", robot.name, robot.summary)
+
+    @property
+    def _channel(self) -> str:
+        return self._fields.channel_id
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the page."""
+    return TrainerPanel(gui, state, post).show
+
+
+PANEL = Panel(
+    "trainer",
+    "Trainer",
+    "PENCIL",
+    14,
+    (Trainer, Joints),
+    build,
+    tab="robot",
+    see_through=True,
+    hides=("gizmo", "gap"),
+    about=("S4.1-common-normal", "S4.1-dh", "S4.1-dh-caveats", "assign frames", "practise the DH rules", "exercise"),
+)

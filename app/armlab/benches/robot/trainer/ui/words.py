@@ -1,0 +1,114 @@
+"""What the trainer says: the rule of each cell, the pose of the exercise, the end."""
+
+from __future__ import annotations
+
+import re
+
+from armlab.benches.robot.trainer.state import Trainer
+from armlab.benches.robot.trainer.table import parallel_runs
+from armlab.kin.dh import Row
+from armlab.ui.format import escaped, subscript
+from armlab.ui.units import Units
+
+AXES_RULE = (
+    "z of frame i lies along the axis of joint i+1, in either sense; x is perpendicular to this z and the one before, "
+    "along the common normal of axes that are apart. A sliding joint's axis is taken where it is drawn. The last z and "
+    "the first x are free. Directions are those of the world; several choices are right."
+)
+
+
+def symbol(units: Units, field: str, i: int) -> str:
+    """Return the name of a cell of row i (0-based), such as α₂."""
+    return units.symbol(field, i + 1)
+
+
+def rule(trainer: Trainer, i: int, field: str, units: Units) -> str:
+    """Return the rule of a cell of row i (0-based), without its value."""
+    name = symbol(units, field, i)
+    z0, z1, x0, x1 = subscript("z", i), subscript("z", i + 1), subscript("x", i), subscript("x", i + 1)
+    o0, o1 = subscript("O", i), subscript("O", i + 1)
+    if field == "a":
+        return f"{name} is the way from the line of {z0} to {o1}, measured along {x1}: negative against it."
+    if field == "alpha":
+        return f"{name} turns {z0} into {z1}, about {x1} by the right-hand rule."
+    if field == "theta":
+        text = f"{name} turns {x0} into {x1}, about {z0} by the right-hand rule."
+    else:
+        text = f"{name} is the way from {o0} to {o1}, measured along {z0}: negative against it."
+        run = next((run for run in parallel_runs(_rows(trainer)) if i in run), None)
+        if run is not None:
+            text += f" Axes {run[0] + 1} to {run[-1] + 1} are parallel: any d with the right sum will do."
+    row = _rows(trainer)[i]
+    if field == ("theta" if row.revolute else "d"):
+        text += f" This is the variable: the cell takes what is left without {told_joint(trainer, i, units)}."
+    return text
+
+
+def told_joint(trainer: Trainer, i: int, units: Units) -> str:
+    """Return the value of joint i in the pose of the exercise, in the sense of the person's own z."""
+    assert trainer.assignment is not None
+    revolute = trainer.exercise.robot.arm.rows[i].revolute
+    value = float(trainer.assignment.signs[i] * trainer.exercise.pose[i])
+    return f"{units.variable(i, revolute)} = {units.angle(value) if revolute else units.length(value)}"
+
+
+def pose_line(trainer: Trainer, units: Units) -> str:
+    """Return the joint values of the pose of the exercise."""
+    arm, q = trainer.exercise.robot.arm, trainer.exercise.pose
+    told = [
+        f"{units.variable(i, row.revolute)} = {units.angle(value) if row.revolute else units.length(value)}"
+        for i, (row, value) in enumerate(zip(arm.rows, q.tolist(), strict=True))
+        if value != 0.0
+    ]
+    if not told:
+        return "Drawn with all joints at 0."
+    return f"Drawn at {', '.join(told)}{', the others at 0' if len(told) < arm.n else ''}."
+
+
+def reversed_line(trainer: Trainer, units: Units) -> str:
+    """Return which joints count the other way with the person's axes; nothing when none does."""
+    assert trainer.assignment is not None
+    turned = trainer.assignment.reversed
+    if not turned:
+        return ""
+    senses = ", ".join(told_joint(trainer, joint - 1, units) for joint in turned)
+    names = ", ".join(subscript("z", joint - 1) for joint in turned)
+    verb = "points" if len(turned) == 1 else "point"
+    return f"{names} {verb} against the joint's own sense, which therefore counts the other way: here {senses}."
+
+
+def parallel_line(trainer: Trainer) -> str:
+    """Return where origins may be shifted along parallel axes; nothing where all d are zero anyway."""
+    rows = (trainer.assignment or trainer.exercise.solved).rows
+    runs = [run for run in parallel_runs(rows) if any(rows[i].d != 0.0 for i in run)]
+    return " ".join(
+        f"Axes {run[0] + 1} to {run[-1] + 1} are parallel: an origin may lie anywhere on its axis. They are drawn "
+        "where d is 0 as long as it can be, so not always on the arm; any d with the right sum is right, too."
+        for run in runs
+    )
+
+
+def indexed(text: str) -> str:
+    """Return a sentence with z1 and x2 in it as z₁ and x₂."""
+    return re.sub(r"\b([zx])(\d+)\b", lambda found: subscript(found[1], int(found[2])), text)
+
+
+def end_line(trainer: Trainer) -> str:
+    """Return what the finished exercise took."""
+    answers = trainer.answers
+    text = f"{_times(answers.axes_checks, 'check')} of the axes, {answers.table_checks} of the table"
+    return text + (f", {_times(answers.shown, 'solution')} shown." if answers.shown else ", no solution shown.")
+
+
+def mark(ok: bool, text: str) -> str:
+    """Return ✓ or ✕ with its sentence as a hint."""
+    return f'<i class="{"ok" if ok else "no"}" title="{escaped(text)}">{"✓" if ok else "✕"}</i>'
+
+
+def _times(count: int, noun: str) -> str:
+    return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
+def _rows(trainer: Trainer) -> tuple[Row, ...]:
+    assert trainer.assignment is not None
+    return trainer.assignment.rows

@@ -1,0 +1,1 @@
+"""The tab of target: one folder a page."""

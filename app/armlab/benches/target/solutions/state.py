@@ -1,0 +1,277 @@
+"""All solutions for the present target: what has been found, which of them is looked at, and ways to go there."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.target.solutions.found import Found, Row
+from armlab.benches.target.solutions.motion import Motion
+from armlab.benches.target.solutions.proof import Proof
+from armlab.benches.target.solutions.question import question
+from armlab.content.robots import Robot, catalogue
+from armlab.errors import InputError, UnknownName
+from armlab.kin import ik
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target, jumped_to, target_pose
+from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.way_to_solution import HERE, gap
+
+PRESETS: dict[str, tuple[str, str, str]] = {
+    "2R": ("planar_2r", "home", "2 solutions: elbow up and down"),
+    "2R, centre": ("planar_2r", "folded", "infinitely many: the tool is on axis 1, and the links are equally long"),
+    "polar": ("polar_rrp", "home", "4 solutions, most of them with a slide of negative length"),
+    "elbow": ("elbow_3r", "home", "4 solutions: front and back, elbow up and down"),
+    "UR10": ("ur10_notes", "eight", "8 solutions, figure 4.8"),
+    "Manseur–Doty": ("manseur_doty", "sixteen", "16 solutions, as many as six joints can have"),
+    "PUMA, q₅ = 0": ("puma560", "zero", "infinitely many: axes 4 and 6 are one line"),
+}
+"""Name to robot, pose and what there is to be seen: the examples of section 4.3 of the notes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solutions(Part):
+    """What is known of all solutions.
+
+    Attributes
+    ----------
+    found : Found or None
+        The newest list; it may belong to a target that has moved on since.
+    chosen : int
+        Slot of the solution whose ghost is drawn as a body; -1 for none.
+    proof : Proof or None
+        The proof that was asked for, as far as it has come.
+    """
+
+    key: ClassVar[str] = "solutions"
+    kept_by_undo: ClassVar[bool] = True
+
+    found: Found | None = None
+    chosen: int = -1
+    proof: Proof | None = None
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return a part that knows nothing."""
+        return cls()
+
+    def to_json(self) -> Json:
+        """Write nothing: it is found again."""
+        return {}
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Return a part that knows nothing."""
+        return cls()
+
+
+PART = PartType(Solutions, order=30)
+
+
+def fresh(state: State) -> Found | None:
+    """Return the list if it belongs to the present target, or None."""
+    found = state[Solutions].found
+    return found if found is not None and found.question.is_same(state.derived(question)) else None
+
+
+def present_row(state: State) -> Row | None:
+    """Return the row of the list the arm is at."""
+    found = state[Solutions].found
+    return None if found is None else found.present(state[Joints].q, state.derived(fresh) is not None)
+
+
+def motion_of(state: State) -> Motion | None:
+    """Return the self-motion the arm is on, if it has been traced."""
+    found = state.derived(fresh)
+    if found is None or found.motion is None:
+        return None
+    return found.motion if found.motion.is_on(found.question.arm, state[Joints].q) else None
+
+
+def whole_turns(state: State) -> NDArray[np.float64]:
+    """Return the solution the arm is at with all whole turns inside the limits, shape (k, n); none when at none."""
+    row, found = state.derived(present_row), state.derived(fresh)
+    if row is None or found is None:
+        return np.empty((0, state[Joints].arm.n))
+    return found.solutions.equivalents(row.index)
+
+
+def shown_proof(state: State) -> Proof | None:
+    """Return the proof for the present target, if one was asked for."""
+    proof = state[Solutions].proof
+    return proof if proof is not None and proof.question.is_same(state.derived(question)) else None
+
+
+@dataclass(frozen=True)
+class GoToSolution(Command):
+    """Move the arm to a solution of the list; the target stays where it is.
+
+    Parameters
+    ----------
+    slot : int
+    """
+
+    slot: int
+    label: ClassVar[str] = "jump to a solution"
+
+    def apply(self, state: State) -> State:
+        """Return the state at the solution; one of an old list is solved for anew, beginning there.
+
+        Raises
+        ------
+        InputError
+            It is not there, out of limits, or a held joint would have to move.
+        """
+        found = state[Solutions].found
+        row = None if found is None else found.row(self.slot)
+        if found is None or row is None or found.question.arm is not state[Joints].arm:
+            raise InputError("This solution is no longer there: the target has moved on.")
+        if state.derived(fresh) is not None and row is state.derived(present_row):
+            return state
+        q = _inside(found, row)
+        if state.derived(fresh) is None:
+            q = _solved_again(state, row)
+        return jumped_to(state, q)
+
+
+@dataclass(frozen=True)
+class TurnTo(Command):
+    """Go to the same solution with other whole turns.
+
+    Parameters
+    ----------
+    k : int
+        Row of `whole_turns`.
+    """
+
+    k: int
+    label: ClassVar[str] = "whole turns"
+
+    def apply(self, state: State) -> State:
+        """Return the state with these turns."""
+        turns = state.derived(whole_turns)
+        if not 0 <= self.k < len(turns):
+            raise InputError("These whole turns are not there any more: the target has moved on.")
+        _check_held(state, turns[self.k], "with these turns")
+        return jumped_to(state, turns[self.k])
+
+
+@dataclass(frozen=True)
+class LookAtSolution(Command):
+    """Draw the ghost of a solution as a body; of the one that is drawn so already, no longer."""
+
+    slot: int
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the choice made."""
+        part = state[Solutions]
+        return state.replace(replace(part, chosen=-1 if self.slot == part.chosen else self.slot))
+
+
+@dataclass(frozen=True)
+class MoveAlong(Command):
+    """Move the arm along its self-motion: a slider in motion.
+
+    Parameters
+    ----------
+    part : float
+        0 to 1.
+    """
+
+    part: float
+    snapshot: ClassVar[bool] = True
+    rests: ClassVar[bool] = True
+    label: ClassVar[str] = "self-motion"
+
+    @property
+    def stroke(self) -> object:
+        """One slide is one step."""
+        return type(self)
+
+    def apply(self, state: State) -> State:
+        """Return the state with the arm at this part of the curve, and the tool where it was."""
+        if not math.isfinite(self.part):
+            raise InputError(f"self-motion: expected a number from 0 to 1, got {self.part}")
+        found, motion = state.derived(fresh), state.derived(motion_of)
+        if found is None or motion is None:
+            return state
+        q = motion.at(found.question, min(max(self.part, 0.0), 1.0))
+        if q is None:
+            raise InputError("The self-motion cannot be followed here.")
+        moved = jumped_to(state, q)
+        return state if moved[Joints] is state[Joints] else moved
+
+
+@dataclass(frozen=True)
+class Prove(Command):
+    """Begin the search from thousands of random starts, or give it up."""
+
+    on: bool
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the wish."""
+        part, found = state[Solutions], state.derived(fresh)
+        if not self.on:
+            return state if part.proof is None else state.replace(replace(part, proof=None))
+        if found is None:
+            raise InputError("The list is not there yet: try again in a moment.")
+        if len(found.question.held) == found.question.arm.n:
+            raise InputError("All joints are held: there is nothing to search for.")
+        return state.replace(replace(part, proof=Proof(found.question, found.solutions)))
+
+
+@dataclass(frozen=True)
+class TakePreset(Command):
+    """Put an example of the notes on the table."""
+
+    name: str
+    label: ClassVar[str] = "example of the notes"
+
+    def apply(self, state: State) -> State:
+        """Return the state with its arm in its pose."""
+        if self.name not in PRESETS:
+            raise UnknownName("example", self.name, PRESETS)
+        key, pose, _ = PRESETS[self.name]
+        robot = catalogue()[key]
+        if robot is not state[RobotPart].robot:
+            state = state.with_robot(robot)
+        joints = state[Joints]
+        free = replace(joints, locked=(False,) * robot.arm.n)
+        return state.replace(free.moved_to(robot.poses[pose]), state[Target].on_tool())
+
+
+def _inside(found: Found, row: Row) -> NDArray[np.float64]:
+    """Return the joint values of a row that is inside the limits."""
+    if not row.within:
+        raise InputError(f"{_named(row)} is out of limits: {found.solutions.how_far_out[row.index]} its limit.")
+    return row.q
+
+
+def _named(row: Row) -> str:
+    return row.name.capitalize()
+
+
+def _solved_again(state: State, row: Row) -> NDArray[np.float64]:
+    """Return the solution for the present target that an old one leads to."""
+    joints = state[Joints]
+    start = np.where(joints.locked, joints.q, joints.arm.clip(row.q))
+    result = ik.solve(joints.arm, target_pose(state), start, locked=joints.locked, searches=1, complete=False)
+    if result.success and float(np.abs(gap(joints.arm, result.q, start)).max()) < 1.0:
+        return np.asarray(result.q, dtype=np.float64)
+    _check_held(state, row.q, "there")
+    raise InputError(f"{_named(row)} cannot be reached from the old list: wait for the new one.")
+
+
+def _check_held(state: State, q: NDArray[np.float64], where: str) -> None:
+    joints = state[Joints]
+    apart = np.abs(gap(joints.arm, q, joints.q)) > HERE
+    held = [i + 1 for i, locked in enumerate(joints.locked) if locked and (apart[i] or abs(q[i] - joints.q[i]) > HERE)]
+    if held:
+        raise InputError(f"The arm cannot go {where}: joint {held[0]} is held.")

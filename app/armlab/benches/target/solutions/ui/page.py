@@ -1,0 +1,265 @@
+"""All solutions for the target: how many there are, which they are, and the arm goes there."""
+
+from __future__ import annotations
+
+import logging
+import math
+
+import numpy as np
+
+from armlab.benches.target.solutions.found import Found, Row
+from armlab.benches.target.solutions.motion import Motion
+from armlab.benches.target.solutions.proof import STARTS, Proof
+from armlab.benches.target.solutions.state import (
+    PRESETS,
+    GoToSolution,
+    LookAtSolution,
+    MoveAlong,
+    Prove,
+    Solutions,
+    TakePreset,
+    TurnTo,
+    fresh,
+    motion_of,
+    present_row,
+    shown_proof,
+    whole_turns,
+)
+from armlab.benches.target.solutions.ui.table import GO, SEE, Table
+from armlab.kin.arm import Arm
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import Target
+from armlab.session.state import Command, State
+from armlab.ui.format import escaped
+from armlab.ui.markup import chip, options, row, select
+from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Control, Fields, Gui, Html
+
+log = logging.getLogger(__name__)
+
+MOST_TURNS = 64
+"""Choices of whole turns that are offered."""
+
+STEPS = 200
+"""Of the slider along a self-motion."""
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the sentence, the list, the slider along the self-motion, the proof and the examples."""
+    arm, units = state[Joints].arm, units_of(state)
+    head = gui.html()
+    listing = _Listing(gui, arm, units, post)
+    motion = _MotionSlider(gui, post)
+    proof = _Proof(gui, units, post)
+    examples = gui.fields(lambda cell, _: post(TakePreset(cell)))
+    chips = "".join(chip(examples.channel_id, name, name, hint) for name, (_, _, hint) in PRESETS.items())
+    examples.show(f'<h3>Examples of the notes</h3><div class="bar">{chips}</div>')
+
+    def show(state: State) -> None:
+        found = state[Solutions].found
+        head.show(_head(found))
+        listing.show(state)
+        motion.show(state)
+        proof.show(state)
+
+    return show
+
+
+def _head(found: Found | None) -> str:
+    """Return how many there are, and how that is known."""
+    if found is None:
+        return '<h3>All solutions</h3><p class="dim">Looking for all solutions …</p>'
+    solutions = found.solutions
+    count, _, rest = solutions.sentence.partition(".")
+    kind = "no" if solutions.completeness == "none" else "warn" if solutions.completeness == "at least" else "ok"
+    sign = {"no": "✕", "warn": "◐", "ok": "✓"}[kind]
+    return (
+        f'<h3>All solutions</h3><p class="count"><b class="{kind}">{sign} {escaped(count)}.</b>{escaped(rest)}</p>'
+        f'<p class="dim why">{escaped(solutions.why)}</p>'
+    )
+
+
+class _Listing:
+    """The list, and the whole turns of the solution the arm is at."""
+
+    def __init__(self, gui: Gui, arm: Arm, units: Units, post: Post) -> None:
+        self._arm, self._units, self._post = arm, units, post
+        self._fields = gui.fields(self._pressed)
+        self._table = Table(arm, units, self._fields.channel_id)
+        self._family, self._followed = 0, -1
+        self._state: State | None = None
+
+    def _pressed(self, cell: str, text: str) -> None:
+        command: Command | None = None
+        if cell == "turns" and text.isdecimal():
+            command = TurnTo(int(text))
+        elif cell.startswith("family") and cell[6:].isdecimal():
+            self._family = int(cell[6:])
+            if self._state is not None:
+                self.show(self._state)
+            return
+        else:
+            for prefix, kind in ((GO, GoToSolution), (SEE, LookAtSolution)):
+                if cell.startswith(prefix) and cell[len(prefix) :].isdecimal():
+                    command = kind(int(cell[len(prefix) :]))
+        if command is None:
+            log.warning("a page that is not ours pressed the list of solutions")
+        else:
+            self._post(command)
+
+    def show(self, state: State) -> None:
+        """Show the newest list."""
+        self._state = state
+        found = state[Solutions].found
+        if found is None or not found.rows:
+            self._fields.show("")
+            return
+        present = state.derived(present_row)
+        families = len(found.solutions.families)
+        if families:
+            self._follow(found, present, state)
+        rows = [row for row in found.rows if not families or row.family in (-1, self._family)]
+        q = state[Joints].q if state.derived(fresh) is not None else None
+        markup = self._table.markup(found, rows, present, state[Solutions].chosen, q)
+        self._fields.show(self._choice(families) + markup + self._turns(state))
+
+    def _follow(self, found: Found, present: Row | None, state: State) -> None:
+        """Show the family the arm has come to."""
+        motion = state.derived(motion_of)
+        here = present.family if present is not None else -1
+        if here < 0 and motion is not None:
+            here = found.nearest(state[Joints].q)[0].family  # type: ignore[union-attr]
+        if here >= 0 and here != self._followed:
+            self._followed = self._family = here
+        self._family = min(self._family, len(found.solutions.families) - 1)
+
+    def _choice(self, families: int) -> str:
+        if families < 2:
+            return ""
+        channel = self._fields.channel_id
+        chips = "".join(
+            chip(channel, f"family{k}", str(k + 1), f"Representatives of family {k + 1}", k == self._family)
+            for k in range(families)
+        )
+        return row("Family", chips)
+
+    def _turns(self, state: State) -> str:
+        turns = state.derived(whole_turns)
+        if len(turns) < 2:
+            return ""
+        q = state[Joints].q
+        here = int(np.argmin(np.abs(turns - q).max(axis=1)))
+        order = np.argsort(np.abs(turns - turns[here]).sum(axis=1), kind="stable")[:MOST_TURNS]
+        texts = {str(k): self._turn_words(turns[k] - turns[here]) for k in sorted(order)}
+        menu = select(self._fields.channel_id, "turns", "Whole turns", options(texts, str(here)))
+        count = f"<small> {len(turns)} ways inside the limits</small>"
+        return f'<div class="turns"><span>Whole turns{count}</span>{menu}</div>'
+
+    def _turn_words(self, away: np.ndarray) -> str:
+        said = []
+        for i, amount in enumerate(away):
+            if count := round(float(amount) / math.tau):
+                sign = "+" if count > 0 else "−"
+                said.append(f"{self._units.variable(i, True)} {sign} {self._units.angle(abs(count) * math.tau)}")
+        return ", ".join(said) or "as the arm is now"
+
+
+class _MotionSlider:
+    """The slider along the motion that leaves the tool where it is."""
+
+    def __init__(self, gui: Gui, post: Post) -> None:
+        self._words: Html = gui.html()
+        self._slider: Control = gui.slider(
+            "along %", 0.0, 100.0, 100.0 / STEPS, 0.0, lambda value: post(MoveAlong(value / 100.0)), None
+        )
+        self._slider.handle.visible = False
+
+    def show(self, state: State) -> None:
+        """Show how far along the arm is, where it can move so."""
+        motion = state.derived(motion_of)
+        if self._slider.handle.visible != (motion is not None):
+            self._slider.handle.visible = motion is not None
+        self._words.visible(motion is not None)
+        if motion is None:
+            return
+        joints = state[Joints]
+        self._slider.show(round(100.0 * motion.part(joints.arm, joints.q) * STEPS / 100.0) * 100.0 / STEPS)
+        self._words.show(f"<h3>Self-motion <small>the tool stands still</small></h3><p>{_ends(motion)}</p>")
+
+
+def _ends(motion: Motion) -> str:
+    """Return in words where a self-motion ends."""
+    if motion.closed:
+        return "It closes on itself."
+    ends = [f"the limit of joint {joint + 1}" if joint >= 0 else "a singular place" for joint in motion.stops]
+    return f"From {ends[0]} to {ends[1]}." if ends[0] != ends[1] else f"It ends at {ends[0]} on both sides."
+
+
+class _Proof:
+    """The search from thousands of starts."""
+
+    def __init__(self, gui: Gui, units: Units, post: Post) -> None:
+        self._fields: Fields = gui.fields(lambda cell, _: post(Prove(cell == "prove")))
+        self._units = units
+
+    def show(self, state: State) -> None:
+        """Show the button, how far the search is, or what has come of it."""
+        found, proof = state[Solutions].found, state.derived(shown_proof)
+        if found is None or len(found.question.held) == found.question.arm.n:
+            self._fields.show("")
+            return
+        channel = self._fields.channel_id
+        if proof is None or proof.done:
+            name = f"Prove it: {STARTS} random starts"
+            begin = chip(channel, "prove", name, "Does any descent end in a solution that is not listed?")
+        else:
+            begin = chip(channel, "cancel", "Cancel")
+        self._fields.show(f'<div class="bar prove">{begin}</div>{self._outcome(proof, state)}')
+
+    def _outcome(self, proof: Proof | None, state: State) -> str:
+        if proof is None:
+            return ""
+        if not proof.done:
+            part = 100.0 * proof.starts / STARTS
+            bar = f'<div class="progress" style="--part:{part:.0f}%" role="progressbar"></div>'
+            return f'{bar}<p class="dim">{escaped(proof.sentence)}</p>'
+        agrees = not proof.others or (proof.solutions.completeness == "infinite" and not proof.of_families)
+        kind, sign = ("ok", "✓") if agrees else ("warn", "◐")
+        arm = state[Joints].arm
+        others = "".join(f"<br>{self._values(arm, q)}" for q in ([] if agrees else proof.others[:3]))
+        return f'<p><b class="{kind}">{sign}</b> {escaped(proof.sentence)}{others}</p>'
+
+    def _values(self, arm: Arm, q: np.ndarray) -> str:
+        shown = (
+            self._units.angle(float(value)) if joint.revolute else self._units.length(float(value))
+            for value, joint in zip(q, arm.rows, strict=True)
+        )
+        return escaped("  ".join(shown))
+
+
+PANEL = Panel(
+    "solutions",
+    "Solutions",
+    "TARGET_ARROW",
+    31,
+    (Joints, Target, Solutions),
+    build,
+    tab="target",
+    about=(
+        "S4.3-multiplicity",
+        "S4.3-ur10",
+        "S4.3-ik16",
+        "S4.3.1-ik-cases",
+        "S4.3.2-methods",
+        "all solutions",
+        "ghosts",
+        "elbow up",
+        "elbow down",
+        "shoulder left",
+        "wrist flip",
+        "self-motion",
+        "redundant arm",
+        "multistart",
+    ),
+)

@@ -1,0 +1,114 @@
+"""The list of solutions as markup: a line or two each, made to be pressed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.target.solutions.found import Found, Row
+from armlab.benches.target.solutions.ui.ghosts import row_colour
+from armlab.kin.arm import Arm
+from armlab.ui.colours import css
+from armlab.ui.format import escaped
+from armlab.ui.markup import button
+from armlab.ui.units import Units
+
+Values = NDArray[np.float64]
+
+GO, SEE = "go", "see"
+"""What the cells of a row begin with; its slot follows."""
+
+FEW = 2
+"""Joints whose values have room beside a name."""
+
+ACROSS = 7
+"""Values in one line."""
+
+
+class Table:
+    """Writes the list of one arm.
+
+    Parameters
+    ----------
+    arm : Arm
+    units : Units
+    channel : str
+        Where presses go.
+    """
+
+    def __init__(self, arm: Arm, units: Units, channel: str) -> None:
+        self._arm, self._units, self._channel = arm, units, channel
+        heads = ((units.variable(i, row.revolute), units.unit(row.revolute)) for i, row in enumerate(arm.rows))
+        self._heads = "".join(f"<span>{escaped(name)} <small>{escaped(unit)}</small></span>" for name, unit in heads)
+
+    def markup(self, found: Found, rows: Sequence[Row], present: Row | None, chosen: int, q: Values | None) -> str:
+        """Return the list.
+
+        Parameters
+        ----------
+        found : Found
+        rows : sequence of Row
+            Those to be listed.
+        present : Row or None
+            Where the arm is.
+        chosen : int
+            Slot of the one whose ghost is drawn as a body.
+        q : ndarray or None
+            Joint values of the arm where it is at ``present``: they are shown, with the whole turns it has made.
+        """
+        named = not all(row.name.startswith("solution ") for row in rows)
+        short = self._arm.n <= (ACROSS if not named else FEW)
+        lines = "".join(
+            self._row(place, row, named, q if row is present else None, row is present, row.slot == chosen)
+            for place, row in enumerate(found.rows, start=1)
+            if row in rows
+        )
+        wide = self._is_wide(named)
+        kind = f"sols{' short' if short else ''}{' named' if named else ''}{' wide' if wide else ''}"
+        across = min(self._arm.n, ACROSS)
+        return (
+            f'<div class="{kind}" style="--n:{across}"><div class="sol-head"><span class="values">{self._heads}</span>'
+            f"</div>{lines}</div>"
+        )
+
+    def _row(self, place: int, row: Row, named: bool, q: Values | None, present: bool, chosen: bool) -> str:
+        values = "".join(
+            f"<span>{self._units.text(float(value), joint.revolute)}</span>"
+            for value, joint in zip(row.q if q is None else q, self._arm.rows, strict=True)
+        )
+        name = f'<span class="name">{escaped(row.name)}</span>' if named else ""
+        out = f'<span class="out">✕ {self.out(row)}</span>' if not row.within else ""
+        hint = f"Out of limits: {self.out(row)}" if out else "The arm is here" if present else "Go there"
+        go = button(
+            self._channel,
+            f"{GO}{row.slot}",
+            f'<b class="place" style="--c:{css(row_colour(row))}">{place}</b>{name}'
+            f'<span class="values">{"<i>●</i>" if present else ""}{values}</span>{out}',
+            "sol",
+            hint,
+            label=f"Solution {place}: {row.name}",
+        )
+        see = ""
+        if not present and not self._is_wide(named):
+            see = button(self._channel, f"{SEE}{row.slot}", "◉", "see", "Draw this one as a body", pressed=chosen)
+        state = " now" if present else "" if row.within else " off"
+        return f'<div class="sol-row{state}" data-place="{place}">{go}{see}</div>'
+
+    def _is_wide(self, named: bool) -> bool:
+        """Return whether the values of a row take the whole width of the panel."""
+        return not named and self._arm.n >= ACROSS
+
+    def out(self, row: Row) -> str:
+        """Return which joints are out of their limits and by how much."""
+        return ", ".join(
+            f"joint {i + 1} by {self._amount(abs(float(row.beyond[i])), self._arm.rows[i].revolute)} "
+            f"{'above' if row.beyond[i] > 0.0 else 'below'}"
+            for i in np.flatnonzero(row.beyond)
+        )
+
+    def _amount(self, value: float, revolute: bool) -> str:
+        least = 0.5 * 10.0 ** -self._units.decimals(revolute) * self._units.factor(revolute)
+        shown = self._units.angle if revolute else self._units.length
+        return shown(value) if value >= least else f"less than {shown(2.0 * least)}"

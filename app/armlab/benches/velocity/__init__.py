@@ -1,0 +1,1 @@
+"""The tab of velocity: one folder a page."""

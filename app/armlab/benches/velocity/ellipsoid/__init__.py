@@ -1,0 +1,1 @@
+"""The page "Singular values of J, notes 5.152"."""

@@ -1,0 +1,116 @@
+"""A point on the circle of joint speeds of length 1, and where the Jacobian takes it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.ellipsoid.state import Manipulability
+from armlab.content.robots import Robot
+from armlab.kin.checks import finite_floats
+from armlab.session.parts.joints import Joints
+from armlab.session.state import Command, Json, Part, PartType, State
+
+Array = NDArray[np.float64]
+
+POINTS = 73
+"""Of a circle that is drawn."""
+
+
+@dataclass(frozen=True)
+class UnitCircle(Part):
+    """Which joint speeds of length 1 are marked.
+
+    Attributes
+    ----------
+    angle : float
+        Radians, from the axis of the first joint's speed to that of the second's.
+    """
+
+    key: ClassVar[str] = "unit_circle"
+    kept_by_undo: ClassVar[bool] = True
+
+    angle: float = math.radians(30.0)
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return speeds of both joints."""
+        return cls()
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Keep the point: it is not of an arm."""
+        return self
+
+    def to_json(self) -> Json:
+        """Write the angle."""
+        return self.angle
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read it back; `InputError` when it is not finite."""
+        return cls(_checked(data))
+
+
+PART = PartType(UnitCircle, order=96)
+
+
+class Mapped(NamedTuple):
+    """The circle and its image.
+
+    Attributes
+    ----------
+    ellipse : ndarray, shape (POINTS, 2)
+        Image of the circle, in m/s along the two rows; it closes.
+    speeds, velocity : ndarray, shape (2,)
+        The marked point, in parts of the speeds that count as 1, and its image, m/s.
+    axes : ndarray, shape (2, 2)
+        Columns sigma_i u_i: the half axes of the ellipse.
+    preimages : ndarray, shape (2, 2)
+        Columns v_i: the joint speeds that give them.
+    """
+
+    ellipse: Array
+    speeds: Array
+    velocity: Array
+    axes: Array
+    preimages: Array
+
+
+def mapped(state: State) -> Mapped | None:
+    """Return the circle of joint speeds and its image; None unless the arm has two joints and the block two rows."""
+    block, joints = state[Manipulability].block, state[Joints]
+    if joints.arm.n != 2 or block.m != 2:
+        return None
+    J = block.rows(joints.q) if block.speeds is None else block.rows(joints.q) * block.speeds
+    angle = state[UnitCircle].angle
+    speeds = np.array([math.cos(angle), math.sin(angle)])
+    found = block.ellipsoid(joints.q)
+    return Mapped(_circle() @ J.T, speeds, J @ speeds, found.axes * found.sigma, np.array(found.joint_directions))
+
+
+def _circle() -> Array:
+    angle = np.linspace(0.0, 2.0 * math.pi, POINTS)
+    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+@dataclass(frozen=True)
+class MarkSpeeds(Command):
+    """Mark the joint speeds of length 1 at an angle, radians: a slider in motion."""
+
+    angle: float
+    snapshot: ClassVar[bool] = True
+    rests: ClassVar[bool] = True
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the point there."""
+        changed = UnitCircle(_checked(self.angle))
+        return state if changed == state[UnitCircle] else state.replace(changed)
+
+
+def _checked(angle: float) -> float:
+    return float(finite_floats(angle, "direction of the joint speeds", (), "a finite angle"))

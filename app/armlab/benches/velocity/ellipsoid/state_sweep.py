@@ -1,0 +1,234 @@
+"""Which joint sweeps through its range, and what the manipulability is on the way."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.ellipsoid.state import Manipulability, VelocityBlock
+from armlab.content.robots import Robot
+from armlab.errors import InputError
+from armlab.kin.easing import eased
+from armlab.kin.ellipsoid import SingularPlaces, measures, singular_places
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import Command, Json, Part, PartType, State
+
+Array = NDArray[np.float64]
+
+CLIP_KEY = "sweep"
+
+SECONDS = 8.0
+
+POINTS = 361
+"""Of a curve."""
+
+UNTOUCHED = 1e-9
+"""rad or m from where the sweep has put it, within which no hand has moved the joint."""
+
+
+@dataclass(frozen=True)
+class Sweep(Part):
+    """The joint that moves while the others stay.
+
+    Attributes
+    ----------
+    joint : int
+        0-based.
+    start : float or None
+        Where it stood when the clip was opened, rad or m; None while the clip is not open.
+    """
+
+    key: ClassVar[str] = "sweep"
+    kept_by_undo: ClassVar[bool] = True
+
+    joint: int = 0
+    start: float | None = None
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return the joint whose motion changes w: not the first, about which everything only turns."""
+        return cls(min(1, robot.arm.n - 1))
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep joint and start where the joint is still there."""
+        return replace(self, joint=origin.index(self.joint)) if self.joint in origin else self.initial(robot)
+
+    def after(self, before: State, now: State) -> Self:
+        """Forget the start when the clip is closed, and where the joint that turned now slides or the other way."""
+        if self.start is None:
+            return self
+        was, is_now = (state[Joints].arm.revolute[state[Sweep].joint] for state in (before, now))
+        return replace(self, start=None) if now[Timeline].clip != CLIP_KEY or was != is_now else self
+
+    def to_json(self) -> Json:
+        """Write joint and start."""
+        return {"joint": self.joint, "start": self.start}
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read them back."""
+        joint = int(data["joint"])
+        start = None if data["start"] is None else float(data["start"])
+        if not 0 <= joint < robot.arm.n or (start is not None and not math.isfinite(start)):
+            raise InputError(f"sweep: not usable: {data}")
+        return cls(joint, start)
+
+
+PART = PartType(Sweep, order=95)
+
+Leg = tuple[float, float, float, float]
+"""When it begins, how long it lasts, and the joint's value at either end."""
+
+
+def legs(state: State) -> tuple[Leg, Leg, Leg]:
+    """Return the three legs: from the start to the low limit, to the high limit, and back to the start."""
+    joints, sweep = state[Joints], state[Sweep]
+    low, high = (float(value) for value in joints.arm.limits[sweep.joint])
+    start = float(joints.q[sweep.joint]) if sweep.start is None else min(max(sweep.start, low), high)
+    second = SECONDS / (2.0 * (high - low)) if high > low else 0.0
+    down, up, back = (start - low) * second, (high - low) * second, (high - start) * second
+    return (0.0, down, start, low), (down, up, low, high), (down + up, back, high, start)
+
+
+def value_at(way: tuple[Leg, ...], time: float) -> float:
+    """Return the value of the joint at a time, rad or m."""
+    begin, duration, first, last = next((leg for leg in way if time < leg[0] + leg[1]), way[-1])
+    part = (time - begin) / duration if duration > 0.0 else 1.0
+    return first + eased(part) * (last - first)
+
+
+def put_back(state: State) -> State:
+    """Return the state with the joint where it stood before the sweep, unless a hand has moved it meanwhile."""
+    sweep, joints = state[Sweep], state[Joints]
+    if sweep.start is None or abs(joints.q[sweep.joint] - value_at(legs(state), state[Timeline].time)) > UNTOUCHED:
+        return state
+    q = joints.q.copy()
+    q[sweep.joint] = sweep.start
+    moved = joints.moved_to(q)
+    return state if moved is joints else state.replace(moved)
+
+
+@dataclass(frozen=True)
+class SweepJoint(Command):
+    """Choose the joint that sweeps; an open clip begins anew from there, and the joint before goes back."""
+
+    joint: int
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the joint chosen."""
+        joints, timeline = state[Joints], state[Timeline]
+        if not 0 <= self.joint < joints.arm.n:
+            raise InputError(f"joint: expected 1 to {joints.arm.n}, got {self.joint + 1}")
+        if self.joint == state[Sweep].joint:
+            return state
+        if timeline.clip != CLIP_KEY:
+            return state.replace(Sweep(self.joint))
+        started = Sweep(self.joint, free_start(joints, self.joint))
+        return put_back(state).replace(started, replace(timeline, time=0.0, playing=False))
+
+
+def free_start(joints: Joints, joint: int) -> float:
+    """Return where a joint stands.
+
+    Raises
+    ------
+    InputError
+        It is held.
+    """
+    if joints.locked[joint]:
+        raise InputError(f"joint {joint + 1} is held: let it go in Joints, or sweep another")
+    return float(joints.q[joint])
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """Measures of manipulability over one joint's range, the others as they are.
+
+    Attributes
+    ----------
+    values : ndarray, shape (N,)
+        Of the joint, rising from limit to limit, rad or m.
+    w, sigma_min, inverse_condition : ndarray, shape (N,)
+    """
+
+    values: Array
+    w: Array
+    sigma_min: Array
+    inverse_condition: Array
+
+
+Course = tuple[VelocityBlock, int, bytes]
+"""What the curves depend on: the block, the joint that sweeps, and where the others stand."""
+
+
+def course(state: State) -> Course:
+    """Return what is swept; it does not depend on where the joint stands."""
+    joints, joint = state[Joints], state[Sweep].joint
+    others = np.array(joints.q)
+    others[joint] = joints.arm.limits[joint, 0]
+    return state[Manipulability].block, joint, others.tobytes()
+
+
+def curves(state: State) -> Curves:
+    """Return the curves of the joint that sweeps."""
+    return _curves(course(state))
+
+
+def singularities(state: State) -> SingularPlaces:
+    """Return at which values of the joint that sweeps speed is lost some way; cheap enough for every picture."""
+    return _singularities(course(state))
+
+
+@lru_cache(maxsize=64)
+def _curves(swept: Course) -> Curves:
+    block, joint, _ = swept
+    low, high = block.arm.limits[joint]
+    values = np.linspace(low, high, POINTS)
+    w, inverse, smallest = measures(_scaled_rows(swept, values))
+    return Curves(values, w, smallest, inverse)
+
+
+@lru_cache(maxsize=64)
+def _singularities(swept: Course) -> SingularPlaces:
+    block, joint, _ = swept
+    low, high = block.arm.limits[joint].tolist()
+    return singular_places(_fitted(swept), low, high)
+
+
+def _fitted(swept: Course) -> Callable[[Array], Array]:
+    """Return `_scaled_rows` of one joint's values as a short sum, many times quicker and exact but for rounding.
+
+    Along a prismatic joint the entries are affine; along a revolute one they are linear in its cosine and sine, and
+    quadratic in the axes of the tool.
+    """
+    block, joint, _ = swept
+    revolute = bool(block.arm.revolute[joint])
+
+    def terms(values: Array) -> Array:
+        one = np.ones_like(values)
+        if not revolute:
+            return np.stack([one, values], axis=-1)
+        twice = 2.0 * values
+        return np.stack([one, np.cos(values), np.sin(values), np.cos(twice), np.sin(twice)], axis=-1)
+
+    nodes: Array = np.linspace(0.0, 1.6 * math.pi, 5) if revolute else np.array([0.0, 1.0])
+    rows = _scaled_rows(swept, nodes)
+    factors = np.linalg.solve(terms(nodes), rows.reshape(len(nodes), -1))
+    return lambda values: (terms(values) @ factors).reshape(-1, *rows.shape[1:])
+
+
+def _scaled_rows(swept: Course, values: Array) -> Array:
+    """Return the block at values of the joint, each column in parts of the speed that counts as 1."""
+    block, joint, others = swept
+    batch = np.repeat(np.frombuffer(others)[None], len(values), axis=0)
+    batch[:, joint] = values
+    rows = block.rows(batch)
+    return rows if block.speeds is None else rows * block.speeds

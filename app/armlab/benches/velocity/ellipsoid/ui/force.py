@@ -1,0 +1,70 @@
+"""What the page of the ellipsoids says of forces."""
+
+from __future__ import annotations
+
+import math
+
+from armlab.benches.velocity.ellipsoid.state import PlacedEllipsoid, VelocityBlock
+from armlab.benches.velocity.ellipsoid.ui.scene import force
+from armlab.benches.velocity.ellipsoid.ui.words import LETTERS, direction, vector, volume_unit
+from armlab.ui.format import mathml, number, pairs, subscript, trimmed
+
+HALF = r"1/\sigma_i"
+NAMES = {"translation": "force", "rotation": "moment"}
+
+
+def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> str:
+    """Return the half axes of the force ellipsoid with bars relative to the longest that ends."""
+    halves = found.half_forces[: block.m].tolist()
+    ends = [half for half in halves if math.isfinite(half)]
+    longest = max(ends, default=1.0)
+    rows = []
+    for i, half in enumerate(halves):
+        part = 100.0 if math.isinf(half) else 100.0 * half / longest
+        rows.append(
+            f"<span>1/{subscript('σ', i + 1)}</span><i>{vector(found.axes[:, i])}</i><b>{force(block, half)}</b>"
+            f'<u style="--part:{part:.1f}%"></u>'
+        )
+    title = f"Half axes of {NAMES[block.key]}s <small>{mathml(HALF)}, the same directions</small>"
+    return f'<h3>{title}</h3><div class="half force" title="Notes, section 5.4.1">{"".join(rows)}</div>'
+
+
+def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, str]:
+    """Return ``ok``, ``warn`` or ``no``, what the ellipsoid says in a few words, and in a sentence."""
+    name, word = NAMES[block.key], "along" if block.key == "translation" else "about"
+    halves = found.half_forces[: block.m]
+    if found.lost:
+        free = " and ".join(direction(found.axes[:, i]) for i in found.lost)
+        return "warn", "No torque needed", f"A {name} {word} {free} is carried by the structure: no joint can give way."
+    weakest, strongest = force(block, float(halves[0])), force(block, float(halves[-1]))
+    weak = direction(found.axes[:, 0])
+    if block.m == 1:
+        return "ok", "One direction", f"{word.capitalize()} {weak}: {weakest}."
+    strong = direction(found.axes[:, block.m - 1])
+    return "ok", "Slow is strong", f"Most {word} {strong}, {strongest}; least {word} {weak}, {weakest}."
+
+
+def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> str:
+    """Return 1/w with its formula, and which torques count as 1."""
+    w = found.force.w
+    shown = "∞" if math.isinf(w) else number(w, 3) if w < 1e4 else "over 10⁴"
+    unit = volume_unit(block, found.ellipsoid.joint_directions.shape[1])
+    unit = f"per {unit}" if unit and math.isfinite(w) else ""
+    J = rf"J_{{{LETTERS[block.key]}}}" if block.speeds is None else r"\bar{J}"
+    product = rf"{J}{J}^T" if block.m <= block.arm.n else rf"{J}^T{J}"
+    formula = rf"F^T{J}{J}^TF=1,\;\sqrt{{\det({product})^{{-1}}}}=1/w"
+    return (
+        pairs([(f"{mathml('1/w')} of {block.key}", f"{shown} {unit}")])
+        + f'<div class="eq small" title="Notes 5.164: the forces of torques of length 1">{mathml(formula)}</div>'
+        + f'<p class="dim">{torque_words(block)} Drawn: 1 {block.force_unit} is {trimmed(block.drawn_force, 6)} m; '
+        "what is too long or endless goes through as a line.</p>"
+    )
+
+
+def torque_words(block: VelocityBlock) -> str:
+    """Return which joint torques count as 1."""
+    if block.speeds is not None:
+        return "Joints slide and turn: each counts by its power at its limit of speed, √(Σ (τᵢ q̇ᵢ,max)²) ≤ 1 W."
+    return f"For joint {'torques' if block.arm.revolute.all() else 'forces'} with √(Σ τᵢ²) ≤ 1 " + (
+        "N m." if block.arm.revolute.all() else "N."
+    )

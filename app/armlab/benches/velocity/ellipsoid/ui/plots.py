@@ -1,0 +1,214 @@
+"""Plots of the page of the ellipsoids: over the range of a joint, over the distance of a 2R, along a motion."""
+
+from __future__ import annotations
+
+import asyncio
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.motion.plan.state import CLIP_KEY as MOTION
+from armlab.benches.velocity.ellipsoid.curves import (
+    AlongMotion,
+    OverDistance,
+    along_motion,
+    over_distance,
+    present_distance,
+)
+from armlab.benches.velocity.ellipsoid.state import Manipulability
+from armlab.benches.velocity.ellipsoid.state_sweep import (
+    CLIP_KEY,
+    Course,
+    Sweep,
+    SweepJoint,
+    course,
+    curves,
+    singularities,
+)
+from armlab.benches.velocity.ellipsoid.ui.words import name_of_w, volume_unit
+from armlab.kin.ellipsoid import SingularPlaces
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import OpenClip, Timeline
+from armlab.session.state import State
+from armlab.ui import adapter
+from armlab.ui.colours import BLUE, GREEN, PURPLE
+from armlab.ui.format import mathml, number
+from armlab.ui.plot import TIME, Curve, Plot
+from armlab.ui.plugin import Post
+from armlab.ui.units import Units
+from armlab.ui.widgets import Gui
+
+Array = NDArray[np.float64]
+
+REST = 0.3
+"""Seconds without a motion of the other joints after which the curves are drawn again."""
+
+HEIGHT = 104
+SMALLEST, INVERSE = r"\sigma_{min}", r"\sigma_{min}/\sigma_1"
+
+
+class Sweeping:
+    """The choice of a joint, the button, and the plots over its range."""
+
+    def __init__(self, gui: Gui, state: State, post: Post, units: Units) -> None:
+        arm = state[Joints].arm
+        self._units = units
+        gui.heading("Over the range of one joint")
+        self._joint = gui.dropdown(
+            "Joint",
+            {str(i): f"{units.variable(i, bool(arm.revolute[i]))}, joint {i + 1}" for i in range(arm.n)},
+            str(state[Sweep].joint),
+            lambda key: post(SweepJoint(int(key))),
+            "The joint that moves while the others stay.",
+        )
+
+        self._button = gui.button(
+            "Sweep",
+            lambda: post(OpenClip(CLIP_KEY, play=True)),
+            "Move this joint through its range and back; stops at limits, middle and singularities.",
+        )
+        self._note = gui.html()
+        block = state[Manipulability].block
+        unit = volume_unit(block, block.ellipsoid(state[Joints].q).joint_directions.shape[1])
+        curves_of = (
+            (name_of_w(block), unit, "w", BLUE),
+            (f"Smallest half axis {mathml(SMALLEST)}", block.unit, "sigma_min", GREEN),
+            (f"Inverse condition {mathml(INVERSE)}", "", "inverse_condition", PURPLE),
+        )
+        self._plots = [
+            Plot(gui, _with(title, unit), "", [Curve(_with(file, unit), colour)], file, height=HEIGHT, from_zero=True)
+            for title, unit, file, colour in curves_of
+        ]
+        self._shown: Course | None = None
+        self._wanted: Course | None = None
+        self._later: asyncio.TimerHandle | None = None
+
+    def show(self, state: State) -> None:
+        """Show where the joint stands, and the curves as soon as the other joints rest."""
+        joints, joint = state[Joints], state[Sweep].joint
+        revolute = bool(joints.arm.revolute[joint])
+        factor = self._units.factor(revolute)
+        self._joint.show(str(joint))
+        if self._button.disabled != state[Timeline].playing:
+            self._button.disabled = state[Timeline].playing
+        wanted = state.derived(course)
+        if self._shown is None or self._shown[:2] != wanted[:2]:
+            self._draw(state)
+        elif wanted != self._wanted:
+            self._wait()
+            self._note.show('<p class="dim">The curves are drawn again when the arm rests.</p>')
+            self._later = asyncio.get_running_loop().call_later(REST, self._draw, state)
+        self._wanted = wanted
+        for plot in self._plots:
+            plot.cursor(float(joints.q[joint]) / factor)
+
+    def _wait(self) -> None:
+        if self._later is not None:
+            self._later.cancel()
+            self._later = None
+
+    def _draw(self, state: State) -> None:
+        """Draw the curves of a state."""
+        self._wait()
+        if adapter.is_removed(self._button):
+            return
+        self._shown = self._wanted = state.derived(course)
+        joint, found = state[Sweep].joint, state.derived(curves)
+        revolute = bool(state[Joints].arm.revolute[joint])
+        name = f"{self._units.variable(joint, revolute)}, {self._units.unit(revolute)}"
+        for plot, curve in zip(self._plots, (found.w, found.sigma_min, found.inverse_condition), strict=True):
+            plot.name_x(name)
+            plot.show(found.values / self._units.factor(revolute), [curve])
+        limits = state[Joints].arm.limits[joint]
+        self._note.show(_singular(state.derived(singularities), limits, self._units, joint, revolute))
+
+
+def _with(name: str, unit: str) -> str:
+    return f"{name}, {unit}" if unit else name
+
+
+def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, revolute: bool) -> str:
+    """Return where the joint's motion passes a singularity."""
+    name, text = units.variable(joint, revolute), units.angle if revolute else units.length
+    low, high = (text(float(value)) for value in limits)
+    if found.everywhere:
+        said = "singular everywhere while the other joints stay as they are"
+    elif found.places:
+        said = f"singular at {', '.join(text(value) for value in found.places)}"
+    else:
+        said = f"no singularity found in {found.samples} samples"
+    return f'<p class="dim">{name} from {low} to {high}: {said}.</p>'
+
+
+class OverDistances:
+    """w and both half axes of a planar 2R over the distance of its tool from the first axis, as in the notes."""
+
+    def __init__(self, gui: Gui, found: OverDistance, units: Units) -> None:
+        self._units, self._link = units, found.link
+        gui.heading(f"Over the distance {mathml('r')} from joint 1 <small>section 5.3</small>")
+        r = "r, m"
+        self._w = Plot(gui, "w, m²", r, [Curve("w, m²", BLUE)], "w over r", height=HEIGHT, from_zero=True)
+        named = [Curve("σ₁, m/s", BLUE), Curve("σ₂, m/s", GREEN)]
+        self._sigma = Plot(gui, "Half axes, m/s", r, named, "half axes over r", height=HEIGHT, from_zero=True)
+        self._note = gui.html()
+        self._w.show(found.r, [found.w])
+        self._sigma.show(found.r, [found.sigma[:, 0], found.sigma[:, 1]])
+        self._said = self._says(found)
+
+    def _says(self, found: OverDistance) -> str:
+        link, units = found.link, self._units
+        longest, shortest = link.sigma(found.roundest).tolist()
+        most = number(link.l1 * link.l2, 3)
+        return (
+            f"Largest w = l₁l₂ = {most} m² at r = √(l₁² + l₂²) = {units.length(link.best)}, the elbow at a right "
+            f"angle; roundest at r = {units.length(found.roundest)}, where σ₁/σ₂ = {number(longest / shortest, 3)}."
+        )
+
+    def show(self, state: State) -> None:
+        """Show where the tool is."""
+        r = present_distance(state)
+        w = float(np.prod(self._link.sigma(r)))
+        at = f"Here r = {self._units.length(r)}, w = {number(w, 3)} m². "
+        self._note.show(f'<p class="dim">{at}{self._said}</p>')
+        for plot in (self._w, self._sigma):
+            plot.cursor(r)
+
+
+class Along:
+    """w along the motion that is planned, made when there is one; the cursor follows it while it is on."""
+
+    def __init__(self, gui: Gui) -> None:
+        self._gui = gui
+        self._plots: tuple[Plot, ...] = ()
+        self._shown: AlongMotion | None = None
+
+    def show(self, state: State) -> None:
+        """Draw the motion when it is another one."""
+        found = along_motion(state)
+        if found is not None and not self._plots:
+            self._plots = self._made(state)
+        for plot in self._plots:
+            plot.visible(found is not None)
+            plot.cursor(TIME if found is not None and state[Timeline].clip == MOTION else None)
+        if found is not None and found is not self._shown:
+            for plot, curve in zip(self._plots, (found.w, found.sigma_min), strict=True):
+                plot.show(found.t, [curve])
+        self._shown = found
+
+    def _made(self, state: State) -> tuple[Plot, Plot]:
+        block, gui = state[Manipulability].block, self._gui
+        unit = volume_unit(block, min(block.m, block.arm.n))
+        title, least = _with(name_of_w(block), unit), f"Smallest half axis {mathml(SMALLEST)}, {block.unit}"
+        w, sigma = Curve(_with("w", unit), BLUE), Curve(_with("sigma_min", block.unit), GREEN)
+        gui.heading("Along the planned motion")
+        return (
+            Plot(gui, title, "t, s", [w], "w over t", height=HEIGHT, from_zero=True),
+            Plot(gui, least, "t, s", [sigma], "sigma_min over t", height=HEIGHT, from_zero=True),
+        )
+
+
+def over_distances(gui: Gui, state: State, units: Units) -> OverDistances | None:
+    """Return the plots of a planar 2R; None for other arms."""
+    found = over_distance(state[Joints].arm)
+    wanted = found is not None and state[Manipulability].block.key == "translation"
+    return OverDistances(gui, found, units) if wanted and found is not None else None

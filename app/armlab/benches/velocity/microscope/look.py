@@ -1,0 +1,177 @@
+"""What the microscope sees at a configuration: singular directions, the wanted velocity, and the methods' answers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.kin.arm import Arm
+from armlab.kin.control.rate_inverse import RateStep, rate_step
+from armlab.kin.control.scaled_task import ScaledTask
+from armlab.kin.control.side_by_side import Compared, side_by_side
+from armlab.kin.control.singular_poses import SINGULAR, SingularPose, nearest_singular_pose, singular_poses
+from armlab.kin.velocity.singular import Singularity, singularities
+
+if TYPE_CHECKING:
+    from armlab.benches.velocity.microscope.state import Microscope
+
+Array = NDArray[np.float64]
+
+EQUAL = 1e-9
+"""Components of a unit vector this close count as equal: the first of them then decides its sign."""
+
+ALPHAS = (1e-6, 1e6)
+"""Smallest and largest step size of the transpose."""
+
+MOST_PLACES = 8
+"""Singular configurations that are offered."""
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """One configuration under the microscope; everything scaled as `ScaledTask` says.
+
+    Attributes
+    ----------
+    part : Microscope
+    q : ndarray, shape (n,)
+    J : ndarray, shape (m, n)
+    U, sigma, V : ndarray, shapes (m, r), (r,), (n, r), r = min(m, n)
+        Singular directions of the tool and of the joints; the largest component of each u is positive.
+    rows : ndarray, shape (m, 6)
+        What takes a twist in world axes to the task.
+    """
+
+    part: Microscope
+    q: Array
+    J: Array
+    U: Array
+    sigma: Array
+    V: Array
+    rows: Array
+
+    @property
+    def task(self) -> ScaledTask:
+        """The scaled task of the arm."""
+        return self.part.task
+
+    @property
+    def inverse_condition(self) -> float:
+        """sigma_min over sigma_max: 0 at singularities."""
+        return float(self.sigma[-1] / self.sigma[0]) if self.sigma[0] > 0.0 else 0.0
+
+    @property
+    def singular(self) -> bool:
+        """Whether a direction is lost, but for rounding."""
+        return self.inverse_condition <= SINGULAR
+
+    @property
+    def lost(self) -> Array:
+        """Unit vector (m,) of the task along which the tool is slowest: u of the smallest singular value."""
+        return np.asarray(self.U[:, -1])
+
+    @property
+    def options(self) -> Mapping[str, Mapping[str, Any]]:
+        """Options by key of the method.
+
+        The step size of the transpose is 1/sigma_max^2, exact where the tool is fastest. The one that serves a wish
+        best would be 1/sigma_min^2 for a wish along the lost direction, and so an inverse in disguise.
+        """
+        alpha = min(max(float(self.sigma[0]) ** -2, ALPHAS[0]), ALPHAS[1]) if self.sigma[0] > 0.0 else 1.0
+        return {**self.part.options, "transpose": {"alpha": alpha}}
+
+    @cached_property
+    def wish(self) -> Array:
+        """The wanted velocity, (m,)."""
+        part = self.part
+        if part.aim == "own":
+            return np.asarray(np.array(part.own) * self.task.row_units)
+        return np.asarray(part.speed * (self.lost if part.aim == "lost" else self.U[:, 0]))
+
+    @cached_property
+    def answers(self) -> tuple[Compared, ...]:
+        """What each method makes of it."""
+        return side_by_side(self.J, self.wish, self.options)
+
+    def answer(self, method: str) -> RateStep:
+        """Return the answer of one method."""
+        return rate_step(method, self.J, self.wish, self.options.get(method))
+
+    def natural(self, components: Array) -> Array:
+        """Return a task velocity in m/s and rad/s of a scaled one, (m,)."""
+        return np.asarray(components / self.task.row_units)
+
+    def twist(self, components: Array) -> Array:
+        """Return a scaled task velocity as a twist in world axes, (6,): where metres and radians meet, scaled."""
+        return np.asarray(self.rows.T @ components)
+
+
+def look_at(part: Microscope, q: Array) -> Look:
+    """Return what the microscope sees at a configuration."""
+    task = part.task
+    R = np.asarray(task.pose(q))[:3, :3]
+    J = task.scaled(task.jacobian(q, R))
+    U, sigma, V_T = np.linalg.svd(J, full_matrices=False)
+    size = np.abs(U)
+    first = np.argmax(size >= size.max(axis=0) - EQUAL, axis=0)
+    signs = np.where(U[first, np.arange(U.shape[1])] < 0.0, -1.0, 1.0)
+    return Look(part, q, J, U * signs + 0.0, sigma, V_T.T * signs + 0.0, task.rows(R).copy())
+
+
+class Near(NamedTuple):
+    """The singular configuration that is nearest by one joint, and why it is one.
+
+    Attributes
+    ----------
+    pose : SingularPose
+    why : tuple of Singularity
+    """
+
+    pose: SingularPose
+    why: tuple[Singularity, ...]
+
+
+def near_at(part: Microscope, q: Array) -> Near | None:
+    """Return the singularity that is near, or at which the arm stands; None where there is none."""
+    found = nearest_singular_pose(part.task, q)
+    return None if found is None else Near(found, singularities(part.arm, found.q))
+
+
+class Place(NamedTuple):
+    """A singular configuration the arm can be brought near to.
+
+    Attributes
+    ----------
+    name : str
+        Such as ``"Elbow"``.
+    pose : SingularPose
+    says : str
+    """
+
+    name: str
+    pose: SingularPose
+    says: str
+
+
+@lru_cache(maxsize=64)
+def places(arm: Arm, home: tuple[float, ...]) -> tuple[Place, ...]:
+    """Return singular configurations that one joint reaches from the home pose: of each kind the nearest."""
+    task, found = ScaledTask(arm), dict[tuple[str, bool, str, int], Place]()
+    poses = sorted(singular_poses(task, np.array(home)), key=lambda pose: abs(pose.away / task.joint_units[pose.place]))
+    for pose in poses:
+        why = singularities(arm, pose.q)
+        if not why:
+            continue
+        first = why[0]
+        shape = next((word for word in ("stretched", "folded") if word in first.says), "")
+        name = f"{first.kind.capitalize()}, {shape}" if shape else first.kind.capitalize()
+        if first.kind == "dependent":
+            name = "Dependent joints"
+        key = (first.kind, first.boundary, shape, pose.place if first.kind == "dependent" else -1)
+        found.setdefault(key, Place(name, pose, " ".join(each.says for each in why)))
+    return tuple(sorted(found.values(), key=lambda place: place.pose.place))[:MOST_PLACES]

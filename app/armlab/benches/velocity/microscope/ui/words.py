@@ -1,0 +1,193 @@
+"""The microscope in words and numbers: how far from singular, which singularity, and what each method does."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.microscope.look import Look, Near
+from armlab.kin.control.side_by_side import Compared
+from armlab.kin.control.singular_poses import FAR, SINGULAR
+from armlab.kin.task import Task
+from armlab.ui.colours import css, joint_colour
+from armlab.ui.format import dot, escaped, number, scientific, subscript, trimmed
+from armlab.ui.markup import button
+from armlab.ui.units import Units
+from armlab.ui.verdicts import SIGNS
+
+Array = NDArray[np.float64]
+
+NAMES = {
+    "transpose": "αJᵀ",
+    "inverse": "J⁻¹",
+    "pinv": "J#",
+    "dls_constant": "DLS λ",
+    "dls_variable": "DLS λ(σ)",
+}
+"""Of the methods, where there is little room."""
+
+SQUARED = {"m": "m²", "": ""}
+
+POOR = 0.1
+"""Inverse condition below which a configuration is called close to a singularity."""
+
+HUGE = 1e5
+"""Numbers from here on have a power of ten."""
+
+ROUND = 1e-9
+"""Radians or metres below which a distance is none."""
+
+
+def components(task: Task) -> list[tuple[str, bool]]:
+    """Return the name of each component of a task's velocity, and whether it is a turning."""
+    found = [(f"v_{letter}", False) for letter in task.position]
+    turns = {"none": [], "phi": ["ω_z"], "approach": ["ω about x_E", "ω about y_E"], "full": ["ω_x", "ω_y", "ω_z"]}
+    return found + [(name, True) for name in turns[task.rotation]]
+
+
+def joint_speed(look: Look, j: int, scaled: float, units: Units) -> str:
+    """Return the speed of a joint (0-based) with its unit, of a scaled one."""
+    revolute = bool(look.part.arm.revolute[j])
+    return f"{_figure(scaled * float(look.task.joint_units[j]), revolute, units)} {_rate(revolute, units)}"
+
+
+def condition_card(look: Look, near: Near | None, units: Units) -> str:
+    """Return how far from singular the configuration is, and which singularity is the nearest."""
+    inverse, sigma = look.inverse_condition, float(look.sigma[-1])
+    kind = "no" if look.singular else "warn" if inverse < POOR else "ok"
+    head = "Singular" if look.singular else f"Inverse condition {_small(inverse)}"
+    unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
+    text = f"σ_min = {'0' if look.singular else _small(sigma)}{unit}, σ_max = {number(float(look.sigma[0]), 3)}{unit}. "
+    said = _sub(escaped(text)) + escaped(_which(look, near, units))
+    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {head}</b>{said}</div>'
+
+
+def _which(look: Look, near: Near | None, units: Units) -> str:
+    if near is None:
+        return f"No singularity was found that one joint alone reaches within {_looked(look, units)}."
+    says = " ".join(each.says for each in near.why)
+    if abs(near.pose.away) <= ROUND:
+        return says
+    j, revolute = near.pose.place, bool(look.part.arm.revolute[near.pose.place])
+    away = units.angle(abs(near.pose.away)) if revolute else units.length(abs(near.pose.away))
+    at = units.angle(float(near.pose.q[j])) if revolute else units.length(float(near.pose.q[j]))
+    return f"{away} away, at {units.variable(j, revolute)} = {at}: {says}"
+
+
+def _looked(look: Look, units: Units) -> str:
+    """Return how far each kind of joint was looked along."""
+    arm, most = look.part.arm, FAR * look.task.joint_units
+    said = [units.angle(float(most[arm.revolute][0]))] if arm.revolute.any() else []
+    said += [units.length(float(most[~arm.revolute][0]))] if not arm.revolute.all() else []
+    return " or ".join(said)
+
+
+def sigma_bars(look: Look) -> str:
+    """Return the singular values with bars, the directions of the smallest beside it."""
+    largest = float(look.sigma[0]) or 1.0
+    unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
+    rows = []
+    for i, value in enumerate(look.sigma.tolist()):
+        name = subscript("σ", i + 1)
+        said = f"u = ({', '.join(number(float(part), 2) for part in look.U[:, i])})"
+        rows.append(
+            f"<span>{name}</span><i>{said}</i><b>{_small(value) if value > SINGULAR * largest else '0'}{unit}</b>"
+            f'<u style="--part:{100.0 * value / largest:.1f}%"></u>'
+        )
+    last = look.V[:, -1].tolist()
+    v = ", ".join(f"{dot(css(joint_colour(j)))}{number(value, 2)}" for j, value in enumerate(last))
+    name = subscript("v", len(look.sigma))
+    return f'<div class="half">{"".join(rows)}</div><p class="ms-v" title="Drawn at the joints">{name} = ({v})</p>'
+
+
+def table(look: Look, channel: str, units: Units) -> str:
+    """Return what each method does, a row each; the one that is drawn in the scene is marked."""
+    arm = look.part.arm
+    kinds = [turns for turns in (True, False) if bool(np.any(arm.revolute == turns))]
+    heads = "".join(f"<th>max |q̇|<br>{_rate(turns, units)}</th>" for turns in kinds)
+    met = '<th title="Component of the reached velocity along the wish">met</th>'
+    error = '<th title="|v reached − v| / |v|">error</th>'
+    rows = "".join(_row(look, answer, kinds, channel, units) for answer in look.answers)
+    off = '<th title="Angle between the reached velocity and the wish">off by</th>'
+    return f'<table class="ms-table"><tr><th></th>{heads}{met}{error}{off}</tr>{rows}</table>'
+
+
+def _row(look: Look, answer: Compared, kinds: list[bool], channel: str, units: Units) -> str:
+    pressed = look.part.method == answer.key
+    title = f"{answer.title}, α = 1/σ_max²" if answer.key == "transpose" else answer.title
+    hint = f"{title}: draw what it makes the tool do"
+    name = button(channel, f"watch {answer.key}", escaped(NAMES[answer.key]), "chip", hint, pressed=pressed)
+    if answer.step.qdot is None:
+        return f'<tr><th>{name}</th><td colspan="{len(kinds) + 3}" class="said">{escaped(answer.step.says)}</td></tr>'
+    speeds = np.abs(answer.step.qdot * look.task.joint_units)
+    off = "–" if answer.off is None else units.angle(answer.off)
+    said = [
+        (f"{_percent(answer.along)} %", _reached(look, answer, units)),
+        (f"{_percent(answer.error)} %", ""),
+        (off, ""),
+    ]
+    cells = [_fastest(look, speeds, turns, units) for turns in kinds]
+    cells += [f'<td title="{escaped(hint)}">{text}</td>' if hint else f"<td>{text}</td>" for text, hint in said]
+    return f"<tr><th>{name}</th>{''.join(cells)}</tr>"
+
+
+def _fastest(look: Look, speeds: Array, turns: bool, units: Units) -> str:
+    """Return the cell of the fastest joint that turns, or slides; marked where a joint is faster than it may be."""
+    arm = look.part.arm
+    those = arm.revolute == turns
+    text = _figure(float(speeds[those].max(initial=0.0)), turns, units)
+    above = [units.variable(j, turns) for j in np.flatnonzero(those & (speeds > arm.speed_limits)).tolist()]
+    if not above:
+        return f"<td>{text}</td>"
+    return f'<td class="no" title="Above the speed limit: {escaped(", ".join(above))}">{text}&#8202;!</td>'
+
+
+def _reached(look: Look, answer: Compared, units: Units) -> str:
+    """Return how fast the tool moves and turns."""
+    assert answer.reached is not None
+    task, natural = look.part.arm.task, look.natural(answer.reached)
+    p = len(task.position)
+    parts = [("moves at", natural[:p], False), ("turns at", natural[p:], True)]
+    said = [
+        f"{verb} {_figure(float(np.linalg.norm(part)), turns, units)} {_rate(turns, units)}"
+        for verb, part, turns in parts
+        if len(part)
+    ]
+    return f"The tool {' and '.join(said)}"
+
+
+def scales_words(look: Look) -> str:
+    """Return what the singular values and the damping are made of."""
+    if not look.task.sigma_unit and look.part.arm.task.rotation != "none" and look.part.arm.task.position:
+        return f"Metres and radians meet: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
+    if look.task.length != 1.0:
+        return f"Joints turn and slide: lengths are divided by {trimmed(look.task.length, 3)} m, half the reach."
+    return ""
+
+
+def damping_unit(look: Look, unit: str) -> str:
+    """Return the unit of an option whose unit is that of singular values, or of their squares."""
+    own = look.task.sigma_unit
+    return {"sigma": own, "sigma²": SQUARED[own]}.get(unit, "")
+
+
+def _figure(value: float, revolute: bool, units: Units) -> str:
+    shown = value / units.factor(revolute)
+    return number(shown, units.decimals(revolute)) if abs(shown) < HUGE else scientific(shown)
+
+
+def _rate(revolute: bool, units: Units) -> str:
+    return f"{units.unit(revolute)}/s"
+
+
+def _percent(part: float) -> str:
+    return number(100.0 * part, 1) if abs(part) < HUGE else scientific(100.0 * part)
+
+
+def _small(value: float) -> str:
+    """Return a number of which the zeros count: with four digits, or with a power of ten."""
+    return number(value, 4) if value >= 1e-3 or value == 0.0 else scientific(value)
+
+
+def _sub(text: str) -> str:
+    return text.replace("σ_min", "σ<sub>min</sub>").replace("σ_max", "σ<sub>max</sub>")

@@ -1,0 +1,118 @@
+"""What follows from the wanted velocity: the answer, the subspaces, the tests of singularity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.solve.state import Solve, arm_asked
+from armlab.kin.arm import Arm
+from armlab.kin.joint_scale import joint_scale
+from armlab.kin.velocity.answer import Answer, answer_in, penrose
+from armlab.kin.velocity.dependence import DeterminantTests, determinant_tests
+from armlab.kin.velocity.determinant import SymbolicDeterminant, determinant
+from armlab.kin.velocity.singular import Singularity, singularities, usual_rank
+from armlab.kin.velocity.subspaces import Subspaces, subspaces, task_axes, task_lengths, task_matrix
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """The solution of J qdot = v in one configuration.
+
+    Attributes
+    ----------
+    arm : Arm
+        Its task is what is asked.
+    q : ndarray, shape (n,)
+    J : ndarray, shape (m, n)
+        Of the task, m/s and rad/s.
+    v : ndarray, shape (m,)
+    spaces : Subspaces
+    answer : Answer
+    """
+
+    arm: Arm
+    q: Array
+    J: Array
+    v: Array
+    spaces: Subspaces
+    answer: Answer
+
+    @property
+    def p(self) -> int:
+        """Number of rows that are of position."""
+        return len(self.arm.task.position)
+
+    @cached_property
+    def axes(self) -> Array:
+        """What the rows are components along, in the world, (m, 3)."""
+        return task_axes(self.arm, self.q)
+
+    @property
+    def usual(self) -> int:
+        """The rank where the arm is not singular."""
+        return usual_rank(self.arm)
+
+    @property
+    def singular(self) -> bool:
+        """Whether the rank is below the usual one."""
+        return self.spaces.rank < self.usual
+
+    @cached_property
+    def reasons(self) -> tuple[Singularity, ...]:
+        """Why it is singular."""
+        return singularities(self.arm, self.q) if self.singular else ()
+
+    @cached_property
+    def tests(self) -> DeterminantTests:
+        """The determinants of J, in metres and radians."""
+        return determinant_tests(self.J)
+
+    @property
+    def formula(self) -> SymbolicDeterminant | None:
+        """The determinant in symbols, of small arms."""
+        return determinant(self.arm)
+
+    @property
+    def is_scaled(self) -> bool:
+        """Whether metres or joint speeds are scaled for rank, singular values and pseudo-inverse."""
+        return bool((self.spaces.lengths != 1.0).any() or (self.spaces.speeds != 1.0).any())
+
+    @property
+    def scaled(self) -> Array:
+        """The scaled matrix, (m, n); J itself where nothing is scaled."""
+        return np.asarray(self.J * self.spaces.speeds / self.spaces.lengths[:, None])
+
+    @property
+    def scaled_inverse(self) -> Array:
+        """The pseudo-inverse of the scaled matrix, (n, m)."""
+        return np.asarray(self.spaces.inverse * self.spaces.lengths / self.spaces.speeds[:, None])
+
+    @cached_property
+    def penrose(self) -> tuple[float, float, float, float]:
+        """The four Penrose conditions' largest differences, of the scaled matrix."""
+        return penrose(self.scaled, self.scaled_inverse)
+
+    def vectors(self, values: Array) -> tuple[Array, Array]:
+        """Return a task velocity as vectors of the world: of the tool point, m/s, and of turning, rad/s."""
+        return values[: self.p] @ self.axes[: self.p], values[self.p :] @ self.axes[self.p :]
+
+
+def found_at(arm: Arm, q: Array, twist: tuple[float, ...]) -> Found:
+    """Return the solution of one configuration; of a longer twist the first components."""
+    J = task_matrix(arm, q)
+    v = np.array(twist[: arm.task.m])
+    spaces = subspaces(J, task_lengths(arm), joint_scale(arm))
+    return Found(arm, q, J, v, spaces, answer_in(spaces, J, v))
+
+
+def found(state: State) -> Found:
+    """Return the solution of a state."""
+    return found_at(arm_asked(state), state[Joints].q, state[Solve].twist)

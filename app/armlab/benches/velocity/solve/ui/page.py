@@ -1,0 +1,279 @@
+"""Solve for joint speeds: none, one or infinitely many; the shortest; the four subspaces; singular or not, and why."""
+
+from __future__ import annotations
+
+import asyncio
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.solve.examples import EXAMPLES, ChooseSolveExample
+from armlab.benches.velocity.solve.found import Found, found
+from armlab.benches.velocity.solve.motion import BeginAlong, SlideAlong, begun, looked_for, part_of
+from armlab.benches.velocity.solve.state import CLIP_KEY, AskFor, SetComponent, Solve, has_choice
+from armlab.benches.velocity.solve.ui.words import (
+    card,
+    components,
+    legend,
+    markup_of,
+    measures_markup,
+    null_markup,
+    penrose_markup,
+    reached_markup,
+    singular_card,
+    speeds_markup,
+    verdict,
+)
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.state import Command, State
+from armlab.ui.examples import examples_markup
+from armlab.ui.format import mathml, matrix, readable
+from armlab.ui.markup import button, chips, row
+from armlab.ui.matrices import WIDE, copy_buttons
+from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.tried import tried
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Fields, Gui
+
+STEPS = 200
+"""Of the slider along a self-motion."""
+
+REST = 0.4
+"""Seconds without a motion after which the page finds out where on its self-motion the arm is."""
+
+ASKED = {"rows-task": "Whole task", "rows-position": "Position alone"}
+
+FOLDS = {"spaces": "Four subspaces", "svd": "U, Σ, V", "penrose": "Penrose conditions"}
+
+
+class SolvePage:
+    """The page."""
+
+    def __init__(self, gui: Gui, state: State, post: Post) -> None:
+        self._state, self._post, self._units = state, post, units_of(state)
+        self._unfolded: set[str] = set()
+        self._head: Fields = gui.fields(lambda cell, text: self._typed(self._head, cell, text))
+        self._verdict, self._speeds = gui.html(), gui.html()
+        self._motion = _SelfMotion(gui, post)
+        self._singular = gui.html()
+        self._folds: Fields = gui.fields(lambda cell, _: self._fold(cell))
+
+    def _typed(self, fields: Fields, cell: str, text: str) -> None:
+        present = self._state
+        if not tried(fields, cell, text, lambda: commands(present, cell, text, self._units), present, self._post):
+            self.show(present)
+
+    def _fold(self, cell: str) -> None:
+        self._unfolded ^= {cell} & set(FOLDS)
+        self.show(self._state)
+
+    def show(self, state: State) -> None:
+        """Show a state."""
+        self._state = state
+        units, solved = self._units, state.derived(found)
+        self._head.show(head_markup(self._head, state, solved, units))
+        self._verdict.show(card(*verdict(solved, units)) + legend() + reached_markup(solved, units))
+        self._speeds.show(speeds_markup(solved, units) + null_markup(solved, units))
+        self._motion.show(state, solved)
+        self._singular.show(f"<h3>Is J singular?</h3>{singular_card(solved)}{measures_markup(solved)}")
+        self._folds.show(self._folded(solved))
+
+    def _folded(self, solved: Found) -> str:
+        parts = []
+        for key, title in FOLDS.items():
+            on = key in self._unfolded
+            press = button(self._folds.channel_id, key, f"{'▾' if on else '▸'} {title}", "so-fold", pressed=on)
+            inside = MADE[key](solved) if on else ""
+            parts.append(press + inside)
+        return "".join(parts)
+
+
+def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command, ...]:
+    """Return what follows from a field or a button; none when no cell has this name.
+
+    Raises
+    ------
+    InputError
+        What was typed is no number.
+    """
+    name, _, rest = cell.partition("-")
+    if name == "example":
+        return (ChooseSolveExample(text),) if text else ()
+    if name == "rows":
+        return (AskFor(rest),)
+    if name == "v" and rest.isdecimal():
+        part = state[Solve]
+        names = components(part.arm.task)
+        if int(rest) >= len(names):
+            return ()
+        title, turning = names[int(rest)]
+        plain = text.strip().removesuffix("/s")
+        return (SetComponent(int(rest), units.read(plain, turning, title)),)
+    return ()
+
+
+def head_markup(fields: Fields, state: State, solved: Found, units: Units) -> str:
+    """Return the choice of an example, what is asked, and the fields of the wanted velocity."""
+    part, channel = state[Solve], fields.channel_id
+    examples = examples_markup(channel, EXAMPLES, part.example)
+    asked = ""
+    if has_choice(part.arm):
+        hint = "What is asked of the tool; the rest of its motion is left free"
+        asked = row("Asked", chips(channel, ASKED, f"rows-{part.rows}", hint), wide=True)
+    cells = []
+    for k, (name, turning) in enumerate(components(solved.arm.task)):
+        factor = units.factor(turning)
+        field = fields.field(f"v-{k}", readable(part.twist[k] / factor, units.decimals(turning)), f"{name} wanted")
+        cells.append(f"<label><span>{markup_of(name)}</span>{field}<i>{units.unit(turning)}/s</i></label>")
+    frame = "frame 0" + ("; ωx′, ωy′ about x, y of the tool" if part.arm.task.rotation == "approach" else "")
+    return (
+        f"{examples}{asked}"
+        f"<h3>Wanted velocity {mathml('v')} <small>in axes of {frame}; or drag the blue arrow</small></h3>"
+        f'<div class="it-numbers so-twist">{"".join(cells)}</div>'
+    )
+
+
+def svd_markup(solved: Found) -> str:
+    """Return the decomposition as matrices."""
+    spaces = solved.spaces
+    sigma: NDArray[np.float64] = np.zeros(solved.J.shape)
+    np.fill_diagonal(sigma, spaces.sigma)
+    written = mathml((r"\bar{J}" if solved.is_scaled else "J") + r"=U\,\Sigma\,V^T")
+    parts = [f'<div class="eq small">{written}</div>']
+    for name, values in (("U", spaces.U), (r"\Sigma", sigma), ("V", spaces.V)):
+        copies = f'<span class="copies">{copy_buttons(values)}</span>'
+        parts.append(f"<h3>{mathml(name)}{copies}</h3>{_scrolled(values)}")
+    m, n = solved.J.shape
+    said = f"U is {m} × {m}, Σ {m} × {n}, V {n} × {n} (definition 11 has U and V exchanged)."
+    said += " J̄ is J with metres and joint speeds scaled as said above." if solved.is_scaled else ""
+    return f'{"".join(parts)}<p class="dim">{said}</p>'
+
+
+def spaces_markup(solved: Found) -> str:
+    """Return bases of the four subspaces, as columns."""
+    spaces = solved.spaces
+    parts = []
+    for name, what, basis in (
+        ("R(J)", "velocities that are reached", spaces.range),
+        ("N(J^T)", "lost: no joint speed has a part along these", spaces.lost),
+        ("R(J^T)", "joint speeds that count", spaces.row),
+        ("N(J)", "joint speeds that leave the tool where it is", spaces.null),
+    ):
+        inside = _scrolled(basis) if basis.shape[1] else '<p class="dim">only zero</p>'
+        parts.append(f"<h3>{mathml(name)} <small>{what}; dimension {basis.shape[1]}</small></h3>{inside}")
+    said = "Columns, in m/s and rad/s (5.72–5.78). Forbidden is every v with a part in N(Jᵀ), not only what lies in it."
+    return f'{"".join(parts)}<p class="dim">{said}</p>'
+
+
+def _scrolled(values: NDArray[np.float64]) -> str:
+    """Return a matrix, set closer where it has many columns."""
+    wide = values.shape[1] > WIDE
+    return f'<div class="scroll{" so-wide" if wide else ""}">{matrix(values, 2 if wide else 3)}</div>'
+
+
+MADE = {"spaces": spaces_markup, "svd": svd_markup, "penrose": penrose_markup}
+
+
+class _SelfMotion:
+    """The slider and the film of the motion that leaves the tool where it is."""
+
+    def __init__(self, gui: Gui, post: Post) -> None:
+        self._post = post
+        self._slider = gui.slider("Along, %", 0.0, 100.0, 100.0 / STEPS, 0.0, self._slid, None)
+        self._slider.handle.visible = False
+        self._play: Fields = gui.fields(lambda cell, _: self._pressed(cell))
+        self._later: asyncio.TimerHandle | None = None
+        self._looked: tuple[object, ...] = ()
+
+    def _slid(self, value: float) -> None:
+        self._post(SlideAlong(value / 100.0))
+
+    def _pressed(self, cell: str) -> None:
+        if cell == "play-self":
+            self._post(OpenClip(CLIP_KEY, play=True))
+        if cell == "pause-self":
+            self._post(Play(False))
+
+    def show(self, state: State, solved: Found) -> None:
+        """Show where on its self-motion the arm is, as soon as it rests."""
+        part = part_of(state) if solved.answer.free.shape[1] else None
+        on = part is not None
+        if self._slider.handle.visible != on:
+            self._slider.handle.visible = on
+        if part is not None:
+            self._slider.show(round(part * STEPS) * 100.0 / STEPS)
+        self._play.show(self._words(state, solved, on))
+        if not on and solved.answer.free.shape[1]:
+            self._look(state)
+
+    def _look(self, state: State) -> None:
+        """Look for the self-motion through the arm when it has been still for a while; once for each place."""
+        here = (state[Joints].arm, state[Joints].q.tobytes(), state[Joints].locked, state[Solve].rows)
+        if here == self._looked or state[Timeline].playing:
+            return
+        self._looked = here
+        if self._later is not None:
+            self._later.cancel()
+        self._later = asyncio.get_running_loop().call_later(REST, self._post, BeginAlong())
+
+    def _words(self, state: State, solved: Found, on: bool) -> str:
+        if not solved.answer.free.shape[1]:
+            return ""
+        if not on:
+            found = "none; these speeds leave the tool in place to first order only." if looked_for(state) else "…"
+            return f'<p class="dim">Self-motion: {found}</p>'
+        playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
+        cell, text = ("pause-self", "❚❚ Pause") if playing else ("play-self", "▶ Play")
+        press = button(self._play.channel_id, cell, text, "chip", "Move the arm along and back; the tool stays")
+        way = begun(state)
+        kind = "closed" if way is not None and way[1].closed else "from end to end"
+        return f'<div class="bar">{press}<span class="dim">Self-motion, {kind}: the tool stays.</span></div>'
+
+
+def around(state: State) -> Points:
+    """Return the ends of the arrow of the wanted velocity, which belong in the picture."""
+    solved = state.derived(found)
+    tool = np.asarray(solved.arm.position(solved.q), dtype=np.float64)
+    return np.array([tool, tool + solved.vectors(solved.v)[0]])
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make the page."""
+    return SolvePage(gui, state, post).show
+
+
+PANEL = Panel(
+    "solve",
+    "Solve",
+    "EQUAL",
+    36,
+    (Joints, Solve, Timeline),
+    build,
+    tab="velocity",
+    around=around,
+    about=(
+        "S1.2-inverse-velocity",
+        "S1.2.1-min-norm",
+        "S1.2.1-inverse-2x2",
+        "S1.2.1-kernel-3R",
+        "S5.1.3-mobility",
+        "S5.1.3-3R-examples",
+        "S5.1.4-singularity",
+        "S5.1.4-2R",
+        "S5.1.4-rrp",
+        "S5.1.5-minors",
+        "S5.2.2-pinv",
+        "S5.2.2-penrose",
+        "S5.2.3-svd",
+        "S5.2.3-sing2R",
+        "S5.2.3-nullspace",
+        "inverse of the Jacobian",
+        "pseudo-inverse",
+        "range and null space",
+        "singularity",
+        "singular configuration",
+        "self-motion of a redundant arm",
+        "minimum norm",
+    ),
+)

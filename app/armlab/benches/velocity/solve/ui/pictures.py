@@ -1,0 +1,243 @@
+"""The pictures of two equations in two joint speeds, as drawings in markup."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.solve.pictures import Flat, NormCurve, Square
+from armlab.benches.velocity.solve.state import Solve
+from armlab.benches.velocity.solve.ui.words import dotted, speed_text
+from armlab.kin.arm import Arm
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+from armlab.ui.format import number, trimmed
+from armlab.ui.units import Units
+
+Array = NDArray[np.float64]
+
+WIDE, HIGH = 296, 216
+"""Of a drawing, pixels."""
+
+SIDE = 250
+"""Of the square."""
+
+FARTHEST = 8.0
+"""The two lines are shown to so many times their distance from the origin at most."""
+
+SHORTEST, LONGEST = 3.0, 0.4
+"""Pixels of the shortest arrow in the square, and of the longest in sides of it; it is the way of one second."""
+
+PARALLEL = 1e-9
+"""Sine of the angle between two rows of J below which their lines are parallel."""
+
+HIGHEST = 6.0
+"""The curve of the norm is shown up to so many times its least."""
+
+
+def nice(value: float) -> float:
+    """Return the next number of the series 1, 1.5, 2, 3, 5, 7 that is not smaller.
+
+    >>> nice(0.31), nice(2.0)
+    (0.5, 2.0)
+    """
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(step * power for step in (1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0) if step * power >= value * (1.0 - 1e-9))
+
+
+# -- two lines -------------------------------------------------------------------------------------------------------
+
+
+def lines_svg(state: State, found: Flat, units: Units) -> str:
+    """Return the two equations as lines in the plane of the joint speeds, with the shortest answer."""
+    arm, pair = state[Joints].arm, state[Solve].pair
+    half = _window(found)
+    scale = 0.5 * min(WIDE, HIGH) / half
+
+    def at(point: Array) -> tuple[float, float]:
+        return 0.5 * WIDE + scale * float(point[0]), 0.5 * HIGH - scale * float(point[1])
+
+    parts = [
+        f'<line class="axis" x1="0" y1="{HIGH / 2}" x2="{WIDE}" y2="{HIGH / 2}"/>',
+        f'<line class="axis" x1="{WIDE / 2}" y1="0" x2="{WIDE / 2}" y2="{HIGH}"/>',
+    ]
+    for k in (0, 1):
+        ends = _line(found.J[k], float(found.v[k]), half)
+        if ends is None:
+            continue
+        (x1, y1), (x2, y2) = at(ends[0]), at(ends[1])
+        parts.append(f'<line class="row{k + 1}" x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"/>')
+    x, y = at(found.answer.qdot)
+    shown = "answer" if found.answer.verdict != "none" else "nearest"
+    parts.append(f'<line class="shortest" x1="{WIDE / 2}" y1="{HIGH / 2}" x2="{x:.1f}" y2="{y:.1f}"/>')
+    parts.append(f'<circle class="{shown}" cx="{x:.1f}" cy="{y:.1f}" r="5"/>')
+    first, second = (dotted(k, arm, units) for k in pair)
+    parts.append(f'<text x="{WIDE - 4}" y="{HIGH / 2 - 5}" text-anchor="end">{first}</text>')
+    parts.append(f'<text x="{WIDE / 2 + 6}" y="12">{second}</text>')
+    parts.append(_scale_mark(half, scale, state, units))
+    return _drawing("so-lines", WIDE, HIGH, "".join(parts), "The two equations of J q̇ = v as lines")
+
+
+def _window(found: Flat) -> float:
+    """Return half the height of the picture in joint speeds, of a series so that it does not creep."""
+    sizes = np.linalg.norm(found.J, axis=1)
+    far = max((abs(float(v)) / float(s) for v, s in zip(found.v, sizes, strict=True) if s > 1e-12), default=0.0)
+    wanted = 1.35 * float(np.abs(found.answer.qdot).max(initial=0.0))
+    return nice(min(max(wanted, 1.35 * far, 1e-3), max(FARTHEST * far, 1e-3)) or 1.0)
+
+
+def _line(row: Array, value: float, half: float) -> Array | None:
+    """Return two points of the line row . qdot = value, far outside of the picture; None where it is no line."""
+    size = float(np.linalg.norm(row))
+    if size < 1e-12:
+        return None
+    foot, way = row * (value / size**2), np.array([-row[1], row[0]]) / size
+    return np.array([foot - 4.0 * half * way, foot + 4.0 * half * way])
+
+
+def _scale_mark(half: float, scale: float, state: State, units: Units) -> str:
+    """Return a bar of a round length with its size."""
+    arm, pair = state[Joints].arm, state[Solve].pair
+    kind = bool(arm.revolute[pair[0]])
+    length = nice(0.4 * half / units.factor(kind)) * units.factor(kind)
+    if kind != bool(arm.revolute[pair[1]]):
+        text = f"{trimmed(length, 3)} rad/s, m/s"
+    else:
+        text = f"{trimmed(length / units.factor(kind), 3)} {units.unit(kind)}/s"
+    y, end = HIGH - 8, 6 + length * scale
+    return f'<line class="rule" x1="6" y1="{y}" x2="{end:.1f}" y2="{y}"/><text x="6" y="{y - 5}">{text}</text>'
+
+
+def lines_words(state: State, found: Flat, units: Units) -> str:
+    """Return what the two lines do."""
+    arm, pair = state[Joints].arm, state[Solve].pair
+    sizes = np.linalg.norm(found.J, axis=1)
+    names = [f"v<sub>{letter}</sub>" for letter in found.letters]
+    equations = "".join(
+        f'<div><i class="row{k + 1}"></i>{_equation(found.J[k], float(found.v[k]), names[k], pair, arm, units)}</div>'
+        for k in (0, 1)
+    )
+    answer = found.answer
+    qdot = ", ".join(
+        speed_text(float(value), bool(arm.revolute[k]), units) for value, k in zip(answer.qdot, pair, strict=True)
+    )
+    if float(sizes.min()) <= PARALLEL * max(float(sizes.max()), 1e-300):
+        zero = names[int(np.argmin(sizes))]
+        said = f"The row of {zero} is zero: it is no line, and holds for {zero} = 0 alone. "
+    elif answer.verdict == "one":
+        return f'<div class="so-equations">{equations}</div><p>The lines meet in one point: q̇ = ({qdot}).</p>'
+    else:
+        said = "The lines are parallel: det J = 0. "
+    if answer.verdict == "many":
+        said += f"Every point of the one line is an answer; the shortest is nearest to the origin: ({qdot})."
+    else:
+        said += f"No point is on both; of those that come nearest the shortest is ({qdot})."
+    return f'<div class="so-equations">{equations}</div><p>{said}</p>'
+
+
+def _equation(row: Array, value: float, name: str, pair: tuple[int, int], arm: Arm, units: Units) -> str:
+    terms = ""
+    for k, factor in zip(pair, row.tolist(), strict=True):
+        minus = round(factor, 3) < 0.0
+        sign = (" − " if minus else " + ") if terms else "−" if minus else ""
+        terms += f"{sign}{number(abs(factor), 3)} {dotted(k, arm, units)}"
+    return f"{terms} = {number(value, 3)} <small>({name}; m, rad, s)</small>"
+
+
+# -- norm against det J ----------------------------------------------------------------------------------------------
+
+
+def at_all(curve: NormCurve, most: float, top: float, height: float) -> tuple[Array, Array]:
+    """Return the pixels of the curve; not a number where it is too high for the picture."""
+    low = np.where(curve.norm <= 1.3 * top, curve.norm, np.nan)
+    return 0.5 * WIDE + 0.47 * WIDE * curve.determinant / most, height - 14.0 - (height - 22.0) * low / top
+
+
+def _path(x: Array, y: Array) -> str:
+    """Return the commands of a line through points in tenths of pixels, broken where there is none."""
+    seen = np.isfinite(y)
+    begins = seen & ~np.concatenate([[False], seen[:-1]])
+    return "".join(
+        f"{'M' if first else 'L'}{px} {py}"
+        for px, py, first in zip(
+            np.round(x[seen], 1).tolist(), np.round(y[seen], 1).tolist(), begins[seen].tolist(), strict=True
+        )
+    )
+
+
+def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> str:
+    """Return the size of the joint speeds over det J; ``here`` is the place of the arm."""
+    most = float(np.abs(curve.determinant).max()) or 1.0
+    finite = curve.norm[np.isfinite(curve.norm) & (curve.norm > 0.0)]
+    top = units.factor(True) * nice(HIGHEST * float(finite.min()) / units.factor(True)) if len(finite) else 1.0
+    height = 130.0
+    path = _path(*at_all(curve, most, top, height))
+    base = height - 14.0
+    parts = [
+        f'<line class="axis" x1="0" y1="{base:.1f}" x2="{WIDE}" y2="{base:.1f}"/>',
+        f'<line class="zero" x1="{WIDE / 2}" y1="4" x2="{WIDE / 2}" y2="{base:.1f}"/>',
+        f'<path class="curve" d="{path}"/>',
+    ]
+    if math.isfinite(here[1]):
+        x, y = 0.5 * WIDE + 0.47 * WIDE * here[0] / most, base - (height - 22.0) * min(here[1] / top, 1.02)
+        parts.append(f'<circle class="answer" cx="{x:.1f}" cy="{y:.1f}" r="4.5"/>')
+    parts += [
+        f'<text x="{WIDE - 3}" y="{height - 3}" text-anchor="end">det J: {trimmed(most, 3)} m²</text>',
+        f'<text x="3" y="{height - 3}">−{trimmed(most, 3)}</text>',
+        f'<text x="{WIDE / 2}" y="{height - 3}" text-anchor="middle">0</text>',
+        f'<text x="3" y="12">{speed_text(top, True, units)}</text>',
+    ]
+    return _drawing("so-norm", WIDE, height, "".join(parts), "Size of the joint speeds against det J")
+
+
+# -- the square ------------------------------------------------------------------------------------------------------
+
+
+def square_markup(channel: str, state: State, found: Square, units: Units) -> str:
+    """Return the square of the two joint values with the singular set; it is pressed where the arm is to go."""
+    arm, pair = state[Joints].arm, state[Solve].pair
+    span = found.high - found.low
+    pieces = "".join(
+        f"M{SIDE * a[0]:.1f} {SIDE * (1.0 - a[1]):.1f}L{SIDE * b[0]:.1f} {SIDE * (1.0 - b[1]):.1f}"
+        for a, b in (found.singular - found.low) / span
+    )
+    ticks = []
+    for side, k in enumerate(pair):
+        turns = bool(arm.revolute[k])
+        for part in (0.0, 0.5, 1.0):
+            value = (found.low[side] + part * span[side]) / units.factor(turns)
+            text = number(value, 0 if units.in_degrees or not turns else 2)
+            ticks.append(f'<i class="{"up" if side else ""}" style="--at:{100.0 * part:.0f}%">{text}</i>')
+    names = [f"{units.variable(k, bool(arm.revolute[k]))}, {units.unit(bool(arm.revolute[k]))}" for k in pair]
+    hint = "Press where the two joints are to go"
+    drawing = f'<path class="singular" d="{pieces}"/>'
+    return (
+        f'<div class="so-square"><span class="up">{names[1]}</span>'
+        f'<div class="so-map" data-chan="{channel}" data-cell="square" data-pick="drag" title="{hint}">'
+        f"{_drawing('so-torus', SIDE, SIDE, drawing, 'Where det J is zero')}{''.join(ticks)}"
+        '<b class="so-way"></b><b class="so-here"></b></div>'
+        f"<span>{names[0]}</span></div>"
+    )
+
+
+def marks_style(state: State, found: Square, answer: Flat) -> str:
+    """Return where the arm is in the square, and its velocity there, for the style sheet."""
+    pair = list(state[Solve].pair)
+    span = found.high - found.low
+    q = np.array(state[Joints].q[pair])
+    # The square is a torus cut open: whole turns do not count.
+    q = np.where(state[Joints].arm.revolute[pair], (q + math.pi) % (2.0 * math.pi) - math.pi, q)
+    x, y = (100.0 * (q - found.low) / span).tolist()
+    across, up = (SIDE * answer.answer.qdot / span).tolist()
+    length, turn = min(math.hypot(across, up), LONGEST * SIDE), math.degrees(math.atan2(up, across))
+    seen = "block" if length > SHORTEST else "none"
+    return (
+        f"<style>.al .so-map{{--x:{x:.2f}%;--y:{y:.2f}%;--len:{length:.1f}px;--turn:{-turn:.2f}deg;"
+        f"--way:{seen}}}</style>"
+    )
+
+
+def _drawing(kind: str, wide: float, high: float, inside: str, label: str) -> str:
+    return f'<svg class="{kind}" viewBox="0 0 {wide:g} {high:g}" role="img" aria-label="{label}">{inside}</svg>'

@@ -1,0 +1,344 @@
+"""What the page Solve says: verdict, joint speeds, subspaces and tests of singularity, as markup."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.solve.found import Found
+from armlab.kin.arm import Arm
+from armlab.kin.ellipsoid import RANK_TOLERANCE
+from armlab.kin.task import Task
+from armlab.kin.velocity.answer import full_rank_inverse
+from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
+from armlab.ui.format import dot, escaped, mathml, number, pairs, scientific, trimmed
+from armlab.ui.units import Units
+from armlab.ui.verdicts import SIGNS
+
+Array = NDArray[np.float64]
+
+NEAR = 0.02
+"""Smallest singular value over the largest below which a configuration is called nearly singular."""
+
+MOST_LISTED = 8
+"""Minors and null vectors that are written out."""
+
+OVER = 1.0 + 1e-9
+"""Of its limit, above which a joint speed is marked."""
+
+PENROSE = (r"J J^\# J-J", r"J^\# J J^\#-J^\#", r"(J J^\#)^T-J J^\#", r"(J^\# J)^T-J^\# J")
+"""The four conditions: what is 0 of a pseudo-inverse."""
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def components(task: Task) -> list[tuple[str, bool]]:
+    """Return for each component its name, and whether it is of turning."""
+    moving = [(f"v{letter}", False) for letter in task.position]
+    turning = {
+        "none": [],
+        "phi": ["φ̇"],
+        "approach": ["ωx′", "ωy′"],
+        "full": ["ωx", "ωy", "ωz"],
+    }[task.rotation]
+    return moving + [(name, True) for name in turning]
+
+
+def markup_of(name: str) -> str:
+    """Return a component's name with its index lowered."""
+    return f"{name[0]}<sub>{name[1:]}</sub>" if name[0] in "vω" else name
+
+
+def speed_text(value: float, turning: bool, units: Units) -> str:
+    """Return a speed of the tool or of a joint with its unit."""
+    return f"{units.text(value, turning)} {units.unit(turning)}/s"
+
+
+def dotted(i: int, arm: Arm, units: Units) -> str:
+    """Return the symbol of a joint speed."""
+    name = units.variable(i, bool(arm.revolute[i]))
+    return f"{name[0]}\u0307{name[1:]}"
+
+
+# -- the verdict -----------------------------------------------------------------------------------------------------
+
+
+def verdict(found: Found, units: Units) -> tuple[str, str, str]:
+    """Return ``ok``, ``warn`` or ``no``, how many answers there are, and why."""
+    answer, rank, (m, n) = found.answer, found.spaces.rank, found.J.shape
+    if answer.verdict == "none":
+        return "no", "No joint speeds give v", _why_none(found, units)
+    if answer.verdict == "one":
+        how = "J is square and regular, so q̇ = J⁻¹ v." if m == n else f"J has rank {rank} = n, and v is in its range."
+        return "ok", "One answer", how
+    free = answer.free.shape[1]
+    ways = "one direction" if free == 1 else f"{free} directions"
+    why = f"v is in the range of J, and N(J) has {ways} of joint speeds that do nothing: n − rank = {n} − {rank}."
+    return "ok", "Infinitely many answers", f"{why} Shown is the shortest."
+
+
+def _why_none(found: Found, units: Units) -> str:
+    rank, m = found.spaces.rank, len(found.J)
+    moving, turning = found.vectors(found.answer.lost)
+    lost = [
+        speed_text(float(np.linalg.norm(part)), kind, units)
+        for part, kind in ((moving, False), (turning, True))
+        if np.linalg.norm(part) > 1e-9
+    ]
+    if not found.singular:
+        first = f"The arm has too few joints for its task: J has rank {rank} of {m} everywhere."
+    else:
+        first = f"J has rank {rank} of {m} here, and v is not in its range."
+    return f"{first} {' and '.join(lost)} of it {'is' if len(lost) == 1 else 'are'} lost; the rest is reached."
+
+
+def card(kind: str, head: str, body: str) -> str:
+    """Return a verdict."""
+    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {escaped(head)}</b>{escaped(body)}</div>'
+
+
+# -- joint speeds ----------------------------------------------------------------------------------------------------
+
+
+def speeds_markup(found: Found, units: Units) -> str:
+    """Return the shortest joint speeds as bars, and their size."""
+    arm, qdot = found.arm, found.answer.qdot
+    scale = np.where(np.isfinite(arm.speed_limits), arm.speed_limits, np.abs(qdot).max() or 1.0)
+    over = np.abs(qdot) > OVER * arm.speed_limits
+    bars = []
+    for i in range(arm.n):
+        turns = bool(arm.revolute[i])
+        mark = ' class="no" title="Faster than the joint can"' if over[i] else ""
+        bars.append(
+            f"<span>{dot(css(joint_colour(i)))}{dotted(i, arm, units)}</span>{_bar(float(qdot[i] / scale[i]), i)}"
+            f"<b{mark}>{speed_text(float(qdot[i]), turns, units)}</b>"
+        )
+    limits = "Bars: parts of the speed limits." if np.isfinite(arm.speed_limits).any() else ""
+    return (
+        "<h3>q̇ = J<sup>#</sup>v <small>the shortest that comes nearest (5.123, 5.128)</small></h3>"
+        f'<div class="so-bars">{"".join(bars)}</div><p class="dim">{_size(found, units)} {limits}</p>'
+    )
+
+
+def _size(found: Found, units: Units) -> str:
+    arm, qdot = found.arm, found.answer.qdot
+    if arm.revolute.all():
+        return f"‖q̇‖ = {speed_text(float(np.linalg.norm(qdot)), True, units)}."
+    if not arm.revolute.any():
+        return f"‖q̇‖ = {speed_text(float(np.linalg.norm(qdot)), False, units)}."
+    return f"‖q̇‖ = {trimmed(float(np.linalg.norm(qdot / found.spaces.speeds)), 3)}, each speed in parts of its limit."
+
+
+def _bar(part: float, i: int) -> str:
+    """Return a bar from the middle, of a part from -1 to 1."""
+    share = 50.0 * min(max(part, -1.0), 1.0)
+    left = 50.0 + min(share, 0.0)
+    return f'<u style="--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{css(joint_colour(i))}"></u>'
+
+
+def null_markup(found: Found, units: Units) -> str:
+    """Return the null space as bars; nothing where there is none."""
+    null = found.answer.free
+    k = null.shape[1]
+    if k == 0:
+        return ""
+    arm = found.arm
+    columns = []
+    for column in null.T[:MOST_LISTED]:
+        largest = column[int(np.argmax(np.abs(column) > np.abs(column).max() - 1e-9))]
+        parts = column / largest
+        bars = "".join(
+            f"<span>{dotted(i, arm, units)}</span>{_bar(float(parts[i]), i)}<b>{number(float(parts[i]), 3)}</b>"
+            for i in range(arm.n)
+        )
+        columns.append(f'<div class="so-bars so-null">{bars}</div>')
+    what = "one direction" if k == 1 else f"{k} directions"
+    mixed = "" if arm.revolute.all() or not arm.revolute.any() else " In rad/s and m/s."
+    return (
+        f"<h3>Null space N(J) <small>{what}; J q̇ = 0</small></h3>"
+        f'{"".join(columns)}<p class="dim">Times any factor, added to q̇: the tool moves the same (5.132–5.138).'
+        f"{mixed}</p>"
+    )
+
+
+def reached_markup(found: Found, units: Units) -> str:
+    """Return v, what is reached and what is lost, component by component."""
+    names = components(found.arm.task)
+    answer = found.answer
+    rows = []
+    for k, (name, turning) in enumerate(names):
+        cells = "".join(
+            f"<td>{units.text(float(values[k]), turning)}</td>" for values in (found.v, answer.reached, answer.lost)
+        )
+        rows.append(f"<tr><th>{markup_of(name)}</th>{cells}<td>{units.unit(turning)}/s</td></tr>")
+    head = "<tr><th></th><th>v</th><th>reached</th><th>lost</th><th></th></tr>"
+    return f'<table class="so-table">{head}{"".join(rows)}</table>'
+
+
+# -- singular or not -------------------------------------------------------------------------------------------------
+
+
+def singular_card(found: Found) -> str:
+    """Return whether J is singular here, and why."""
+    sigma, usual = found.spaces.sigma, found.usual
+    ratio = float(sigma[usual - 1] / sigma[0]) if usual else 0.0
+    if found.singular:
+        texts = "".join(f"<p>{escaped(each.says)}</p>" for each in found.reasons)
+        head = f"{SIGNS['no']} Singular: rank {found.spaces.rank}, usually {usual}"
+        return f'<div class="verdict no"><b>{head}</b>{texts}</div>'
+    if ratio < NEAR:
+        return card(
+            "warn",
+            "Nearly singular",
+            f"smallest σ : largest σ = {scientific(ratio) if ratio < 1e-3 else number(ratio, 4)}.",
+        )
+    return card("ok", f"Regular: rank {usual}", f"smallest σ : largest σ = {number(ratio, 3)}.")
+
+
+def measures_markup(found: Found) -> str:
+    """Return the determinants, the minors and the smallest singular value."""
+    tests, (m, n) = found.tests, found.J.shape
+    rows = []
+    formula = found.formula
+    if tests.determinant is not None:
+        rows.append((mathml(r"\det J"), _value(tests.determinant, found, 1)))
+    if m != n:
+        rows.append(_product(found))
+    rows.append((mathml(r"\sigma_{min}"), _sigma(found)))
+    return _formula(found) + pairs(rows) + _minors(found, formula is not None) + _scaling(found)
+
+
+def _formula(found: Found) -> str:
+    formula = found.formula
+    if formula is None or not formula.square:
+        return ""
+    # A factor a formula, so that a long product goes on in the next line.
+    first, *rest = formula.minors[0].latex.split(r"\,\left(")
+    parts = [rf"\det J={first}", *(rf"\left({factor}" for factor in rest)]
+    written = " ".join(mathml(part) for part in parts)
+    return f'<div class="eq small so-det" title="Notes 5.84-5.91; the same in any axes">{written}</div>'
+
+
+def _product(found: Found) -> tuple[str, str]:
+    """Return the name and the value of det(J J^T) or det(J^T J).
+
+    It adds squares of minors. Where these have several units, it is that of the scaled matrix.
+    """
+    tests, (m, n) = found.tests, found.J.shape
+    mixed = _mixed_joints(found) if m < n else 0 < found.p < m
+    if mixed:
+        name = r"\det(\bar{J}\,\bar{J}^T)" if m < n else r"\det(\bar{J}^T\bar{J})"
+        return mathml(name), small(float(np.prod(found.spaces.sigma) ** 2)) + _unit_of_sigma(found, 2 * min(m, n))
+    value = tests.wide if m < n else tests.tall
+    return mathml(r"\det(J\,J^T)" if m < n else r"\det(J^T J)"), _value(value or 0.0, found, 2)
+
+
+def _mixed_joints(found: Found) -> bool:
+    return bool(found.arm.revolute.any() and not found.arm.revolute.all())
+
+
+def _value(value: float, found: Found, times: int) -> str:
+    """Return a determinant, to a power, with its unit: that of the first choice of columns, or of rows."""
+    chosen = tuple(range(1, min(found.J.shape) + 1))
+    return f"{small(value)}{_power(times * _metres(found, chosen))}"
+
+
+def _power(power: int) -> str:
+    """Return a power of the metre."""
+    return "" if power == 0 else " m" if power == 1 else f" m{str(power).translate(SUPERSCRIPTS)}"
+
+
+def _unit_of_sigma(found: Found, times: int = 1) -> str:
+    """Return the unit of a product of so many singular values, of the matrix the rank is taken of."""
+    only_moves = found.p == len(found.J)
+    if _mixed_joints(found):
+        power = "" if times == 1 else str(times).translate(SUPERSCRIPTS)
+        return (f" (m/s){power}" if power else " m/s") if only_moves else f" s{str(-times).translate(SUPERSCRIPTS)}"
+    if found.arm.revolute.all():
+        return _power(times) if only_moves else ""
+    return "" if only_moves else _power(-times)
+
+
+def small(value: float) -> str:
+    """Return a number with four decimals, or a power of ten where that would show nothing."""
+    if abs(value) < 1e-12:
+        return "0"
+    return number(value, 4) if 1e-3 <= abs(value) < 1e4 else scientific(value, 2)
+
+
+def _sigma(found: Found) -> str:
+    sigma = found.spaces.sigma_min
+    return f"{'0' if found.spaces.rank < len(found.spaces.sigma) else small(sigma)}{_unit_of_sigma(found)}"
+
+
+def _minors(found: Found, symbolic: bool) -> str:
+    """Return the minors of a matrix that is not square (5.92-5.98)."""
+    tests, (m, n) = found.tests, found.J.shape
+    if m == n or not tests.minors:
+        return ""
+    what = "columns" if m < n else "rows"
+    largest = sorted(tests.minors, key=lambda minor: -abs(minor.value))[:MOST_LISTED]
+    shown = largest if tests.count > MOST_LISTED else list(tests.minors)
+    formulas = {}
+    if symbolic and m < n and found.formula is not None:
+        formulas = {minor.joints: mathml(minor.latex) for minor in found.formula.minors}
+    lines = "".join(
+        f"<tr><th>{', '.join(map(str, minor.chosen))}</th><td>{formulas.get(minor.chosen, '')}</td>"
+        f"<td>{small(minor.value)}{_power(_metres(found, minor.chosen))}</td></tr>"
+        for minor in shown
+    )
+    more = f", the {MOST_LISTED} largest" if tests.count > MOST_LISTED else ""
+    return (
+        f"<h3>Minors <small>{tests.count} choices of {what}{more}; singular where all are 0 (5.92–5.98)</small></h3>"
+        f'<table class="so-table so-minors">{lines}</table>'
+    )
+
+
+def _metres(found: Found, chosen: tuple[int, ...]) -> int:
+    """Return the power of the metre in the determinant of some columns, or of some rows of a tall matrix."""
+    m, n = found.J.shape
+    columns = [k - 1 for k in chosen] if m < n else list(range(n))
+    rows = sum(k <= found.p for k in chosen) if m > n else found.p
+    return rows - int(np.sum(~found.arm.revolute[columns]))
+
+
+def _scaling(found: Found) -> str:
+    """Return what the rank and the singular values rest on."""
+    spaces, arm = found.spaces, found.arm
+    said = [f"σ counts as 0 below {scientific(RANK_TOLERANCE, 0)} σ₁."]
+    if (spaces.lengths != 1.0).any():
+        said.append(f"For σ and rank metres are divided by L = {trimmed(arm.length_scale, 3)} m, half the reach.")
+    if not arm.revolute.all() and arm.revolute.any():
+        said.append("Joint speeds are in parts of their limits.")
+    if found.J.shape[0] == found.J.shape[1]:
+        said.append("How small det J is says little: it changes with the unit of length; the ratio of σ does not.")
+    return f'<p class="dim">{" ".join(said)}</p>'
+
+
+# -- U, Sigma, V and Penrose -----------------------------------------------------------------------------------------
+
+
+def penrose_markup(found: Found) -> str:
+    """Return the residuals of the four conditions, and of the formula of full rank where it holds."""
+    J, plain = (r"\bar{J}", "J̄") if found.is_scaled else ("J", "J")
+    names = [name.replace("J", J) for name in PENROSE]
+    differences = list(found.penrose)
+    direct = full_rank_inverse(found.scaled)
+    if direct is None:
+        said = f"The rank is not full: the formulas for full rank fail; {plain}# = V Σ# Uᵀ with 1/σᵢ for σᵢ > 0 only."
+    else:
+        formula, inverse = direct
+        names.append(rf"{J}^\#-{formula.replace('J', J)}")
+        differences.append(float(np.abs(found.scaled_inverse - inverse).max()))
+        said = "The rank is full: the last line is the formula for it."
+    if found.is_scaled:
+        said += " J̄ is J with metres and joint speeds scaled as said above."
+    residuals = [scientific(value, 1) if value > 1e-16 else "0" for value in differences]
+    rows = list(zip(map(mathml, names), residuals, strict=True))
+    return f'{pairs(rows)}<p class="dim">Largest entries (definition 10). {said}</p>'
+
+
+def legend() -> str:
+    """Return what the colours of the arrows mean."""
+    marks = ((BLUE, "wanted v"), (GREEN, "reached"), (VERDICT["no"], "lost"))
+    return f'<div class="legend">{"".join(f"<span>{dot(css(colour))}{name}</span>" for colour, name in marks)}</div>'

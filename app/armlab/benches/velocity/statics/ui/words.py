@@ -1,0 +1,194 @@
+"""What the page of statics says: torques as bars, virtual work, what needs no torque, and the four subspaces."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.velocity.statics.state import (
+    Balance,
+    Statics,
+    balance,
+    displacement,
+    dualities,
+    free_forces_at,
+    work,
+)
+from armlab.kin.statics import Duality
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+from armlab.ui.colours import css, joint_colour
+from armlab.ui.format import dot, mathml, number, pairs, scientific, subscript, trimmed
+from armlab.ui.markup import button
+from armlab.ui.units import units_of
+from armlab.ui.verdicts import SIGNS
+from armlab.ui.widgets import Fields
+
+Array = NDArray[np.float64]
+
+ALONG = 0.9995
+"""Component of a unit vector above which it is called an axis of the world."""
+
+SAME_WORK = 1e-9
+"""Of the larger work: below it both sides are equal but for rounding."""
+
+MILLI = 1e3
+
+LAW, TOOL_WORK, JOINT_WORK = r"\tau=J^TF", r"F^T(J\,\delta q)", r"\tau^T\delta q"
+
+
+def torques_markup(state: State) -> str:
+    """Return the torques with bars, about what the whole wrench can need at most."""
+    found, arm = state.derived(balance), state[Joints].arm
+    part = state[Statics]
+    full = part.full_torque(arm)
+    rows = []
+    for i, value in enumerate(found.torques.tolist()):
+        turns = bool(arm.revolute[i])
+        unit, whole = ("N m", full) if turns else ("N", part.full_force or full)
+        none = abs(value) <= float(found.least[i])
+        share = 0.0 if none or not whole else max(-50.0, min(50.0, 50.0 * value / whole))
+        shown = '<b class="zero">0</b>' if none else f"<b>{number(value, _decimals(full))}</b>"
+        left = 50.0 + min(share, 0.0)
+        rows.append(
+            f"<span>{dot(css(joint_colour(i)))}{subscript('τ', i + 1)}</span>"
+            f'<u style="--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{css(joint_colour(i))}"></u>'
+            f"{shown}<i>{unit}</i>"
+        )
+    title = f"<h3>Torques <small>{mathml(LAW)}, notes 5.163</small></h3>"
+    scale = f"Full bar and full arc: {trimmed(full, 6)} N m." if full else ""
+    if full and not arm.revolute.all():
+        scale += f" Sliding joints: {trimmed(part.full_force or full, 6)} N."
+    return f'{title}<div class="st-bars">{"".join(rows)}</div><p class="dim">{scale}</p>'
+
+
+def _decimals(full: float) -> int:
+    return 6 if full <= 0.02 else 3 if full <= 20.0 else 2 if full <= 200.0 else 1
+
+
+def verdict_markup(state: State) -> str:
+    """Return in a card which joint works hardest, or why none works."""
+    found = state.derived(balance)
+    kind, head, body = verdict(found, state[Joints].arm.revolute)
+    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {head}</b>{body}</div>'
+
+
+def verdict(found: Balance, revolute: NDArray[np.bool_]) -> tuple[str, str, str]:
+    """Return ``ok`` or ``warn``, a few words, and a sentence."""
+    if not found.wrench.any():
+        return "ok", "No wrench", "The robot touches nothing; weights are left out."
+    if found.nothing:
+        return (
+            "ok",
+            "No torque needed",
+            "The structure carries this wrench: it does no work on any motion of the joints.",
+        )
+    idle = [i + 1 for i, value in enumerate(found.torques) if abs(value) <= found.least[i]]
+    best = int(np.argmax(np.abs(found.torques) / np.maximum(found.least, 1e-300)))
+    value, unit = float(found.torques[best]), "N m" if revolute[best] else "N"
+    rest = f" Nothing to do for joint{'s' if len(idle) > 1 else ''} {_listed(idle)}." if idle else ""
+    said = f"{subscript('τ', best + 1)} = {number(value, _decimals(abs(value)))} {unit}.{rest}"
+    return "ok", f"Joint {best + 1} works hardest", said
+
+
+def _listed(numbers: list[int]) -> str:
+    *first, last = [str(each) for each in numbers]
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def work_markup(fields: Fields, state: State) -> str:
+    """Return both sides of the virtual work in numbers."""
+    found, units, arm = state.derived(work), units_of(state), state[Joints].arm
+    dq = state.derived(displacement)
+    moved = ", ".join(
+        f"{number(float(value) / units.factor(bool(turns)), 2 if turns else 1)}"
+        f"{'°' if turns and units.in_degrees else ' ' + units.unit(bool(turns))}"
+        for value, turns in zip(dq, arm.revolute, strict=True)
+    )
+    tool, joints = float(found.tool), float(found.joints)
+    apart = abs(tool - joints)
+    same = apart <= SAME_WORK * max(abs(tool), abs(joints), 1e-6)
+    rows = [
+        ("tool, " + mathml(TOOL_WORK), f"{number(MILLI * tool, 3)} mJ"),
+        ("joints, " + mathml(JOINT_WORK), f"{number(MILLI * joints, 3)} mJ"),
+        ("difference", f"{'✓ ' if same else '✕ '}{scientific(MILLI * apart)} mJ"),
+    ]
+    again = button(fields.channel_id, "displacement", "Another δq", "chip", "Draw another virtual displacement")
+    return (
+        f'<h3>Virtual work <small>notes 5.160</small><span class="copies">{again}</span></h3>'
+        f'<p class="dim">δq = ({moved})</p>{pairs(rows)}'
+    )
+
+
+def free_markup(state: State) -> str:
+    """Return which forces and moments need no torque."""
+    found = state.derived(dualities)
+    joints = state[Joints]
+    force = _directions(free_forces_at(joints.arm, joints.q), "force", "along")
+    moment = _directions(found.moment.wrenches, "moment", "about")
+    dashes = '<span class="st-free"></span>' if found.force.wrenches.shape[1] else ""
+    count = found.whole.wrenches.shape[1]
+    whole = (
+        "Every wrench needs torques."
+        if count == 0
+        else f"Force and moment together: {count} of the 6 dimensions of wrenches need none."
+    )
+    return (
+        f"<h3>Without torque <small>{mathml(r'J^TF=0')}</small></h3>"
+        f'<p>{dashes}{force}</p><p>{moment}</p><p class="dim">{whole}</p>'
+    )
+
+
+def _directions(free: Array, name: str, word: str) -> str:
+    """Return in words along which directions a force, or about which a moment, needs no torque."""
+    if free.shape[1] == 0:
+        return f"No {name} alone."
+    if free.shape[1] == 3:
+        return f"Any {name} at all."
+    if free.shape[1] == 2:
+        if name == "moment":
+            return f"Any moment at a right angle to {_direction(np.cross(free[:, 0], free[:, 1]))}."
+        return f"Any {name} {word} {_direction(free[:, 0])}, {word} {_direction(free[:, 1])}, or between."
+    return f"A {name} {word} {_direction(free[:, 0])}."
+
+
+def _direction(u: Array) -> str:
+    """Return a direction in words; its sense does not matter."""
+    k = int(np.argmax(np.abs(u)))
+    if abs(float(u[k])) > ALONG:
+        return f"{'xyz'[k]} of the world"
+    sense = 1.0 if u[k] > 0.0 else -1.0
+    return f"({', '.join(number(sense * float(value), 2) for value in u)})"
+
+
+SPACES = (
+    ("ℛ(J)", "velocities of the tool that joints give", "velocities"),
+    ("𝒩(Jᵀ)", "wrenches that need no torque", "wrenches"),
+    ("ℛ(Jᵀ)", "torques that a wrench balances", "torques"),
+    ("𝒩(J)", "joint speeds that leave the tool at rest", "motions"),
+)
+"""Of the duality table: letters, words, and the columns of `Duality`."""
+
+
+def duality_markup(state: State) -> str:
+    """Return the dimensions of the four subspaces, for whole wrenches, for forces and for moments alone."""
+    found, arm = state.derived(dualities), state[Joints].arm
+    units = units_of(state)
+    parts: tuple[Duality, ...] = (found.whole, found.force, found.moment)
+    heads = "".join(f"<th>{head}</th>" for head in ("v, ω<br>F, M", "v<br>F", "ω<br>M"))
+    rows = "".join(
+        f"<tr><td>{letters}</td><td>{words}</td>{''.join(_count(getattr(part, key)) for part in parts)}</tr>"
+        for letters, words, key in SPACES
+    )
+    length = f"{units.length(arm.length_scale)} count as much as 1 rad (half the reach)"
+    return (
+        f"<h3>Dual subspaces <small>dimensions</small></h3>"
+        f'<table class="st-dual"><tr><th></th><th></th>{heads}</tr>{rows}</table>'
+        f'<p class="dim">ℛ(J) and 𝒩(Jᵀ) are orthogonal and fill all rows of J, ℛ(Jᵀ) and 𝒩(J) all joints: where the '
+        f"tool loses a velocity it gains a force for nothing. Six rows together: {length}.</p>"
+    )
+
+
+def _count(basis: Array) -> str:
+    dimension = basis.shape[1]
+    return f"<td{'' if dimension else ' class=zero'}>{dimension}</td>"

@@ -1,0 +1,105 @@
+"""What can be done on the page of turning."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from armlab.benches.velocity.turning.motion import turned_of
+from armlab.benches.velocity.turning.state import CLIP_KEY, MOST, Triple, Turning, changed
+from armlab.errors import InputError, UnknownName
+from armlab.kin.euler import SEQUENCES, SINGULAR_SINE, euler_angles
+from armlab.kin.velocity.rates import angle_rates, rate_determinant
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import Command, State
+
+
+@dataclass(frozen=True)
+class LookAtTurning(Command):
+    """Look at the angles and their rates, or at the two time laws; the film begins anew."""
+
+    shown: str
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the view."""
+        part = changed(state[Turning], shown=self.shown)
+        return state if part is state[Turning] else _rewound(state.replace(part))
+
+
+@dataclass(frozen=True)
+class WriteAngles(Command):
+    """Write the same orientation, and where they exist the same omega, in the angles of another sequence."""
+
+    axes: str | None = None
+    fixed: bool | None = None
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the other angles and rates; rates that do not exist, or are too large, stay."""
+        part = state[Turning]
+        axes = part.axes if self.axes is None else self.axes
+        fixed = part.fixed if self.fixed is None else self.fixed
+        if axes not in SEQUENCES:
+            raise UnknownName("axes", axes, SEQUENCES)
+        if (axes, fixed) == (part.axes, part.fixed):
+            return state
+        state = _rewound(state)
+        now = turned_of(state)
+        angles = euler_angles(now.R, axes, fixed=fixed).solutions[0]
+        regular = abs(float(rate_determinant(angles, axes, fixed))) >= 10.0 * SINGULAR_SINE
+        rates = _triple(angle_rates(now.omega, angles, axes, fixed)) if regular else part.rates
+        if max(map(abs, rates)) > MOST:
+            rates = part.rates
+        return state.replace(changed(part, axes=axes, fixed=fixed, angles=_triple(angles), rates=rates))
+
+
+@dataclass(frozen=True)
+class SetTurning(Command):
+    """Set one of the three angles (rad) or of their rates (rad/s), 0-based."""
+
+    what: str
+    index: int
+    value: float
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the value, and the film at its beginning."""
+        if self.what not in ("angles", "rates"):
+            raise UnknownName("field", self.what, ("angles", "rates"))
+        if not 0 <= self.index < 3:
+            raise InputError(f"{self.what}: expected 1 to 3, got {self.index + 1}")
+        part = state[Turning]
+        values = list(part.angles if self.what == "angles" else part.rates)
+        values[self.index] = self.value
+        after = changed(part, **{self.what: _triple(np.array(values))})
+        return state if after is part else _rewound(state.replace(after))
+
+
+@dataclass(frozen=True)
+class TakeToolAngles(Command):
+    """Take the angles of the tool in the world."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the tool's orientation."""
+        part = state[Turning]
+        R = state[Joints].tool_pose[:3, :3]
+        angles = euler_angles(R, part.axes, fixed=part.fixed).solutions[0]
+        return _rewound(state.replace(changed(part, angles=_triple(angles))))
+
+
+def _triple(values: np.ndarray) -> Triple:
+    x, y, z = (float(value) for value in values)
+    return x, y, z
+
+
+def _rewound(state: State) -> State:
+    timeline = state[Timeline]
+    if timeline.clip != CLIP_KEY or (timeline.time == 0.0 and not timeline.playing):
+        return state
+    return state.replace(Timeline(CLIP_KEY, 0.0, False, timeline.speed, timeline.loop))

@@ -1,0 +1,1 @@
+"""The tab of view: one folder a page."""

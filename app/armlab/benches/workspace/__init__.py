@@ -1,0 +1,1 @@
+"""The tab of workspace: one folder a page."""

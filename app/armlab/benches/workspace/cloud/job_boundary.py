@@ -1,0 +1,44 @@
+"""Finds the boundary of a sampled workspace where it is drawn, or where only what is near it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from armlab.benches.workspace.cloud.state import Workspace, asks_for_boundary
+from armlab.kin.arm import Arm
+from armlab.kin.workspace.section import Section, sections
+from armlab.session.job import Job, Wanted
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+
+
+def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
+    """Return the arm whose boundary is missing."""
+    arm = state[Joints].arm
+    return Wanted(arm, arm) if asks_for_boundary(state[Workspace], arm) else None
+
+
+def run(arm: Arm) -> Iterator[Section | None]:
+    """Yield the section once it is finished."""
+    for section in sections(arm):
+        yield section if section.finished else None
+
+
+def delivered(state: State, arm: Arm, found: Section) -> State:
+    """Return the state with the section; that of another arm is let go."""
+    part = state[Workspace]
+    if state[Joints].arm is not arm or not asks_for_boundary(part, arm):
+        return state
+    return state.replace(replace(part, section=found))
+
+
+def with_boundary(state: State) -> State:
+    """Return the state with the boundary it asks for: for tests and for those who can wait."""
+    arm = state[Joints].arm
+    for found in run(arm) if asks_for_boundary(state[Workspace], arm) else ():
+        state = state if found is None else delivered(state, arm, found)
+    return state
+
+
+JOB = Job("workspace_boundary", "The boundary of the workspace", wanted, run, delivered)

@@ -1,0 +1,245 @@
+"""The sampled workspace: what is asked, what there is of it, and how it is looked at."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self
+
+import numpy as np
+
+from armlab.benches.workspace.cloud.samples import Question, Sampled
+from armlab.content.robots import Robot
+from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
+from armlab.kin.workspace.measures import measure_named
+from armlab.kin.workspace.section import Section
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import PlaceTarget, brought_to
+from armlab.session.state import Command, Json, Part, PartType, State
+
+COUNTS = (26_000, 100_000, 1_000_000, 10_000_000)
+"""Numbers of samples to choose from."""
+
+DRAWINGS = {"cloud": "Points", "voxels": "Voxels", "surface": "Surface"}
+
+CUTS = {"none": "Whole", "front": "Half", "x": "x", "y": "y", "z": "z"}
+"""What is left away: nothing, the half in front of the arm, or all but a slice across an axis of frame 0."""
+
+FARTHEST = 100.0
+"""Metres; a slice farther away is a slip of the pen."""
+
+LARGEST_SEED = 2**31
+
+
+@dataclass(frozen=True, eq=False)
+class Workspace(Part):
+    """The workspace that was asked for, and the picture of it.
+
+    Attributes
+    ----------
+    measure : str
+        Key of the measure that colours it.
+    count, seed : int
+        Samples, and the seed of their random numbers.
+    draw : str
+        Key of `DRAWINGS`.
+    cut : str
+        Key of `CUTS`.
+    offset : float
+        Of a slice from the origin of frame 0, metres.
+    edge : bool
+        Whether only what is near the boundary is drawn.
+    clicks : bool
+        Whether a click in the scene chooses a point.
+    asked : Question or None
+        What is being sampled.
+    found : Sampled or None
+        What there is; not saved.
+    section : Section or None
+        Where it ends, once it is drawn; not saved.
+    chosen : int or None
+        The sample the arm went to last.
+    example : str
+        Key of the example that was put in place last.
+    """
+
+    key: ClassVar[str] = "workspace"
+    kept_by_undo: ClassVar[bool] = True
+
+    measure: str = "manipulability"
+    count: int = COUNTS[1]
+    seed: int = 0
+    draw: str = "cloud"
+    cut: str = "front"
+    offset: float = 0.0
+    edge: bool = False
+    clicks: bool = True
+    asked: Question | None = None
+    found: Sampled | None = None
+    section: Section | None = None
+    chosen: int | None = None
+    example: str = ""
+
+    @classmethod
+    def initial(cls, robot: Robot) -> Self:
+        """Return the settings of a first look."""
+        return cls()
+
+    def for_robot(self, robot: Robot) -> Self:
+        """Keep how it is looked at; what was found is of another arm."""
+        return replace(self, asked=None, found=None, section=None, chosen=None, offset=0.0, example="")
+
+    def to_json(self) -> Json:
+        """Write the settings; samples are taken anew."""
+        return {
+            "measure": self.measure,
+            "count": self.count,
+            "seed": self.seed,
+            "draw": self.draw,
+            "cut": self.cut,
+            "offset": self.offset,
+            "edge": self.edge,
+            "clicks": self.clicks,
+        }
+
+    @classmethod
+    def from_json(cls, data: Json, robot: Robot) -> Self:
+        """Read them back; raises when they are not usable."""
+        part = cls(**{name: data[name] for name in cls.initial(robot).to_json()})
+        checked(part)
+        return part
+
+
+PART = PartType(Workspace, order=120)
+
+
+def question_of(state: State) -> Question:
+    """Return what is asked when the workspace is sampled."""
+    part = state[Workspace]
+    return Question(state[Joints].arm, part.measure, part.count, part.seed)
+
+
+def asks_for_boundary(part: Workspace, arm: Arm) -> bool:
+    """Return whether the boundary is to be drawn, or to be near, and is not known yet."""
+    drawn = part.edge or part.draw == "surface"
+    return drawn and part.found is not None and (part.section is None or part.section.joint.arm is not arm)
+
+
+def checked(part: Workspace) -> Workspace:
+    """Return the part; `InputError` where a setting is none."""
+    measure_named(part.measure)
+    for name, value, options in (("drawing", part.draw, DRAWINGS), ("cut", part.cut, CUTS)):
+        if value not in options:
+            raise UnknownName(name, value, options)
+    if type(part.count) is not int or part.count not in COUNTS:
+        raise UnknownName("samples", part.count, [str(count) for count in COUNTS])
+    if type(part.seed) is not int or not 0 <= part.seed < LARGEST_SEED:
+        raise InputError(f"seed: expected a whole number from 0 to {LARGEST_SEED - 1}, got {part.seed!r}")
+    if not isinstance(part.offset, (int, float)) or not abs(part.offset) <= FARTHEST:
+        raise InputError(f"place of the slice: expected at most {FARTHEST:g} m either way, got {part.offset!r}")
+    if type(part.edge) is not bool or type(part.clicks) is not bool:
+        raise InputError("workspace: expected yes or no for what is drawn and clicked")
+    return part
+
+
+@dataclass(frozen=True)
+class SampleWorkspace(Command):
+    """Sample the workspace with the present settings; what is under way is given up."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state in which the workspace is being sampled."""
+        return state.replace(replace(state[Workspace], asked=question_of(state)))
+
+
+@dataclass(frozen=True)
+class CancelWorkspace(Command):
+    """Stop sampling; what there is stays."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state in which nothing is being sampled."""
+        part = state[Workspace]
+        return state if part.asked is None else state.replace(replace(part, asked=None))
+
+
+@dataclass(frozen=True)
+class ClearWorkspace(Command):
+    """Forget the workspace."""
+
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state without a workspace."""
+        return state.replace(replace(state[Workspace], asked=None, found=None, chosen=None))
+
+
+@dataclass(frozen=True)
+class LookAtWorkspace(Command):
+    """Change settings; None leaves one as it is. Another measure is computed at once where there are samples."""
+
+    measure: str | None = None
+    count: int | None = None
+    seed: int | None = None
+    draw: str | None = None
+    cut: str | None = None
+    offset: float | None = None
+    edge: bool | None = None
+    clicks: bool | None = None
+    undoable: ClassVar[bool] = False
+
+    def apply(self, state: State) -> State:
+        """Return the state with the settings; `InputError` where one is none."""
+        before = state[Workspace]
+        given = {name: value for name, value in vars(self).items() if value is not None}
+        part = checked(replace(before, **given))
+        if any(getattr(part, name) != getattr(before, name) for name in ("measure", "draw", "cut")):
+            part = replace(part, example="")
+        changed = state.replace(part)
+        other = part.measure != before.measure
+        if other and (before.found is not None or before.asked is not None):
+            return changed.replace(replace(part, asked=question_of(changed)))
+        return changed
+
+
+@dataclass(frozen=True)
+class GoToSample(Command):
+    """Move the arm to a sample of the workspace, which is reachable as it is; the target goes along.
+
+    Parameters
+    ----------
+    index : int
+        Of those that are drawn.
+    """
+
+    index: int
+    label: ClassVar[str] = "jump into the workspace"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the arm there; `InputError` where there is no such sample."""
+        q = _configuration(state, self.index)
+        return brought_to(state.replace(replace(state[Workspace], chosen=self.index)), q)
+
+
+@dataclass(frozen=True)
+class AimAtSample(Command):
+    """Put the target where a sample has the tool, to see all ways to be there."""
+
+    index: int
+    label: ClassVar[str] = "target in the workspace"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the target there; `InputError` where there is no such sample."""
+        reached = GoToSample(self.index).apply(state)
+        return PlaceTarget(np.array(reached[Joints].tool_pose, dtype=np.float64)).apply(reached)
+
+
+def _configuration(state: State, index: int) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    found, arm = state[Workspace].found, state[Joints].arm
+    if found is None or found.question.arm is not arm:
+        raise InputError("there is no workspace of this arm yet: sample it first")
+    if not 0 <= index < len(found.shown.q):
+        raise InputError(f"sample: expected 1 to {len(found.shown.q)}, got {index + 1}")
+    return np.asarray(arm.clip(found.shown.q[index].astype(np.float64)))

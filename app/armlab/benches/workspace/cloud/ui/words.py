@@ -1,0 +1,67 @@
+"""The sampled workspace in words and numbers: scale of colours, what was found, the point that was chosen."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.benches.workspace.cloud.samples import Sampled
+from armlab.benches.workspace.cloud.state import Workspace
+from armlab.benches.workspace.cloud.view import drawing, kept
+from armlab.kin.workspace.measures import measure_named
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+from armlab.ui import measured
+from armlab.ui.format import capitalised, escaped, pairs
+from armlab.ui.markup import chip
+from armlab.ui.units import Units
+
+
+def counted(count: int) -> str:
+    """Return a number of samples with thin spaces."""
+    return f"{count:,}".replace(",", "\u202f")
+
+
+def with_unit(found: Sampled, value: float) -> str:
+    """Return a value of the measure with its unit."""
+    unit = measure_named(found.question.measure).unit(found.question.arm)
+    return f"{measured.figure(value)} {unit}".strip()
+
+
+def scale(found: Sampled) -> str:
+    """Return the colours and what they stand for."""
+    return measured.scale(found.question.arm, found.question.measure, found.low, found.high)
+
+
+def facts(state: State, found: Sampled, units: Units) -> str:
+    """Return what was found."""
+    left = int(np.count_nonzero(state.derived(kept)))
+    rows = [("Samples", counted(found.done))]
+    if drawing(state) == "cloud":
+        rows.append(("Points drawn", f"{counted(left)} of the first {counted(len(found.shown.points))}"))
+    rows.append(("Farthest sample, from frame 0", units.length(found.farthest)))
+    none = "" if left else '<p class="dim">No sample lies here: move the slice.</p>'
+    return f"{none}{pairs(rows)}"
+
+
+def chosen(state: State, units: Units, channel: str) -> str:
+    """Return the point the arm went to, and what can be done there."""
+    part = state[Workspace]
+    found, index = part.found, part.chosen
+    if found is None or index is None or index >= len(found.shown.points):
+        return ""
+    point = found.shown.points[index]
+    place = ", ".join(units.text(float(value), False) for value in point)
+    value = with_unit(found, float(found.shown.values[index]))
+    there = _is_there(state, found, index)
+    here = "The arm is there." if there else "The arm has moved on."
+    title = measure_named(found.question.measure).title
+    return (
+        f'<div class="verdict ok"><b>◉ ({place}) {units.length_unit}</b>'
+        f"{escaped(capitalised(title))} {escaped(value)}. {here}</div>"
+        f'<div class="bar">{chip(channel, "again", "Go there", "Move the arm to this configuration", off=there)}'
+        f"{chip(channel, 'ways', 'All ways to be there', 'Put the target there and open Solutions')}</div>"
+    )
+
+
+def _is_there(state: State, found: Sampled, index: int) -> bool:
+    return bool(np.allclose(state[Joints].q, found.shown.q[index], atol=1e-4))

@@ -1,0 +1,246 @@
+"""In how many orientations the tool can be where: regions of planar arms, coverage of directions, solutions."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.benches.workspace.dexterous.picture import largest_share, slice_shown
+from armlab.benches.workspace.dexterous.places import GoToRegion, StandStretched, outermost
+from armlab.benches.workspace.dexterous.state import (
+    COUNTS,
+    DRAWINGS,
+    SHARES,
+    Dexterous,
+    LookAtDexterous,
+    LookThroughTool,
+    ResumeDexterous,
+    StopDexterous,
+    method_of,
+    question_of,
+    rings_alone,
+    slice_of,
+    study_of,
+)
+from armlab.benches.workspace.dexterous.study import methods, why_sampled_alone
+from armlab.benches.workspace.dexterous.ui.words import (
+    definition,
+    planar_words,
+    proven,
+    regions_table,
+    scale,
+    tool_line,
+    tool_words,
+)
+from armlab.errors import InputError
+from armlab.kin.workspace.first_joint import first_joint
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.robot import RobotPart
+from armlab.session.parts.target import Target
+from armlab.session.state import Command, State
+from armlab.ui.markup import button, chip, chips, row
+from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show
+from armlab.ui.tried import tried
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Fields, Gui
+
+TITLES = {
+    "rings": "Closed form",
+    "wrist": "Wrist",
+    "sampled": "Sampled",
+    "count": "Solutions",
+}
+
+HINTS = "How orientations are found: by a formula, by the wrist, from samples; or how many solutions there are"
+
+
+def build(gui: Gui, state: State, post: Post) -> Show:
+    """Make choices, regions, figures."""
+    present, units = state, units_of(state)
+
+    def typed(fields: Fields, cell: str, text: str) -> None:
+        if not tried(fields, cell, text, lambda: commands(present, cell, text, units), present, post):
+            show(present)
+
+    gui.html(definition())
+    choices = gui.fields(lambda cell, text: typed(choices, cell, text))
+    table = gui.fields(lambda cell, text: typed(table, cell, text))
+    told = gui.html()
+    seen = False
+
+    def show(state: State) -> None:
+        nonlocal present, seen
+        present = state
+        if not seen and len(_around(state)):
+            seen = True
+            gui.camera.keep_in_view()
+        choices.show(_choices(choices, state, units))
+        rings = method_of(state) == "rings"
+        table.show(tool_words(state, units) + regions_table(table.channel_id, state, units) if rings else "")
+        told.show(_told(state, units))
+
+    return show
+
+
+def _choices(fields: Fields, state: State, units: Units) -> str:
+    arm, part, channel = state[Joints].arm, state[Dexterous], fields.channel_id
+    known, method = methods(arm), method_of(state)
+    names = {f"method {key}": TITLES[key] for key in known}
+    lines = row("By", chips(channel, names, f"method {method}", HINTS))
+    if known == ("sampled",):
+        lines += f'<p class="dim">{why_sampled_alone(arm)}</p>'
+    if state.derived(rings_alone):
+        return lines
+    if method == "wrist":
+        lines += row("Show", chips(channel, {f"draw {k}": v for k, v in DRAWINGS.items()}, f"draw {part.draw}", ""))
+    if method == "wrist" and part.draw == "body":
+        shares = {f"share {share}": "all" if share >= 1.0 else f"{100.0 * share:.0f} %" for share in SHARES}
+        lines += row("At least", chips(channel, shares, f"share {part.share}", "Of the approach directions"))
+        lines += _nowhere(state)
+    else:
+        lines += _slice(fields, state, units)
+    if method in ("rings", "sampled"):
+        counts = {f"count {count}": _counted(count) for count in COUNTS}
+        lines += row("Samples", chips(channel, counts, f"count {part.count}", ""))
+    return lines + _progress(channel, state)
+
+
+def _nowhere(state: State) -> str:
+    """Return why no body is seen, where no point has the chosen share."""
+    found, share = state.derived(study_of), state[Dexterous].share
+    if found is None or found.wrist is None:
+        return ""
+    largest = largest_share(found.wrist)
+    if largest is not None and largest >= share:
+        return ""
+    wanted = "all directions" if share >= 1.0 else f"{100.0 * share:.0f} % of the directions"
+    other = "" if largest is None else f"; try {100.0 * largest:.0f} %"
+    return f"<p>No point has {wanted}{other}.</p>"
+
+
+def _counted(count: int) -> str:
+    return f"{count / 1e6:g} M"
+
+
+def _slice(fields: Fields, state: State, units: Units) -> str:
+    """Return where the slice is, and the button that brings it to the tool."""
+    joint, method = first_joint(state[Joints].arm), method_of(state)
+    through = chip(fields.channel_id, "through", "As the tool is", _THROUGH[method == "count"])
+    if joint.planar:
+        return row("Turned", through) if method == "count" else ""
+    turns = joint.revolute
+    s = slice_of(state)
+    shown = units.turned(s) if turns else units.text(s, turns)
+    cell = fields.field("slice", shown, "Half plane through axis 1" if turns else "Place of the plane")
+    return row("Slice at", f'<label class="option">{cell}<i>{units.unit(turns)}</i></label>{through}')
+
+
+_THROUGH = (
+    "Put the slice through the tool point",
+    "Put the slice through the tool point, and turn the tool as it is there",
+)
+
+
+def _progress(channel: str, state: State) -> str:
+    question, found = state.derived(question_of), state.derived(study_of)
+    if question is None or (found is not None and found.finished):
+        return ""
+    if question == state[Dexterous].stopped:
+        return f'<div class="bar">{button(channel, "resume", "Compute", "main")}<span class="dim">Stopped.</span></div>'
+    done = 100.0 * (found.done if found is not None else 0.0)
+    bar = f'<div class="progress" style="--part:{done:.0f}%"></div>'
+    press = chip(channel, "stop", "Cancel", "Stop; what there is stays")
+    return f'<div class="bar">{press}<span class="dim">Computing: {done:.0f} %</span></div>{bar}'
+
+
+def _told(state: State, units: Units) -> str:
+    """Return what was found, and how sure it is."""
+    found, method = state.derived(study_of), method_of(state)
+    rings = planar_words(state, units) if method == "rings" else ""
+    if found is None:
+        return rings
+    return f"{rings}{scale(state, found)}{tool_line(state, found)}{proven(state, found, units)}"
+
+
+def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command, ...]:
+    """Return what a person asked for.
+
+    Raises
+    ------
+    InputError
+        What was typed is no number; the text says which.
+    """
+    plain: dict[str, Command] = {
+        "through": LookThroughTool(),
+        "stop": StopDexterous(),
+        "resume": ResumeDexterous(),
+    }
+    if cell in plain:
+        return (plain[cell],)
+    if cell == "slice":
+        turns = first_joint(state[Joints].arm).revolute
+        return (LookAtDexterous(s=units.read(text, turns, "slice")),)
+    what, *values = cell.split(" ")
+    if what == "method":
+        return (LookAtDexterous(method=" ".join(values)),)
+    if what == "draw":
+        return (LookAtDexterous(draw=" ".join(values)),)
+    try:
+        if what == "count":
+            return (LookAtDexterous(count=int(values[0])),)
+        if what == "share":
+            return (LookAtDexterous(share=float(values[0])),)
+        if what == "region":
+            return (GoToRegion(int(values[0])),)
+        if what == "way":
+            return (StandStretched(int(values[0]), int(values[1])),)
+    except (ValueError, IndexError):
+        raise InputError(f"expected one of the choices, got {cell[:40]!r}") from None
+    return ()
+
+
+def _around(state: State) -> Points:
+    """Return corners of the rings, or of the slice."""
+    rings = state.derived(outermost)
+    if rings is not None:
+        return rings
+    shown = state.derived(slice_shown)
+    if shown is None:
+        return NOTHING
+    wide, high = (count * shown.step for count in shown.values.shape)
+    return np.array([shown.corner + wide * i * shown.right + high * j * shown.up for i in (0, 1) for j in (0, 1)])
+
+
+PANEL = Panel(
+    "dexterous",
+    "Dexterous",
+    "COMPASS",
+    38,
+    (Dexterous, Joints, Target),
+    build,
+    tab="workspace",
+    rebuilds=(RobotPart, Notation),
+    around=_around,
+    about=(
+        "S4.2-ws2",
+        "S4.2-ws-2R",
+        "S4.3.1-ws-3R",
+        "S4.3.1-ik-cases",
+        "4.2",
+        "4.3.1",
+        "4.20",
+        "4.21",
+        "4.39",
+        "4.40",
+        "4.41",
+        "4.42",
+        "4.43",
+        "figure 4.9",
+        "dexterous workspace",
+        "secondary workspace",
+        "WS2",
+        "orientation",
+        "approach direction",
+        "number of solutions",
+    ),
+)

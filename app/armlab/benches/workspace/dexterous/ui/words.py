@@ -1,0 +1,321 @@
+"""Orientations in words: regions of planar arms, scales of colours, what was proven and what was sampled."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from armlab.benches.workspace.dexterous.picture import AtTool, at_tool
+from armlab.benches.workspace.dexterous.places import region_near, target_distance, tool_standing
+from armlab.benches.workspace.dexterous.study import Study, misses_orientations, never_turns, turns_in_place
+from armlab.kin.workspace.planar import lengths_of, orientations, planar_workspace, pose_solutions, turns_fully
+from armlab.kin.workspace.planar_regions import Region, regions
+from armlab.kin.workspace.section_size import Size
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+from armlab.ui import measured
+from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
+from armlab.ui.format import escaped, number, pairs
+from armlab.ui.markup import button, chip
+from armlab.ui.units import Units
+
+COLOURS: dict[str, Rgb] = {
+    "dexterous": GREEN,
+    "origin": GREEN,
+    "edge": VERMILLION,
+    "partial": ORANGE,
+    "crossing": VERMILLION,
+    "two": SKY,
+    "boundary": VERMILLION,
+}
+"""Of the regions; circles are lines."""
+
+WAYS = {1: "→", -1: "←"}
+
+NOTES_DIFFER = {
+    3: "“Not all orientations”: the notes say so of WS₁ \\ {∂WS₁ + ∂WS₂} (after 4.40), which still holds the inside of "
+    "WS₂; it is so in WS₁ \\ (∂WS₁ ∪ WS₂).",
+    2: "“Two orientations”: the notes say so of all of WS₁ \\ ∂WS₁; with l₁ = l₂ the origin, which is inside, is the "
+    "exception.",
+}
+
+
+def regions_table(channel: str, state: State, units: Units) -> str:
+    """Return the regions from the inside out, each a button that brings the tool there, and what holds at the tool."""
+    arm = state[Joints].arm
+    lengths, standing = lengths_of(arm), state.derived(tool_standing)
+    if lengths is None or standing is None:
+        return ""
+    rows = []
+    for index, region in enumerate(regions(lengths)):
+        here = region is standing.region
+        rows.append(_row(channel, index, region, here, units))
+        if here:
+            rows.append(_here(channel, index, region, state, units))
+    heads = "<span></span><span>r, " + units.length_unit + "</span><span>Region</span><span>Orientations</span>"
+    return f'<div class="dx-regions"><div class="dx-head">{heads}</div>{"".join(rows)}</div>'
+
+
+def _row(channel: str, index: int, region: Region, here: bool, units: Units) -> str:
+    circle = region.low == region.high
+    span = units.text(region.low, False)
+    if not circle:
+        span = f"{span} – {units.text(region.high, False)}"
+    swatch = f'<i class="{"ring" if circle else "area"}" style="--c:{css(COLOURS[region.kind])}"></i>'
+    inside = f"{swatch}<span>{span}</span><span>{escaped(region.name)}</span><span>{_measure(region, units)}</span>"
+    return button(channel, f"region {index}", inside, "dx-region", "Bring the tool there", pressed=here)
+
+
+def _measure(region: Region, units: Units) -> str:
+    """Return how many orientations a region has, short."""
+    if region.kind in ("dexterous", "edge", "origin"):
+        return "all"
+    if region.kind in ("boundary", "two"):
+        return "1" if region.kind == "boundary" else "2"
+    low, high = _rounded(region.least, units), _rounded(region.most, units)
+    unit = "°" if units.in_degrees else " rad"
+    return f"{high}{unit}" if region.low == region.high else f"{low} – {high}{unit}"
+
+
+def _rounded(angle: float, units: Units) -> str:
+    """Return an angle in few figures, without its unit."""
+    return number(math.degrees(angle), 0) if units.in_degrees else number(angle, 2)
+
+
+def _here(channel: str, index: int, region: Region, state: State, units: Units) -> str:
+    """Return what there is to say about the region of the tool, and its singular configurations to look at."""
+    ways = ""
+    if region.ways:
+        each = "".join(
+            chip(channel, f"way {index} {k}", " ".join(WAYS[sign] for sign in way), "Stand so")
+            for k, way in enumerate(region.ways)
+        )
+        ways = f'<p>Singular: {each}<br><small class="dim">→ a link outward, ← a link back</small></p>'
+    return f'<div class="dx-here"><p>{escaped(region.says)}</p>{ways}</div>'
+
+
+def tool_words(state: State, units: Units) -> str:
+    """Return the numbers of the tool's own place, and of the target's."""
+    arm, standing = state[Joints].arm, state.derived(tool_standing)
+    lengths = lengths_of(arm)
+    if lengths is None or standing is None:
+        return ""
+    place = standing.place
+    rows = [("Tool", f"r = {units.length(place.r)}")]
+    if len(lengths) == 3:
+        measure = _possible(lengths, place.r)
+        rows.append(("Orientations possible here", f"{units.angle(measure)} of {units.angle(math.tau)}"))
+        count = float(pose_solutions(lengths, place.r, place.psi))
+        rows.append(("Solutions, position and angle", "∞" if math.isinf(count) else f"{count:.0f}"))
+    distance = target_distance(state)
+    if distance is not None:
+        region = region_near(lengths, distance)
+        said = "outside WS₁" if region is None else region.name
+        rows.append(("Target", f"r = {units.length(distance)}, {said}"))
+    return pairs(rows)
+
+
+def _possible(lengths: tuple[float, ...], r: float) -> float:
+    """Return the measure of the orientations at the tool, rad; a tool beyond the outer edge by rounding is on it."""
+    space = planar_workspace(lengths)
+    return float(np.nan_to_num(orientations(lengths, min(max(r, space.inner), space.outer))))
+
+
+def planar_words(state: State, units: Units) -> str:
+    """Return the workspaces of a planar arm in closed form, and where the notes differ."""
+    lengths = lengths_of(state[Joints].arm)
+    if lengths is None:
+        return ""
+    space = planar_workspace(lengths)
+    pieces = [
+        f"{units.text(low, False)} – {units.length(high)}"
+        if low < high
+        else units.length(low)
+        if low > 0.0
+        else "the origin"
+        for low, high in space.dexterous
+    ]
+    rows = [
+        ("WS₁", f"{units.text(space.inner, False)} – {units.length(space.outer)}"),
+        ("Area of WS₁", f"{number(space.area, 3)} m²"),
+        ("WS₂", " and ".join(pieces) if pieces else "empty"),
+    ]
+    differs = ""
+    if len(lengths) == 3 or space.dexterous:
+        differs = f'<details><summary>Where the notes differ</summary><p class="dim">{NOTES_DIFFER[len(lengths)]}</p>'
+        differs += "</details>"
+    limits = ""
+    if not turns_fully(state[Joints].arm):
+        limits = (
+            '<p class="dim">Not every joint turns all the way round: the circles hold <b>without joint limits</b>. '
+            "With them it is what the coloured cells show, which are sampled.</p>"
+        )
+    return pairs(rows) + limits + differs
+
+
+NEVER_TURNS = "The tool never turns"
+
+AT_A_POINT = {
+    0: "The position fixes the orientation: at a point only a few single ones are possible",
+    1: "At a point the possible orientations are a single family, of one angle",
+    2: "At a point the possible orientations are a family of two angles",
+}
+"""By how many ways the tool turns in place, where these are too few for all orientations."""
+
+
+def proven(state: State, found: Study, units: Units) -> str:
+    """Return what is known for sure and what was sampled."""
+    if found.wrist is not None:
+        return _wrist_words(found, units)
+    assert found.map is not None
+    if found.question.method == "count":
+        sure = (
+            "Each number is all there are (closed form)"
+            if found.map.proven
+            else "At least so many (not all cells could be solved completely)"
+        )
+        turned = "" if found.question.arm.task.rotation == "none" else ", the tool turned the same everywhere"
+        text = f"{sure}, in the middle of each cell, inside the joint limits{turned}."
+        return f'<p class="dim">{text}</p>'
+    return _sampled_words(found)
+
+
+def _sampled_words(found: Study) -> str:
+    """Return what samples say, after what is known of the arm without them."""
+    assert found.map is not None
+    arm, circle = found.question.arm, found.map.sheet.bins.circle
+    what = "64 equal angles of the tool" if circle else "64 approach directions, the roll about them not counted"
+    met = f"{round(found.question.count * found.done):,}".replace(",", "\u202f")
+    values = found.map.values[np.isfinite(found.map.values)]
+    everywhere = float((values >= 1.0).mean()) if len(values) else 0.0
+    rows = [("Samples", met)]
+    if never_turns(arm):
+        return pairs(rows) + f"<p>{NEVER_TURNS}: one orientation, the same wherever it gets.</p>"
+    rows.append(("Most in a cell", _at_least(float(values.max())) if len(values) else "–"))
+    known = ""
+    if misses_orientations(arm):
+        known = f"<p>{AT_A_POINT[turns_in_place(arm)]}; never all, except perhaps at singular points.</p>"
+    else:
+        rows.append(("Cells with all of them", f"at least {_percent(everywhere)}" if everywhere > 0.0 else "none met"))
+    return (
+        pairs(rows)
+        + known
+        + (
+            f'<p class="dim">Sampled inside the joint limits: {what}. A direction that was met is possible somewhere '
+            "in the cell; others may have been missed.</p>"
+        )
+    )
+
+
+def _wrist_words(found: Study, units: Units) -> str:
+    wrist = found.wrist
+    assert wrist is not None
+    body = "a closed form" if wrist.points.exact else "a table of samples"
+    size = measured.with_error(Size(wrist.volume, wrist.volume_error, "m³"))
+    of = "WS₂, all directions" if wrist.proper else "WS₂ without wrist limits"
+    most = float(wrist.fraction.max())
+    rows = [
+        (of, size if wrist.volume > 0.0 else "none"),
+        ("Largest share", f"{'about' if wrist.proper else 'at most'} {_percent(most)}"),
+        ("Wrist centre to tool", units.length(wrist.tool)),
+        ("Voxels", f"{wrist.fraction.shape[0]}³ of {units.length(wrist.step)}"),
+    ]
+    if not wrist.proper:
+        counted = "The limits of the wrist's own joints are left out: each share is an upper bound, up to the voxels."
+    elif wrist.turns.free:
+        counted = "All joint limits are counted; the wrist turns freely."
+    else:
+        counted = "All joint limits are counted, those of the wrist too."
+    return pairs(rows) + (
+        '<p class="dim">The share of the directions from the wrist centre to the tool point, the roll about them not '
+        f"counted. Where the wrist centre can be is {body}. {counted}</p>"
+    )
+
+
+def tool_line(state: State, found: Study) -> str:
+    """Return what was found where the tool is."""
+    here = state.derived(at_tool)
+    if here is None:
+        return ""
+    return f'<p class="dx-tool"><b>At the tool:</b> {_at_tool(here, found)}</p>'
+
+
+def _at_tool(here: AtTool, found: Study) -> str:
+    if here.beside:
+        return "it is beside this slice"
+    if found.question.method == "count":
+        count = "infinitely many" if math.isinf(here.value) else f"{here.value:.0f}" if here.value else "no"
+        turned = "" if found.question.arm.task.rotation == "none" else ", with the tool turned as on the slice"
+        return f"{count} solution{'' if here.value == 1 else 's'} inside the limits{turned}"
+    if math.isnan(here.value):
+        return "nothing was met in its cell"
+    if found.wrist is not None:
+        most = "" if found.wrist.proper else "at most "
+        return f"{most}{_percent(here.value)} of the directions, of {here.of} tried"
+    if never_turns(found.question.arm):
+        return "one orientation, as everywhere"
+    if turns_in_place(found.question.arm) == 0:
+        return f"{round(here.value * here.of)} of {here.of} directions met in its cell"
+    return (
+        f"at least {_percent(here.value)} of the orientations, {round(here.value * here.of)} of {here.of}, in its cell"
+    )
+
+
+def scale(state: State, found: Study) -> str:
+    """Return the colours and what they stand for."""
+    if found.question.method == "count" and found.map is not None:
+        numbers = sorted({float(value) for value in found.map.values[~np.isnan(found.map.values)].ravel()})
+        marks = "".join(
+            f'<span><i style="background:{css(count_colour(value))}"></i>{"∞" if math.isinf(value) else f"{value:.0f}"}'
+            "</span>"
+            for value in numbers
+        )
+        return f'<div class="ws-scale"><b>Solutions inside the limits</b><div class="dx-counts">{marks}</div></div>'
+    if found.map is not None and never_turns(found.question.arm):
+        return ""
+    circle = found.map is not None and found.map.sheet.bins.circle
+    head = "Orientations in the plane" if circle else "Approach directions"
+    return (
+        f'<div class="ws-scale"><b>{head}</b><u style="background:{VIRIDIS_CSS}"></u>'
+        "<div><i>0 %</i><i>50 %</i><i>100 %</i></div></div>"
+    )
+
+
+COUNT_COLOURS: dict[float, Rgb] = {
+    1.0: (68, 1, 84),
+    2.0: SKY,
+    3.0: PURPLE,
+    4.0: GREEN,
+    5.0: BLUE,
+    6.0: ORANGE,
+    7.0: GREY,
+    8.0: YELLOW,
+    16.0: (250, 250, 250),
+}
+"""Of the numbers of solutions that are usual: each of a hue of its own, as numbers are told apart, not measured."""
+
+
+def count_colour(count: float) -> Rgb:
+    """Return the colour of a number of solutions."""
+    if math.isinf(count):
+        return VERMILLION
+    steps, colours = list(COUNT_COLOURS), np.array(list(COUNT_COLOURS.values()))
+    r, g, b = (round(float(np.interp(count, steps, colours[:, k]))) for k in range(3))
+    return r, g, b
+
+
+def definition() -> str:
+    """Return what the page is about."""
+    return (
+        '<p class="dim">WS<sub>2</sub>: the points of WS<sub>1</sub> that the tool reaches in <b>every</b> '
+        "orientation (4.21).</p>"
+    )
+
+
+def _at_least(share: float) -> str:
+    return "all" if share >= 1.0 else f"at least {_percent(share)}"
+
+
+def _percent(share: float) -> str:
+    return f"{number(100.0 * share, 1)} %"

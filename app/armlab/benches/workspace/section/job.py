@@ -1,0 +1,39 @@
+"""Finds the section of the workspace while its page is seen."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from armlab.benches.workspace.section.found import Found, Question, finding
+from armlab.benches.workspace.section.state import SectionView, question_of
+from armlab.session.job import Job, Wanted
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+
+PANEL = "section"
+
+
+def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
+    """Return what is still to be found while somebody looks."""
+    question = question_of(state) if PANEL in panels else None
+    return None if question is None else Wanted((question.arm, question.colour), question)
+
+
+def delivered(state: State, question: Question, found: Found) -> State:
+    """Return the state with what was found so far; what is of another arm is let go."""
+    part = state[SectionView]
+    if question.arm is not state[Joints].arm:
+        return state
+    return state.replace(replace(part, found=found))
+
+
+def found_section(state: State) -> State:
+    """Return the state with everything found, at once: for tests and for those who can wait."""
+    question = question_of(state)
+    for found in finding(question) if question is not None else ():
+        if found is not None and question is not None:
+            state = delivered(state, question, found)
+    return state
+
+
+JOB = Job("section", "The section of the workspace", wanted, finding, delivered)

@@ -1,0 +1,72 @@
+"""What the page of the section tells of tool and target: where they are in it, and how far from the boundary."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.workspace.section.found import Found
+from armlab.benches.workspace.section.state import found_of
+from armlab.kin.workspace.boundary import To
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import Target
+from armlab.session.state import State
+
+Floats = NDArray[np.float64]
+
+APART = 1e-6
+"""Metres; a target nearer to the tool is where the tool is."""
+
+
+class Measured(NamedTuple):
+    """A point and the way from it to the boundary."""
+
+    point: Floats
+    to: To
+
+
+def tool_measured(state: State) -> Measured | None:
+    """Return how far the tool is from the boundary; None until that is known."""
+    return _measured(state, np.asarray(state[Joints].tool_pose[:3, 3], dtype=np.float64))
+
+
+def target_measured(state: State) -> Measured | None:
+    """Return how far the target is from the boundary; None until that is known, or where the tool is there."""
+    pose = state[Target].pose
+    if pose is None or float(np.linalg.norm(pose[:3, 3] - state[Joints].tool_pose[:3, 3])) < APART:
+        return None
+    return _measured(state, np.asarray(pose[:3, 3], dtype=np.float64))
+
+
+def _measured(state: State, point: Floats) -> Measured | None:
+    found = found_of(state)
+    if found is None or not found.finished:
+        return None
+    to = found.section.distance(point)
+    return Measured(point, to) if np.isfinite(to.distance) else None
+
+
+def silhouette(found: Found, q: NDArray[np.float64]) -> Floats:
+    """Return the arm in a configuration seen from the side, a polyline of shape (k, 2) in metres.
+
+    Along the direction outward to the tool and along the axis of joint 1; where joint 1 slides, across it. Of a planar
+    arm in its plane. It follows the links of the table: along the axis of a joint, then along the common normal.
+    """
+    arm, joint = found.arm, found.section.joint
+    frames = np.asarray(arm.frames(q), dtype=np.float64)
+    tool = np.asarray(arm.position(q), dtype=np.float64)
+    points = [frames[0, :3, 3]]
+    for before, after in pairwise(frames):
+        z = before[:3, 2] if arm.convention == "standard" else after[:3, 2]
+        along = z * float((after[:3, 3] - before[:3, 3]) @ z)
+        points += [before[:3, 3] + along if arm.convention == "standard" else after[:3, 3] - along, after[:3, 3]]
+    local = (np.array([*points, tool]) - joint.origin) @ joint.axes
+    if found.section.grid.flat:
+        return np.asarray(local[:, :2] if joint.revolute else local[:, [0, 2]])
+    if not joint.revolute:
+        return np.asarray(local[:, :2])
+    s = joint.split(tool)[2]
+    return np.stack([local[:, 0] * np.cos(s) + local[:, 1] * np.sin(s), local[:, 2]], axis=1)

@@ -1,0 +1,126 @@
+"""The section of a workspace in words and numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.workspace.section.found import REACH, Found
+from armlab.benches.workspace.section.marks import Measured, target_measured, tool_measured
+from armlab.benches.workspace.section.state import found_of
+from armlab.kin.workspace.crossings import FINE
+from armlab.kin.workspace.first_joint import FirstJoint
+from armlab.kin.workspace.section_size import dimension
+from armlab.session.state import State
+from armlab.ui import measured
+from armlab.ui.format import MINUS, number, pairs
+from armlab.ui.markup import chip
+from armlab.ui.units import Units
+
+EDGE = 2.0 * FINE
+"""Of a cell: what is as near to the boundary as that is on it, as well as it is known."""
+
+SAME = 1e-9
+"""Of a cosine, or of the reach: directions and points that are one."""
+
+CENTRE = "The point of axis 1 that is nearest to the origin of frame 0"
+
+
+def scale(found: Found) -> str:
+    """Return the colours and what they stand for; nothing where one colour tells what is reached."""
+    if found.colour == REACH or found.values is None:
+        return ""
+    note = "" if found.coloured else " Being averaged …"
+    return (
+        f"{measured.scale(found.arm, found.colour, found.low, found.high)}"
+        f'<p class="dim">Mean over random configurations in and beside each cell.{note}</p>'
+    )
+
+
+def facts(found: Found, units: Units) -> str:
+    """Return size and reach."""
+    if found.size is None or found.reach is None:
+        return ""
+    joint, reach = found.section.joint, found.reach
+    flat = found.section.grid.flat
+    rows = [("Area" if flat else "Volume", _size(found))]
+    if joint.revolute:
+        rows.append(("From the axis of joint 1", f"{units.text(reach.inner, False)} to {units.length(reach.outer)}"))
+        if not flat:
+            upright = joint.axes[:, 2] @ joint.arm.base[:3, 2] > 1.0 - SAME
+            along = "Height over frame 0" if upright else "Along axis 1"
+            rows.append((along, f"{units.text(reach.low, False)} to {units.length(reach.high)}"))
+            rows.append((f"Farthest from {_centre(joint)}", units.length(reach.farthest)))
+    else:
+        first, second = across(joint)
+        rows.append((f"Along {first}", f"{units.text(reach.inner, False)} to {units.length(reach.outer)}"))
+        if not flat:
+            rows.append((f"Along {second}", f"{units.text(reach.low, False)} to {units.length(reach.high)}"))
+    if not joint.full:
+        rows.append(
+            ("Joint 1", f"{units.text(joint.low, joint.revolute)} to {_joint(joint.high, joint.revolute, units)}")
+        )
+    return f'<div class="sc-facts">{pairs(rows)}</div><p class="dim">{_how(found, units)}</p>'
+
+
+def across(joint: FirstJoint) -> tuple[str, str]:
+    """Return the directions of u and v across a joint 1 that slides, in frame 0: as x₀, or by their components."""
+    u, v = (joint.arm.base[:3, :3].T @ joint.axes[:, :2]).T
+    return _direction(u), _direction(v)
+
+
+def _direction(along: NDArray[np.float64]) -> str:
+    k = int(np.argmax(np.abs(along)))
+    if abs(along[k]) < 1.0 - SAME:
+        return f"({', '.join(number(float(part), 2) for part in along)})"
+    return f"{'' if along[k] > 0.0 else MINUS}{'xyz'[k]}₀"
+
+
+def _centre(joint: FirstJoint) -> str:
+    """Return from where the reach is measured; axis 1 need not meet the origin of frame 0."""
+    apart = float(np.linalg.norm(joint.origin - joint.arm.base[:3, 3]))
+    meets = apart <= SAME * (joint.arm.reach or 1.0)
+    return "frame 0" if meets else f'<span title="{CENTRE}">ρ = z = 0</span>'
+
+
+def _joint(value: float, revolute: bool, units: Units) -> str:
+    return units.angle(value) if revolute else units.length(value)
+
+
+def _size(found: Found) -> str:
+    assert found.size is not None
+    if found.size.value == 0.0 and dimension(found.section.joint) < (1 if found.section.grid.flat else 2):
+        return "none: the tool stays on a line" if found.section.grid.flat else "none: the tool stays on a surface"
+    return measured.with_error(found.size)
+
+
+def _how(found: Found, units: Units) -> str:
+    cell = units.length(found.section.step)
+    return (
+        f"Cells of {cell}, filled from random samples and by inverse kinematics from cell to cell; the boundary was "
+        "found by inverse kinematics. A part that no search came upon would be missing."
+    )
+
+
+def distances(state: State, units: Units, channel: str) -> str:
+    """Return how far tool and target are from the boundary, and a way to go there."""
+    tool, target = state.derived(tool_measured), state.derived(target_measured)
+    if tool is None:
+        return ""
+    rows = [("Tool", _way(state, tool, units))]
+    if target is not None:
+        rows.append(("Target", _way(state, target, units)))
+    place = ", ".join(units.text(float(value), False) for value in (target or tool).to.foot)
+    rows.append(("Boundary at", f"({place}) {units.length_unit}"))
+    go = chip(channel, "boundary", "Go to it", "Bring the tool to the nearest boundary point")
+    return f"<h3>To the boundary</h3><div class='sc-facts'>{pairs(rows)}</div><div class='bar'>{go}</div>"
+
+
+def _way(state: State, measured: Measured, units: Units) -> str:
+    found = found_of(state)
+    assert found is not None
+    if abs(measured.to.distance) <= EDGE * found.section.step:
+        return "on the boundary"
+    inside = measured.to.distance >= 0.0
+    mark = '<span class="ok">✓</span>' if inside else '<span class="no">✕</span>'
+    return f"{mark} {units.length(abs(measured.to.distance))} {'inside' if inside else 'outside'}"

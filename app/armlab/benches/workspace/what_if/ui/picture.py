@@ -1,0 +1,67 @@
+"""The sections of two workspaces, one over the other, as a drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.benches.workspace.what_if.found import Compared
+from armlab.kin.workspace.section import Section
+from armlab.ui.units import Units
+
+Floats = NDArray[np.float64]
+
+WIDTH, HIGHEST = 320.0, 230.0
+"""Of the drawing, in its own units: about pixels."""
+
+EDGE = 16.0
+"""Left free on each side, for the names of the axes."""
+
+SPARE = 1e-9
+
+
+def picture(found: Compared, units: Units) -> str:
+    """Return the sections as SVG; nothing as long as they are not known, or of a planar arm, where they are lines."""
+    if found.sections is None or found.sections[0].grid.flat or found.sections[1].grid.flat:
+        return ""
+    sections = found.sections[:1] if found.same else found.sections
+    turning = sections[0].joint.revolute
+    corners = np.concatenate([line for section in sections for line in section.contours] or [np.zeros((1, 2))])
+    corners = np.concatenate([corners, np.zeros((1, 2))]) if turning else corners
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    wide, tall = np.maximum(high - low, SPARE)
+    scale = min((WIDTH - 2 * EDGE) / wide, (HIGHEST - 2 * EDGE) / tall)
+    left = (WIDTH - scale * wide) / 2
+    height = scale * tall + 2 * EDGE
+
+    def at(points: Floats) -> Floats:
+        return np.column_stack([left + scale * (points[:, 0] - low[0]), EDGE + scale * (high[1] - points[:, 1])])
+
+    shapes = "".join(
+        f'<path class="{kind}" d="{_path(at, section)}"/>'
+        for kind, section in zip(("was", "then"), sections, strict=False)
+    )
+    x, y = at(np.zeros((1, 2)))[0].tolist()
+    axis = (
+        f'<line class="axis" x1="{x:.1f}" x2="{x:.1f}" y1="2" y2="{height - 2:.1f}"/>'
+        f'<line class="axis" x1="{x:.1f}" x2="{WIDTH:.0f}" y1="{y:.1f}" y2="{y:.1f}"/>'
+        f'<text x="{x - 10:.1f}" y="11">z</text><text x="{WIDTH:.0f}" y="{y - 4:.1f}" class="end">ρ</text>'
+        f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.5"/>'
+        if turning
+        else ""
+    )
+    said = f"Side view: {units.length(float(wide))} wide, {units.length(float(tall))} high"
+    return (
+        f'<svg class="wi-section" viewBox="0 0 {WIDTH:.0f} {height:.0f}" role="img" aria-label="{said}">'
+        f"<title>{said}</title>{axis}{shapes}</svg>"
+    )
+
+
+def _path(at: Callable[[Floats], Floats], section: Section) -> str:
+    return "".join(f"M{_points(at(line))}Z" for line in section.contours)
+
+
+def _points(line: Iterable[Floats]) -> str:
+    return "L".join(f"{x:.1f} {y:.1f}" for x, y in line)

@@ -1,1 +1,0 @@
-"""One file a bench with examples; each holds a constant ``BENCH``."""

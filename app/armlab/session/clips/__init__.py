@@ -1,1 +1,0 @@
-"""One file a film or run; each holds a constant ``CLIP``."""

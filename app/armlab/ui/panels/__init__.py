@@ -1,1 +1,0 @@
-"""One file a panel; each holds a constant ``PANEL``."""

@@ -1,0 +1,57 @@
+"""The handle of the target: arrows and rings for exactly what the arm's task controls."""
+
+from __future__ import annotations
+
+import asyncio
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.target import DragTarget, EndDrag, Target, target_pose
+from armlab.session.state import State
+from armlab.ui.drawing import LayerCanvas
+from armlab.ui.plugin import Layer, Show
+from armlab.ui.scene._handle import Handle
+
+CATCH_UP = 0.05
+"""Seconds between steps of an arm that has fallen behind a resting hand."""
+
+
+class Gizmo:
+    """The handle on the target; an arm that has fallen behind a resting hand goes on."""
+
+    def __init__(self, canvas: LayerCanvas) -> None:
+        self._canvas = canvas
+        self._handle = Handle(canvas, "/target", self._dragged, self._wait_no_longer)
+        self._later: asyncio.TimerHandle | None = None
+
+    def show(self, state: State) -> None:
+        """Put the handle on the target."""
+        target = state[Target]
+        self._handle.show(target_pose(state), target.handle, target.axes)
+        if self._handle.held and target.catching_up:
+            self._catch_up_later()
+
+    def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
+        """Turn one event of the hand into one command."""
+        self._canvas.post(EndDrag(pose, drag) if ends else DragTarget(pose, drag))
+
+    def _wait_no_longer(self) -> None:
+        if self._later is not None:
+            self._later.cancel()
+            self._later = None
+
+    def _catch_up_later(self) -> None:
+        if self._later is None:
+            loop = asyncio.get_running_loop()
+            self._later = loop.call_later(CATCH_UP, lambda: self._canvas.post(DragTarget(None, self._handle.drag)))
+
+
+def build(canvas: LayerCanvas, state: State) -> Show:
+    """Put the handle on the target."""
+    gizmo = Gizmo(canvas)
+    return gizmo.show
+
+
+LAYER = Layer("gizmo", order=50, watches=(Joints, Target), build=build, silent=True)

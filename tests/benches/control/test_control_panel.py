@@ -1,0 +1,185 @@
+"""The page of runs of kinematic control as a browser gets it."""
+
+import csv
+import io
+import math
+import re
+
+import pytest
+
+from armlab.benches.control.follow.chosen import setup_of
+from armlab.benches.control.follow.commands import SetOffset, SetValue
+from armlab.benches.control.follow.examples import EXAMPLES
+from armlab.benches.control.follow.runs import Peak
+from armlab.benches.control.follow.state import Control
+from armlab.benches.control.follow.ui.card import card_markup, small
+from armlab.benches.control.follow.ui.form import plant_words, sigma_unit
+from armlab.benches.control.follow.ui.page import commands
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.notation import Notation
+from armlab.session.state import State
+from armlab.ui.format import escaped
+from armlab.ui.units import Units
+from support.control import done, opened
+from support.student import run, student
+
+UNITS = Units(Notation())
+
+
+async def at_runs(url, key="wrong_link"):
+    """Open the page with the experiment and wait until all its runs are made."""
+    browser = await student(url)
+    await browser.open("control")
+    await browser.press("example", key)
+    await browser.until(lambda: escaped(EXAMPLES[key].says[:30]) in browser.html())
+    # The plant is the last of the page that is made.
+    await browser.until(lambda: 'data-cell="w-step"' in browser.html() and "<td>…</td>" not in browser.html())
+    return browser
+
+
+def row(browser, name):
+    """Return what stands in a row of the results."""
+    found = re.search(rf"<tr><td>{re.escape(name)}</td>(.*?)</tr>", browser.html())
+    assert found is not None, name
+    return [re.sub(r"<small>.*?</small>|</?span[^>]*>", "", cell) for cell in re.findall(r"<td>(.*?)</td>", found[1])]
+
+
+def test_small_values_are_written_so_that_something_is_seen():
+    assert small(0.04799, False, UNITS) == "48.0"
+    assert small(0.004799, False, UNITS) == "4.80"
+    assert small(3e-8, False, UNITS) == "3·10⁻⁵"
+    # An error of 6e-12 mm is of rounding, not of the law.
+    assert small(6e-15, False, UNITS) == small(0.0, True, UNITS) == '<span class="zero">0</span>'
+    assert small(float("nan"), True, UNITS) == "–"
+    assert Peak(1.0, 2.0).time == 2.0
+
+
+def test_the_plant_in_words_and_the_unit_of_sigma():
+    robot = catalogue()["planar_2r"]
+    assert plant_words(setup_of(robot)) == "ideal"
+    words = plant_words(setup_of(robot, saturation="clip", sampling=0.01, counts=500, wrong=0.02, link=2))
+    assert words == "speeds limited, T_s = 10 ms, encoder on the motor, link 2 2 % wrong"
+    assert plant_words(setup_of(robot, sampling=1e-4)) == "T_s = 1 ms, whole steps of 1 ms"
+    assert plant_words(setup_of(robot, sampling=0.025, step=0.02)) == "T_s = 20 ms, whole steps of 20 ms"
+    assert sigma_unit(robot.arm) == "m"
+    assert sigma_unit(catalogue()["puma560"].arm) == ""
+
+
+@pytest.mark.parametrize("cell", ["select x", "nothing", "start 9", "offset 5", "w-mass", "plant-K", "remove", ""])
+def test_cells_that_are_not_ours_are_no_commands(cell):
+    assert commands(State.initial(catalogue()["planar_2r"]), cell, "1") == ()
+
+
+def test_a_run_that_leaves_the_range_of_a_joint_says_where_and_when():
+    short = (SetValue("duration", 0.1), SetValue("step", 0.01))
+    inside = done(opened("puma560"), *short)
+    assert "leaves the range" not in card_markup(inside)
+    outside = done(inside, SetOffset((0.0, math.radians(200.0), 0.0, 0.0, 0.0, 0.0)))
+    text = card_markup(outside)
+    low, high = (UNITS.text(float(limit), True) for limit in outside[Joints].arm.limits[1])
+    assert "Run 1 leaves the range of joint 2 at 0.00 s" in text
+    assert f"{low} to {high} °" in text
+
+
+def test_an_option_the_law_does_not_have_is_refused_in_words():
+    # The page still showed another law when it was typed.
+    with pytest.raises(InputError, match="option of the law: unknown name 'K'"):
+        commands(State.initial(catalogue()["planar_2r"]), "law-K", "1")
+
+
+def test_an_experiment_is_chosen_and_its_results_are_read(url):
+    async def main():
+        browser = await at_runs(url)
+        errors = [float(text) for text in row(browser, "error at the end, mm")[:2]]
+        assert errors == pytest.approx([19.6, 11.3], abs=0.06)
+        assert row(browser, "steps") == ["2000"] * 3
+        assert "Run 1 cannot be made" not in browser.html()
+        drawn = {name.split("/control/", 1)[1] for name in browser.nodes if "/control/" in name}
+        assert {"run0", "run1", "run2", "wanted", "strobe"} <= drawn
+        await browser.close()
+
+    run(main())
+
+
+def test_values_are_typed_and_refused_and_a_copy_is_compared(url):
+    async def main():
+        browser = await at_runs(url)
+        await browser.press("w-speed", "fast")
+        await browser.until(lambda: "expected numbers separated by blanks, got &#x27;fast&#x27;" in browser.html())
+        await browser.press("w-speed", "-3")
+        await browser.until(lambda: "expected no negative number" in browser.html())
+        await browser.press("remove 2")
+        await browser.press("remove 1")
+        await browser.until(lambda: 'data-cell="remove 1"' not in browser.html())
+        await browser.press("add")
+        await browser.until(lambda: 'data-cell="remove 1"' in browser.html())
+        await browser.press("w-wrong", "4")
+        await browser.until(lambda: "link 2 4 % wrong" in browser.html())
+        await browser.until(lambda: "…" not in row(browser, "steps"))
+        first, second = (float(text) for text in row(browser, "error at the end, mm"))
+        assert second == pytest.approx(2.0 * first, rel=0.05)
+        await browser.press("law-Kp", "1 2 3")
+        await browser.until(lambda: "K_p: expected one gain, or 2" in browser.html())
+        await browser.press("law-Kp", "")
+        await browser.until(lambda: "cannot be made" not in browser.html())
+        await browser.press("law", "joint_tracking")
+        await browser.until(lambda: 'data-cell="law-K"' in browser.html())
+        assert 'data-cell="inverse"' not in browser.html()
+        await browser.press("start 0", "20")
+        await browser.until(lambda: 'value="20"' in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_pushes_are_made_and_taken_away(url):
+    async def main():
+        browser = await at_runs(url, "push")
+        assert "✕ 1" in browser.html()
+        await browser.press("push-size", "20 mm")
+        await browser.press("push")
+        await browser.until(lambda: "✕ 2" in browser.html())
+        await browser.press("drop")
+        await browser.until(lambda: 'data-cell="drop"' not in browser.html())
+        await browser.until(lambda: "…" not in row(browser, "steps"))
+        assert float(row(browser, "largest error, mm")[0].split("·")[0]) < 10.0
+        await browser.close()
+
+    run(main())
+
+
+def test_plots_change_with_the_view_and_are_saved(url):
+    async def main():
+        browser = await at_runs(url, "joint_tracking")
+        assert "Error of the position, and" in browser.html()
+        await browser.press("speed")
+        await browser.until(lambda: "Fastest joint of all runs" in browser.html())
+        await browser.press("csv", "")
+        await browser.until(lambda: bool(browser.downloads))
+        name, content = next(iter(browser.downloads.items()))
+        rows = list(csv.reader(io.StringIO(content.decode())))
+        assert name.endswith(".csv")
+        assert len(rows) > 100
+        await browser.close()
+
+    run(main())
+
+
+def test_the_page_opens_on_every_kind_of_arm(url):
+    async def main():
+        for key in ("scara", "panda", "cartesian_3p"):
+            browser = await student(url, path=f"/robot/{key}")
+            await browser.open("control")
+            await browser.until(
+                lambda b=browser: "cannot be made" in b.html() or bool(re.search(r"steps</td><td>4000", b.html()))
+            )
+            assert "cannot be made" not in browser.html()
+            assert "has failed" not in browser.html()
+            arm = catalogue()[key].arm
+            assert ("turn error at the end" in browser.html()) == (arm.task.rotation != "none")
+            assert len(State.initial(catalogue()[key])[Control].runs) == 1
+            await browser.close()
+
+    run(main())

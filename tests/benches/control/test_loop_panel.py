@@ -1,0 +1,153 @@
+"""The pages of the velocity loop and of the matrix exponential as a browser gets them."""
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from armlab.benches.control.exponential.examples import EXAMPLES as MATRICES
+from armlab.benches.control.exponential.state import Exponential, check
+from armlab.benches.control.exponential.ui import page as exponential
+from armlab.benches.control.exponential.ui.plane import plane
+from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
+from armlab.benches.control.loop.state import Loop, SetLoop
+from armlab.benches.control.loop.ui import page as loop
+from armlab.benches.control.loop.ui.pictures import bode, diagram
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.timeline import OpenClip, Seek
+from armlab.session.state import State, apply
+from armlab.ui.units import Units
+from support.student import run, student
+
+
+def opened(*commands):
+    state = State.initial(catalogue()["planar_2r"])
+    for command in commands:
+        state = apply(state, command)
+    return state
+
+
+@pytest.mark.parametrize("key", list(EXAMPLES))
+def test_the_pictures_of_the_loop_are_drawn_of_numbers(key):
+    part, units = EXAMPLES[key].part, Units(Notation())
+    for t in (0.0, 0.5 * part.end, part.end):
+        assert "nan" not in diagram(part, t)
+    picture = bode(part, units)
+    assert "nan" not in picture
+    assert picture.count('class="here"') == (3 if part.kind == "sine" else 0)
+    # The curve begins at 0 dB, the top of the picture, and falls.
+    gains, phases = re.findall(r'<polyline points="([^"]+)"', picture)
+    heights = [float(point.split(",")[1]) for point in gains.split()]
+    assert heights == sorted(heights)
+    assert heights[0] == pytest.approx(8.0, abs=0.5)
+    assert [float(point.split(",")[1]) for point in phases.split()][-1] <= 174.0
+
+
+def test_extreme_loops_are_drawn_too():
+    for changes in (("gain", 1e6), ("mass", 1e4), ("omega", 1e-3)):
+        part = opened(ChooseLoopExample("omega_2"), SetLoop("end", 1e-3), SetLoop(*changes))[Loop]
+        assert "nan" not in bode(part, Units(Notation()))
+
+
+@pytest.mark.parametrize("key", list(MATRICES))
+def test_the_plane_is_drawn_of_numbers(key):
+    picture = plane(MATRICES[key].part)
+    assert "nan" not in picture
+    lines = {"decay": 2, "turn": 0, "spiral": 0, "defective": 1}
+    assert picture.count("stroke-dasharray") == lines.get(key, 2)
+
+
+def test_the_diagram_shows_the_numbers_at_the_time():
+    part = EXAMPLES["step"].part
+    picture = diagram(part, 0.0)
+    for text in ("2 m/s", "1.6 m/s", "4.8 N", "0.4 m/s"):
+        assert f">{text}<" in picture
+
+
+def test_fields_become_commands_and_nonsense_is_said():
+    state = opened()
+    assert loop.commands(state, "l-mass", "2") == (SetLoop("mass", 2.0),)
+    assert loop.commands(state, "time", "1.5") == (OpenClip("loop"), Seek(1.5))
+    assert loop.commands(state, "elsewhere", "1") == ()
+    assert exponential.commands("elsewhere", "1") == ()
+    assert exponential.commands("a21", "−1/2")[0].value == -0.5
+    for call, says in (
+        (lambda: loop.commands(state, "l-mass", "heavy"), "mass: expected numbers"),
+        (lambda: loop.commands(state, "time", "9"), "t: expected 0 to 6 s"),
+        (lambda: loop.commands(state, "time", "x"), "t: expected seconds"),
+        (lambda: exponential.commands("a21", "x"), "a₂₁: expected a number"),
+    ):
+        with pytest.raises(InputError, match=says):
+            call()
+
+
+async def says(browser, text):
+    await browser.until(lambda: text in browser.html())
+
+
+def test_the_page_of_the_loop(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("loop")
+        await says(browser, "Error that stays: 0.1961 m/s, 19.6 % of v<sub>d</sub>")
+        await says(browser, "11.3°, 98.7 ms, later")
+        await browser.press("example", "omega_20")
+        await says(browser, "89.4 % of v<sub>d</sub>")
+        await browser.press("kind step")
+        await says(browser, "The error dies out")
+        await browser.press("l-gain", "-1")
+        await says(browser, "gain: expected at least 0.001")
+        await browser.press("l-gain", "20")
+        await says(browser, "20 rad/s = 3.183 Hz")
+        await browser.press("play-loop")
+        await says(browser, "<b>Velocity loop</b>")
+        await browser.close()
+
+    run(main())
+
+
+def test_the_page_of_the_exponential(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("exponential")
+        await says(browser, "here off by 0.895.")
+        await browser.press("example", "defective")
+        await says(browser, "A is not diagonalisable")
+        await says(browser, "cond(T) = ∞")
+        await browser.press("a21", "x")
+        await says(browser, "a₂₁: expected a number")
+        await browser.press("a21", "1/4")
+        await browser.until(lambda: "not diagonalisable" not in browser.html())
+        await says(browser, 'value="0.25"')
+        sliders = {c["props"].get("label"): c for c in browser.controls.values()}
+        await browser.set_value(sliders["t, s"], 2.0)
+        await says(browser, "at t = 2 s")
+        await browser.press("end", "1")
+        await says(browser, "at t = 1 s")
+        await browser.close()
+
+    run(main())
+
+
+def test_random_and_degenerate_systems_are_drawn_of_numbers(rng):
+    matrices = [((0.0, 0.0), (0.0, 0.0)), ((1.0, 0.0), (0.0, 1.0)), ((0.0, 1.0), (0.0, 0.0)), ((1e-9, 0.0), (0.0, 0.0))]
+    matrices += [tuple(map(tuple, rng.normal(size=(2, 2)) * 10.0 ** rng.uniform(-3, 0.5))) for _ in range(20)]
+    for A in matrices:
+        for x0 in ((0.0, 0.0), (1.0, -2.0), (1e-6, 0.0)):
+            part = replace(Exponential(), A=A, x0=x0, t=float(rng.choice([0.0, 1.0, 3.0])), terms=3)
+            check(part)
+            page = plane(part) + exponential.results_markup(part)
+            assert not re.search(r"\bnan\b|\binf\b", page)
+
+
+def test_the_frequency_response_is_drawn_from_edge_to_edge():
+    part = Loop()
+    picture = bode(part, Units(Notation()))
+    for line in re.findall(r'<polyline points="([^"]+)"', picture):
+        across = [float(point.split(",")[0]) for point in line.split()]
+        assert (across[0], across[-1]) == (36.0, 312.0)
+    # 0.1 to 100 rad/s: the cutoff of 10 rad/s is at two thirds, the 2 rad/s of the sine at log 20 / 3.
+    assert 'class="cut" d="M36 8H220.0' in picture
+    assert 'class="here" d="M155.7 ' in picture

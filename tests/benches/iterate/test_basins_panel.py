@@ -1,0 +1,187 @@
+"""The page of the map of basins: its picture, its choices over the wire, and what is said."""
+
+import io
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from armlab.benches.iterate.basins.job import drawn
+from armlab.benches.iterate.basins.state import Basins, DrawBasins, MapLike, MapMethod, StartInMap
+from armlab.benches.iterate.basins.ui.map import legend, places, standing
+from armlab.benches.iterate.basins.ui.page import command_of
+from armlab.benches.iterate.basins.ui.picture import (
+    LEAST_SIDE,
+    enlarged,
+    palette,
+    pixels,
+    png,
+    scale_of,
+    solution_colour,
+)
+from armlab.content.robots import catalogue
+from armlab.kin.ik.iterate import Basins as Found
+from armlab.kin.ik.iterate.basins import FAILED, NOT_YET
+from armlab.session.parts.joints import MoveJoint
+from armlab.session.state import State, apply
+from armlab.ui.colours import BLUE, GREY, ORANGE
+from armlab.ui.units import units_of
+from support.student import run, student
+
+
+def found_of(index, iterations):
+    index, iterations = np.array(index), np.array(iterations)
+    rows, columns = index.shape
+    return Found(rows, index, iterations, np.zeros((9, 2)), np.arange(columns), np.arange(rows), np.zeros(2))
+
+
+def seen(data):
+    """Return a PNG file as another program reads it, (rows, columns, RGBA)."""
+    return np.asarray(Image.open(io.BytesIO(data)).convert("RGBA"))
+
+
+# -- the picture -------------------------------------------------------------------------------------------------
+
+
+def test_colours_are_the_solutions_and_white_failed_and_nothing_still_to_come():
+    found = found_of([[0, 1, 8], [FAILED, NOT_YET, 0]], [[5, 5, 5], [9, 0, 5]])
+    picture = seen(png(pixels(found)))
+    # The second row of the grid is the upper one.
+    assert picture[1].tolist() == [[*BLUE, 255], [*ORANGE, 255], [*GREY, 255]]
+    assert picture[0, 0].tolist() == [255, 255, 255, 255]
+    assert picture[0, 1, 3] == 0
+    assert picture[0, 2].tolist() == [*BLUE, 255]
+    assert solution_colour(7) == solution_colour(30) == GREY
+
+
+def test_more_steps_are_darker_and_the_scale_is_said():
+    steps = np.tile(np.arange(2, 52), (4, 1))
+    found = found_of(np.zeros_like(steps), steps)
+    brightness = seen(png(pixels(found)))[0, :, :3].sum(axis=1)
+    assert np.all(np.diff(brightness.astype(int)) <= 0)
+    assert brightness[0] > 2.5 * brightness[-1]
+    assert brightness[-1] > 40  # a colour still
+    assert scale_of(found) == (2, 50)
+    assert scale_of(found_of([[FAILED]], [[3]])) == (0, 0)
+
+
+def test_every_entry_of_the_palette_has_one_byte_and_the_file_holds_each_pixel():
+    assert len(palette()) <= 256
+    rng = np.random.default_rng(3)
+    entries = rng.integers(0, len(palette()), (37, 53)).astype(np.uint8)
+    data = png(entries)
+    image = Image.open(io.BytesIO(data))
+    assert image.size == (53, 37)
+    np.testing.assert_array_equal(np.asarray(image), entries)
+    large = enlarged(entries)
+    assert max(large.shape) >= LEAST_SIDE
+    np.testing.assert_array_equal(large[:: large.shape[0] // 37, :: large.shape[1] // 53], entries)
+
+
+# -- what is said ------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def state():
+    begun = apply(State.initial(catalogue()["planar_2r"]), MapLike(points=64, most=50))
+    return drawn(apply(begun, DrawBasins()))
+
+
+def test_the_shares_of_the_legend_are_those_of_the_pixels(state):
+    found = state[Basins].map
+    text = legend(found, units_of(state))
+    assert "Elbow down" in text
+    assert "Elbow up" in text
+    for value in (0, 1):
+        assert f"{100 * np.mean(found.found.index == value):.1f} %" in text
+    assert "not reached in 50 steps" in text
+    assert "limits not kept" in text
+    shares = [float(np.mean(found.found.index == value)) for value in (0, 1, FAILED)]
+    assert sum(shares) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_marks_follow_the_arm_and_the_map_of_another_target_says_so(state):
+    before = places(state)
+    moved = apply(state, MoveJoint(0, 1.5))
+    assert places(moved) != before
+    assert ".ba-arm{--x:73.87%" in places(moved)  # 1.5 rad of a turn from -pi
+    assert standing(state) == ""
+    begun = apply(moved, StartInMap(0.25, 0.5))
+    assert ".ba-start{--x:25.78%" in places(begun)  # the middle of the pixel
+
+
+@pytest.mark.parametrize(
+    ("cell", "text", "expected"),
+    [
+        ("method", "gradient", MapMethod("gradient")),
+        ("parameter-alpha", "0,25", MapMethod("newton", "alpha", 0.25)),
+        ("points-256", "", MapLike(points=256)),
+        ("most-200", "", MapLike(most=200)),
+        ("limits-clamp", "", MapLike(limits="clamp")),
+        ("draw", "", DrawBasins()),
+        ("nonsense", "x", None),
+        ("rest-99", "1", None),
+        ("across", "x", None),
+    ],
+)
+def test_what_is_pressed_and_typed_becomes_a_command(state, cell, text, expected):
+    assert command_of(state, cell, text, units_of(state)) == expected
+
+
+# -- over the wire -----------------------------------------------------------------------------------------------
+
+
+def piece(browser, mark):
+    """Return the markup that holds a mark; empty without."""
+    return next((c["props"]["content"] for c in browser.controls.values() if mark in c["props"].get("content", "")), "")
+
+
+def test_a_map_is_drawn_clicked_and_begins_a_film(url):
+    async def main():
+        browser = await student(url, path="/robot/planar_2r")
+        await browser.open("joints")
+        await browser.open("joints", "basins")
+        await browser.until(lambda: 'data-cell="draw"' in browser.html())
+        assert "ba-map" not in browser.html()
+        await browser.press("points-64")
+        await browser.press("method", "dls_error")
+        await browser.until(lambda: 'data-cell="parameter-g"' in browser.html())
+        await browser.press("draw")
+        await browser.until(lambda: "Save as PNG" in browser.html())
+        await browser.until(lambda: "Elbow up" in browser.html())
+        assert "data:image/png;base64," in piece(browser, "ba-map")
+        # A moving joint moves the mark; the picture is not sent again.
+        marks, sent = lambda: piece(browser, ".ba-arm{"), browser.bytes
+        before = marks()
+        await browser.set_value(browser.slider(1), 75.0)
+        await browser.until(lambda: marks() != before)
+        assert browser.bytes - sent < len(piece(browser, "ba-map"))
+        await browser.press("start", "0.5,0.25")
+        await browser.press("start", "nan,0")
+        await browser.press("start", "x")
+        await browser.until(lambda: "Converged in" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_position_only_of_the_3r_says_what_to_do_and_nonsense_changes_nothing(url):
+    async def main():
+        browser = await student(url, path="/robot/planar_3r")
+        await browser.open("basins")
+        await browser.until(lambda: 'data-cell="task"' in browser.html())
+        await browser.press("task", "position")
+        await browser.until(lambda: "a redundant arm has infinitely many solutions" in browser.html())
+        await browser.press("task", "q3")
+        await browser.until(lambda: "q₃ wanted" in browser.html())
+        assert "redundant" not in browser.html()
+        await browser.press("rest-2", "two")
+        await browser.until(lambda: "expected a number in degrees, got" in browser.html())
+        await browser.press("task", "\ud800")
+        await browser.press("across", "99999")
+        await browser.until(lambda: any("two different joints" in text for text in browser.notices))
+        await browser.press("rest-2", "30")
+        await browser.until(lambda: 'value="30.0"' in browser.html())
+        await browser.close()
+
+    run(main())

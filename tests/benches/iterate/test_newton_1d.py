@@ -1,0 +1,118 @@
+"""Newton's method in one variable: iterates, why it ends, and the film of its tangents."""
+
+import json
+import math
+
+import pytest
+
+from armlab.benches.iterate.newton_1d.clip import STEP, place_of
+from armlab.benches.iterate.newton_1d.state import ChooseEquation, Newton1D, StartAt, TypeEquation, solution
+from armlab.benches.iterate.runs.one_equation import solved, typed_function
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.kin.ik.iterate import EXAMPLES
+from armlab.session.parts.robot import ChooseRobot, RobotPart
+from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
+from armlab.session.state import State, apply
+
+
+def opened():
+    return State.initial(catalogue()["planar_2r"])
+
+
+@pytest.mark.parametrize(
+    ("text", "x0", "status", "says"),
+    [
+        ("x^2 - 2", 1.0, "converged", "1.414213562"),
+        ("x^2 - 2", 0.0, "level", "f′(x₀) = 0"),
+        ("x^2 - 1000", 1.0, "converged", "31.6227766"),
+        ("x^3 - 2x + 2", 0.0, "round", "it goes round"),
+        ("atan(x)", 1.5, "away", "farther"),
+        ("1/x", 1.0, "away", "farther"),
+        ("sqrt(x)", 1.0, "undefined", "where f has no value"),
+        ("cos(x) - 2", 1.0, "most", "coming no closer"),
+        ("x^2", 1.0, "most", "still coming closer"),
+        ("x", 0.0, "converged", "a root already"),
+        ("5", 1.0, "level", "f′(x₀) = 0"),
+    ],
+)
+def test_every_end_has_its_reason(text, x0, status, says):
+    found = solved("", text, x0)
+    assert (found.status, found.differenced) == (status, True)
+    assert says in found.says
+    assert all(math.isfinite(each.x) and math.isfinite(each.f) for each in found.iterates)
+
+
+def test_the_examples_of_the_core_are_those_of_the_page(truth):
+    case = truth["C4.4.1-newton-scalar"]
+    found = solved("root_of_two", "", case["inputs"]["x0"])
+    expected = case["expected"]["x"]
+    assert [each.x for each in found.iterates][: len(expected)] == pytest.approx(expected, abs=1e-14)
+    statuses = {example.key: solved(example.key, "", example.x0).status for example in EXAMPLES}
+    assert statuses["too_far"] == "away"
+    assert statuses["cycle"] == "round"
+    assert not solved("cycle", "", 0.0).differenced
+
+
+def test_the_central_difference_gives_the_same_steps_to_many_digits():
+    typed, known = solved("", "x^2 - 2", 1.0), solved("root_of_two", "", 1.0)
+    for one, other in zip(typed.iterates, known.iterates, strict=False):
+        assert one.x == pytest.approx(other.x, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("command", "says"),
+    [
+        (TypeEquation("x +"), "breaks off"),
+        (TypeEquation(""), "got nothing"),
+        (TypeEquation("y^2"), "unknown name 'y'"),
+        (TypeEquation("sqrt(x - 5)"), "x₀ = 1"),
+        (StartAt(math.nan), "x₀: expected a number"),
+        (StartAt(1e9), "x₀: expected a number"),
+        (ChooseEquation("nothing"), "unknown name"),
+    ],
+)
+def test_nonsense_is_refused_and_the_old_equation_stays(command, says):
+    with pytest.raises(InputError, match=says.replace("^", r"\^")):
+        apply(opened(), command)
+
+
+def test_the_film_stops_at_each_iterate_with_its_tangent_still_to_come():
+    state = apply(opened(), OpenClip("newton_1d"))
+    last = solution(state).last
+    assert duration(state) == pytest.approx(STEP * last)
+    for k in range(1, last + 1):
+        state = apply(state, Step(True))
+        place = place_of(state)
+        assert (place.k, place.root, place.climb) == (k, 0.0, 0.0)
+    middle = place_of(apply(state, Seek(0.5 * STEP)))
+    assert middle.k == 0
+    assert middle.tangent == 1.0
+    assert 0.0 < middle.root < 1.0
+    assert middle.climb == 0.0
+    climbing = place_of(apply(state, Seek(0.9 * STEP)))
+    assert climbing.root == 1.0
+    assert 0.0 < climbing.climb < 1.0
+
+
+def test_another_equation_rewinds_its_film_and_leaves_other_clips_alone():
+    state = apply(apply(opened(), OpenClip("newton_1d")), Seek(3.0))
+    assert apply(state, StartAt(2.0))[Timeline].time == 0.0
+    other = apply(apply(opened(), OpenClip("sweep")), Seek(3.0))
+    assert apply(other, StartAt(2.0))[Timeline].time == 3.0
+
+
+def test_it_is_written_read_back_and_kept_with_another_arm():
+    state = apply(apply(opened(), TypeEquation("cos(x) - x")), StartAt(0.3))
+    part = state[Newton1D]
+    read = Newton1D.from_json(json.loads(json.dumps(part.to_json())), state[RobotPart].robot)
+    assert read == part
+    assert apply(state, ChooseRobot("puma560"))[Newton1D] == part
+    for damage in ({"text": "x +"}, {"x0": math.inf}, {"example": "nothing"}):
+        with pytest.raises(InputError):
+            Newton1D.from_json({**part.to_json(), "text": "", **damage}, state[RobotPart].robot)
+
+
+def test_a_typed_function_without_a_value_is_not_a_number():
+    assert math.isnan(typed_function("sqrt(x)")(-1.0))
+    assert typed_function("2 x^2 + 1")(3.0) == 19.0

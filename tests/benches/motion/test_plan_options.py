@@ -1,0 +1,141 @@
+"""Options of the moves of a plan: those that depend on each other, and lengths over joints of both kinds."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from armlab.benches.motion.files.script import motion_script
+from armlab.benches.motion.plan.commands import SetMoveOption
+from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint
+from armlab.benches.motion.plan.paths import joint_path, joint_scales
+from armlab.benches.motion.plan.points import SetWaypointJoint
+from armlab.benches.motion.plan.state import Plan, planned
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.kin.motion import path_types
+from armlab.session.chosen import Chosen
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import State, apply
+
+KINDS = path_types()
+
+
+def arm_of(robot):
+    return State.initial(catalogue()[robot])[Joints].arm
+
+
+def after(chosen, name, value):
+    return chosen.with_option(KINDS[chosen.key], name, value)
+
+
+@pytest.mark.parametrize("robot", ["scara", "cylindrical_rpp", "stanford"])
+@pytest.mark.parametrize(
+    "path",
+    [
+        Chosen("overfly", (("speed", (0.5,)),)),
+        Chosen("spline"),
+        Chosen("blends", (("spacing", "centripetal"),)),
+    ],
+    ids=lambda path: path.key,
+)
+def test_the_way_of_an_arm_with_both_kinds_of_joints_adds_no_metre_to_a_radian(robot, path, rng):
+    arm = arm_of(robot)
+    scales = joint_scales(arm)
+    np.testing.assert_array_equal(scales, np.where(arm.revolute, 1.0, arm.length_scale))
+    knots = rng.uniform(*arm.limits.T, size=(4, arm.n))
+    found = joint_path(arm, Stretch(0, 3, Move(path=path)), knots)
+    lengths = np.linalg.norm(np.diff(knots / scales, axis=0), axis=1)
+    if path.key == "overfly":
+        assert found.duration == pytest.approx(lengths.sum() / 0.5, rel=1e-12)
+        return
+    shares = np.cumsum(np.sqrt(lengths) if path.options else lengths)[:-1]
+    shares /= (np.sqrt(lengths) if path.options else lengths).sum()
+    if path.key == "spline":
+        np.testing.assert_allclose(found.pieces, shares, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(found.at(shares), knots[1:-1], rtol=0, atol=1e-12)
+    # A blend is half before and half after the time of its waypoint.
+    else:
+        np.testing.assert_allclose(found.pieces[1:-1].reshape(-1, 2).mean(axis=1), shares, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("robot", ["cartesian_3p", "planar_2r"])
+def test_an_arm_of_one_kind_keeps_its_units(robot):
+    assert joint_scales(arm_of(robot)) is None
+
+
+def test_a_refusal_counts_both_waypoints_of_a_line_from_the_beginning_of_the_plan():
+    arm = arm_of("planar_2r")
+    stretch = Stretch(3, 6, Move(path=Chosen("overfly", (("amount", (0.6, 0.1)), ("by", "d2")))))
+    says = (
+        r"move 4 → 7: waypoint 5: its blend does not fit: between waypoints 5 and 6 the blends take 116.7 % of the line"
+    )
+    with pytest.raises(InputError, match=says):
+        joint_path(arm, stretch, np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 0.6], [2.0, 0.6]]))
+
+
+def test_other_ends_of_a_spline_drop_what_they_cannot_use():
+    chosen = after(after(Chosen("spline"), "v_start", (0.1, 0.2)), "duration", 3.0)
+    assert after(chosen, "ends", "both").given == (("duration", 3.0), ("ends", "both"), ("v_start", (0.1, 0.2)))
+    natural = after(chosen, "ends", "natural")
+    assert natural.given == (("duration", 3.0), ("ends", "natural"))
+    assert after(after(natural, "a_start", (0.5, 0.5)), "ends", None).given == (("duration", 3.0),)
+    assert after(chosen, "times", (0.0, 1.0)).given == (("times", (0.0, 1.0)), ("v_start", (0.1, 0.2)))
+
+
+def test_an_amount_in_metres_is_not_taken_for_seconds():
+    chosen = after(Chosen("overfly"), "amount", (0.05,))
+    assert after(chosen, "by", "d2").options == {"by": "d2", "amount": (0.05,)}
+    assert after(chosen, "by", "time").options == {"by": "time"}
+    timed = after(after(chosen, "by", "time"), "amount", (0.2,))
+    assert after(timed, "shape", "quartic").options == {"by": "time", "amount": (0.2,), "shape": "quartic"}
+    assert after(timed, "by", None).options == {}
+
+
+def test_what_is_written_down_is_read_back_with_options_that_depend_on_each_other():
+    for options in ({"by": "time", "amount": (0.2,)}, {"ends": "both", "a_end": (1.0,), "v_start": (1.0,)}):
+        chosen = Chosen.of(KINDS, "overfly" if "by" in options else "spline", **options)
+        assert chosen.options == options
+        assert Chosen.from_json(chosen.to_json(), KINDS) == chosen
+
+
+def test_an_option_that_cannot_be_used_is_refused_in_words():
+    state = State.initial(catalogue()["planar_2r"])
+    part = state[Plan]
+    moves = tuple(Move(path=Chosen("spline"), law=Chosen("constant")) for _ in part.moves)
+    state = state.replace(replace(part, moves=moves))
+    with pytest.raises(InputError, match="a_start: cannot be used while velocities are given at both ends"):
+        apply(state, SetMoveOption(1, "path", "a_start", [0.1, 0.1]))
+    state = apply(state, SetMoveOption(1, "path", "ends", "natural"))
+    state = apply(state, SetMoveOption(1, "path", "a_start", [0.1, 0.1]))
+    assert apply(state, SetMoveOption(1, "path", "ends", "clamped"))[Plan].moves[0].path.options == {"ends": "clamped"}
+
+
+@pytest.mark.parametrize(
+    ("robot", "joint", "says"),
+    [
+        ("puma560", 0, "waypoint 2: joint 1 goes from −160° to 160°"),
+        ("scara", 2, "waypoint 2: joint 3 goes from 0 m to "),
+    ],
+)
+def test_a_joint_outside_its_limits_is_told_what_they_are(robot, joint, says):
+    with pytest.raises(InputError) as refusal:
+        apply(State.initial(catalogue()[robot]), SetWaypointJoint(1, joint, 50.0))
+    assert str(refusal.value).startswith(says)
+    assert str(refusal.value).endswith("°" if joint == 0 else " m")
+
+
+def test_the_script_of_a_plan_lays_the_same_way(rng, tmp_path, monkeypatch):
+    state = State.initial(catalogue()["scara"])
+    arm, part = state[Joints].arm, state[Plan]
+    points = tuple(Waypoint(tuple(q)) for q in rng.uniform(*(0.5 * arm.limits.T), size=(4, arm.n)).tolist())
+    moves = (Move(path=Chosen("overfly", (("speed", (0.7,)),))),) * 3
+    state = with_plan(state.replace(replace(part, waypoints=points, moves=moves, example="")))
+    motion = planned(state).motion
+    monkeypatch.chdir(tmp_path)
+    made = {"__name__": "script"}
+    exec(motion_script(state[RobotPart], planned(state), 40.0, "motion.csv"), made)
+    rows = np.loadtxt(tmp_path / "motion.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(rows[:, 1 : 1 + arm.n], motion.sample(rate=40.0).q, rtol=0, atol=1e-9)

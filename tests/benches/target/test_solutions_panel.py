@@ -1,0 +1,225 @@
+"""The pages Solutions and By hand, and the ghosts, through the protocol a page speaks."""
+
+import asyncio
+import math
+import re
+
+import numpy as np
+import pytest
+
+from armlab.benches.target.by_hand.ui import page as by_hand
+from armlab.benches.target.solutions.derivation import derivation
+from armlab.benches.target.solutions.ui.names import bends, ranges
+from armlab.content.robots import catalogue
+from armlab.kin.rotations import rotation_from_quaternion
+from armlab.session.parts.joints import Joints
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.target import Said, Target, verdict
+from armlab.session.state import State
+from armlab.ui.scene._sticks import corners_of, drawn_sticks, turns_to
+from armlab.ui.units import Units
+from armlab.ui.verdicts import verdict_card, verdict_line
+from support.student import run, student
+
+ROW = re.compile(r'<div class="sol-row([^"]*)" data-place="(\d+)">(.*?)</div>')
+SPAN = re.compile(r"<span>([^<]*)</span>")
+
+
+def rows_of(html):
+    """Return place, slot, class and values of every row on screen."""
+    found = []
+    for kind, place, inside in ROW.findall(html):
+        slot = re.search(r'data-cell="go(\d+)"', inside).group(1)
+        values = [float(text.replace("−", "-")) for text in SPAN.findall(inside.split('class="values"', 1)[1])]
+        found.append((int(place), int(slot), kind.strip(), values))
+    return found
+
+
+async def listed(browser, count):
+    await browser.until(lambda: len(rows_of(browser.html())) == count)
+    return rows_of(browser.html())
+
+
+def angles(browser, n):
+    return [browser.slider(i + 1)["value"] for i in range(n)]
+
+
+def test_a_row_is_pressed_and_the_arm_goes_there(url):
+    async def main():
+        browser = await student(url, path="/robot/ur10_notes")
+        await browser.press("eight")
+        await browser.open("joints", "solutions")
+        rows = await listed(browser, 8)
+        assert "8 solutions, and no others" in browser.html()
+        assert [place for place, *_ in rows] == list(range(1, 9))
+        assert [kind for _, _, kind, _ in rows].count("now") == 1
+        for _, slot, kind, values in rows:
+            if kind == "now":
+                continue
+            await browser.press(f"go{slot}")
+            await browser.until(lambda values=values: np.allclose(angles(browser, 6), values, atol=0.06))
+        await browser.until(lambda: rows_of(browser.html())[-1][2] == "now")
+        await browser.close()
+
+    run(main())
+
+
+def test_the_list_follows_a_drag_and_rows_out_of_limits_say_why(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("solutions")
+        before = await listed(browser, 8)
+        off = [row for row in before if row[2] == "off"]
+        assert off
+        assert re.search(r"✕ joint \d by [\d.]+° (above|below)", browser.html())
+        start = np.array(browser.nodes["/target"]["position"])
+        await browser.drag("start")
+        for k in range(12):
+            await browser.drag("update", start - np.array([0.0, 0.0, 0.004 * k]))
+            await asyncio.sleep(0.05)
+        await browser.drag("end")
+        await browser.until(lambda: rows_of(browser.html()) and rows_of(browser.html())[0][3] != before[0][3])
+        now = rows_of(browser.html())
+        assert [row[1] for row in now] == [row[1] for row in before]
+        assert np.abs(np.array(now[0][3]) - before[0][3]).max() < 20.0
+        await browser.press(f"go{off[0][1]}")
+        await browser.until(lambda: any("out of limits" in text for text in browser.notices))
+        await browser.close()
+
+    run(main())
+
+
+def test_ghosts_come_with_the_page_or_the_switch_and_stand_at_the_target(url):
+    async def main():
+        browser = await student(url, path="/robot/elbow_3r")
+        messages = []
+        browser.on_message = lambda message, at: messages.append(message)
+
+        def made(layer):
+            return [
+                m for m in messages if m["type"] == "BatchedMeshesMessage" and m["name"].endswith(f"/{layer}/sticks")
+            ]
+
+        await browser.open("solutions")
+        await browser.until(lambda: bool(made("solutions_page")))
+        await browser.until(lambda: any(m["type"] == "MeshMessage" and m["name"].endswith("ghost") for m in messages))
+        await browser.open("joints", "picture")
+        assert not made("solutions")
+        await browser.press("ghosts")
+        await browser.until(lambda: bool(made("solutions")))
+        await browser.close()
+
+    run(main())
+
+
+def test_the_self_motion_has_a_slider_and_the_proof_is_shown(url):
+    async def main():
+        browser = await student(url, path="/robot/planar_2r")
+        await browser.open("solutions")
+        await listed(browser, 2)
+        await browser.press("prove")
+        await browser.until(lambda: "the same 2 solutions, no other." in browser.html())
+        await browser.press("2R, centre")
+        await browser.until(lambda: "Infinitely many" in browser.html())
+        await browser.until(lambda: browser.control("along %")["props"]["visible"])
+        await browser.open("joints", "solutions")
+        before = browser.slider(1)["value"]
+        await browser.set_value(browser.control("along %"), 75.0)
+        await browser.until(lambda: abs(browser.slider(1)["value"] - before) > 5.0)
+        assert browser.slider(2)["value"] == pytest.approx(180.0, abs=0.06)
+        await browser.close()
+
+    run(main())
+
+
+def test_the_derivation_is_live_and_says_which_line_fails(url):
+    async def main():
+        browser = await student(url, path="/robot/planar_2r")
+        await browser.open("joints", "by_hand")
+        await browser.until(lambda: "law of cosines" in browser.html() or "The sine has two signs" in browser.html())
+        assert browser.html().count('class="step"') == 7
+        await browser.set_value(browser.slider(2), 90.0)
+        await browser.until(lambda: "<span>−1.0000</span>" in browser.html())  # the sine, with the other sign
+        await browser.drag("start")
+        await browser.drag("update", (3.0, 0.0, 0.0))
+        await browser.until(lambda: "This line has no real value" in browser.html())
+        await browser.drag("end")
+        await browser.close()
+
+    run(main())
+
+
+def test_arms_without_a_derivation_say_where_to_look(url):
+    async def main():
+        browser = await student(url, path="/robot/manseur_doty")
+        await browser.open("by_hand")
+        await browser.until(lambda: "See the page Solutions" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_the_numbers_of_a_line_have_units_and_both_signs():
+    line = State.initial(catalogue()["planar_2r"]).derived(derivation)[4]
+    shown = []
+    at = by_hand._Line.__new__(by_hand._Line)
+    at._units = Units(Notation(angle="rad", length="m"))
+    at._numbers = type("Html", (), {"show": lambda self, text: shown.append(text)})()
+    at.show(line, False)
+    assert "<i>+</i><i>−</i>" in shown[0]
+    assert shown[0].count("rad") == 2
+    alpha = line.numbers[r"\alpha"][0]
+    assert f"<span>{alpha:.3f}</span>" in shown[0]
+
+
+def test_formulas_are_such_as_can_be_shown():
+    lines = State.initial(catalogue()["elbow_3r"]).derived(derivation)
+    found = [latex for line in lines for latex in by_hand.formulas(line.latex)]
+    assert len(found) == len(lines) + 1  # one line has two equations
+    assert by_hand.formulas(r"a = b,\quad c = d") == ["a = b", " c = d"]
+    assert not any("&" in latex or "aligned" in latex or "operatorname" in latex for latex in found)
+
+
+@pytest.mark.parametrize("key", ["ur10e", "puma560", "panda", "scara", "polar_rrp", "planar_2r"])
+def test_the_sticks_go_along_the_table_to_the_tool(key, rng):
+    arm = catalogue()[key].arm
+    q = rng.uniform(arm.limits[:, 0], arm.limits[:, 1], (5, arm.n))
+    corners = corners_of(arm, q)
+    np.testing.assert_allclose(corners[:, -1], arm.position(q), atol=1e-12)
+    np.testing.assert_allclose(corners[:, 0:-1:2], arm.frames(q)[:, :, :3, 3], atol=1e-12)
+    way = np.diff(corners, axis=1)
+    lengths = np.linalg.norm(way, axis=2)
+    drawn = drawn_sticks(arm, 1e-9)
+    assert np.all(lengths[:, ~drawn] < 1e-12)
+    fixed = [abs(row.a) for row in arm.rows]
+    along_x = lengths[:, 1:-1:2] if arm.convention == "standard" else lengths[:, 0:-1:2]
+    np.testing.assert_allclose(along_x, np.tile(fixed, (5, 1)), atol=1e-12)
+
+
+def test_sticks_are_turned_from_z_to_where_they_go(rng):
+    directions = rng.normal(size=(50, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    directions = np.vstack([directions, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1e-7, 0.0, -1.0]]])
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    for wxyz, direction in zip(turns_to(directions), directions, strict=True):
+        np.testing.assert_allclose(rotation_from_quaternion(wxyz)[:, 2], direction, atol=1e-6)
+
+
+def test_numbers_of_ghosts_are_short_and_stand_where_they_differ():
+    assert ranges([1, 2, 3, 5, 8, 9]) == "1–3, 5, 8, 9"
+    assert ranges([4]) == "4"
+    arm = catalogue()["planar_2r"].arm
+    corners = corners_of(arm, np.radians([[0.0, 90.0], [90.0, -90.0]]))
+    np.testing.assert_allclose(bends(corners[:1], corners[1]), [[1.0, 0.0, 0.0]], atol=1e-12)
+
+
+def test_words_about_a_drag_are_in_both_verdicts():
+    state = State.initial(catalogue()["planar_2r"])
+    target = state[Target]
+    said = Said("the elbow has changed from up to down", 0.0)
+    state = state.replace(type(target)(state[Joints].tool_pose, crossing=said, near=Said("near <b>", 0.0)))
+    units = Units(Notation())
+    for text in (verdict_card(verdict(state), units), verdict_line(verdict(state), units)):
+        assert "he elbow has changed from up to down" in text
+        assert "ear &lt;b&gt;" in text
+    assert math.isfinite(verdict(state).position_error)

@@ -1,0 +1,121 @@
+"""What is said of a drag, and the closed form worked by hand."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.benches.target.solutions.derivation import derivation, failing, ways_of
+from armlab.benches.target.solutions.state import GoToSolution, Solutions
+from armlab.session.branch_words import NEAR, STILL_NEAR, near_singularity
+from armlab.session.parts.joints import Joints, MoveJoint
+from armlab.session.parts.target import DragTarget, EndDrag, Target, _placed, target_pose, verdict
+from armlab.session.state import apply
+from support.searched import moved, opened, rows, searched
+
+# -- words on a drag ---------------------------------------------------------------------------------------------
+
+
+def test_a_drag_over_a_border_says_which_branch_it_has_left():
+    state = apply(opened("planar_2r"), MoveJoint(1, math.radians(20.0)))
+    q = state[Joints].q
+    wanted = state[Joints].arm.fk([q[0] + math.radians(30.0), math.radians(-20.0)])
+    state = apply(state, DragTarget(target_pose(state), 1), at=0.0)
+    # Along the outer circle the elbow stretches and bends to the other side; `_placed` is the drag's own last step.
+    there = _placed(state, np.array(wanted), np.array([q[0] + math.radians(30.0), math.radians(-20.0)]), False)
+    there = there.dated(1.0)
+    there = there.replace(there[Target].after(state, there))
+    assert there.derived(verdict).notes[0] == "the elbow has changed from down to up"
+
+
+def drag_through(state, goals, start=0.0, step=0.05):
+    """Return all states of a drag through joint values, one each 50 ms."""
+    arm, states = state[Joints].arm, []
+    for k, q in enumerate(goals):
+        state = apply(state, DragTarget(arm.fk(q), 1), at=start + k * step)
+        states.append(state)
+    return states
+
+
+def test_a_singularity_stays_near_until_the_arm_is_well_away_from_it():
+    state = opened("puma560")
+    home = state[Joints].q
+    arm = state[Joints].arm
+
+    def at(degrees):
+        return np.r_[home[:4], math.radians(degrees), home[5]]
+
+    angles = np.linspace(-20.0, -0.5, 400)
+    near = [bool(near_singularity(arm, at(angle), NEAR)) for angle in angles]
+    still = [bool(near_singularity(arm, at(angle), STILL_NEAR)) for angle in angles]
+    between = float(angles[[is_still and not is_near for is_still, is_near in zip(still, near, strict=True)]].mean())
+
+    def said(states):
+        return any("wrist singularity" in text for text in states[-1].derived(verdict).notes)
+
+    coming = drag_through(state, [at(angle) for angle in np.linspace(math.degrees(home[4]), between, 40)])
+    assert not said(coming)
+    there = drag_through(coming[-1], [at(angle) for angle in np.linspace(between, -1.0, 20)], start=3.0)
+    assert said(there)
+    back = drag_through(there[-1], [at(angle) for angle in np.linspace(-1.0, between, 20)], start=5.0)
+    # Held there for longer than a message that is no longer true would linger.
+    held = drag_through(back[-1], [at(between + 0.01 * (k % 2)) for k in range(80)], start=6.0)
+    assert said(held)
+
+
+def test_nearing_a_singularity_is_said_by_name_and_not_for_ever():
+    state = opened("puma560")
+    home = state[Joints].q
+    ways = np.linspace(home[4], 0.0, 60)
+    goals = [np.r_[home[:4], angle, home[5]] for angle in ways]
+    states = drag_through(state, goals)
+    notes = [s.derived(verdict).notes for s in states]
+    assert notes[0] == ()
+    assert any("near a wrist singularity: axes 4 and 6 are nearly in line" in note for note in notes[-1])
+    said = [any("wrist singularity" in text for text in note) for note in notes]
+    assert said == sorted(said)  # no flicker
+    back = drag_through(states[-1], goals[::-1], start=3.0)
+    said = [any("wrist singularity" in text for text in s.derived(verdict).notes) for s in back]
+    assert said[0]
+    later = apply(back[-1], DragTarget(moved(back[-1], 0.0, 0.0, 0.001), 1), at=60.0)
+    assert later.derived(verdict).notes == ()
+
+
+def test_a_jump_that_was_wished_is_no_news():
+    state = searched(opened("ur10_notes", "eight"))
+    state = apply(state, DragTarget(moved(state, 0.01, 0.0, 0.0), 1))
+    there = apply(searched(state), GoToSolution(rows(state)[5].slot))
+    assert there.derived(verdict).notes == ()
+    on = apply(there, DragTarget(moved(there, 0.005, 0.0, 0.0), 2))
+    assert not any("changed" in note for note in on.derived(verdict).notes)
+    assert apply(on, MoveJoint(0, 0.2)).derived(verdict).notes == ()
+
+
+# -- by hand -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("key", ["planar_2r", "polar_rrp", "elbow_3r", "puma560"])
+def test_the_derivation_has_numbers_and_says_where_it_fails(key):
+    state = opened(key)
+    lines = state.derived(derivation)
+    assert len(lines) >= 4
+    assert failing(lines) is None
+    far = apply(state, EndDrag(moved(state, 7.0, 0.0, 0.0), 1))
+    assert key == "polar_rrp" or failing(far.derived(derivation)) is not None
+
+
+def test_a_wrist_is_placed_in_ways_with_two_signs_each():
+    state = opened("puma560")
+    lines = state.derived(derivation)
+    assert ways_of(state) == 4
+    assert all(len(values) == 8 for values in lines[-1].numbers.values())
+    theta5 = lines[-1].numbers["q_5"]
+    np.testing.assert_allclose(theta5[0::2], np.negative(theta5[1::2]), atol=1e-9)
+    assert ways_of(opened("planar_2r")) == ways_of(opened("manseur_doty")) == 0
+
+
+def test_the_last_line_of_the_2r_is_the_list():
+    state = searched(opened("planar_2r"))
+    numbers = state.derived(derivation)[-1].numbers
+    by_hand = sorted(zip(numbers["q_1"], numbers["q_2"], strict=True))
+    np.testing.assert_allclose(by_hand, sorted(map(tuple, state[Solutions].found.solutions.q)), atol=1e-12)

@@ -1,0 +1,211 @@
+"""The section of the workspace as a part of the state: found in pieces, coloured, sliced, and gone into."""
+
+import json
+import math
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from armlab.benches.workspace.section.found import finding
+from armlab.benches.workspace.section.job import JOB, delivered, found_section
+from armlab.benches.workspace.section.marks import silhouette, target_measured, tool_measured
+from armlab.benches.workspace.section.slice import in_own_plane, slice_of
+from armlab.benches.workspace.section.state import (
+    SLICES,
+    GoInSection,
+    GoToPoint,
+    LookAtSection,
+    PlaceSlice,
+    SectionView,
+    found_of,
+    question_of,
+)
+from armlab.content.robots import catalogue
+from armlab.errors import ArmlabError, InputError
+from armlab.session.parts.joints import Joints, LockJoint
+from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.target import DragTarget
+from armlab.session.state import State, apply
+
+SEEN = frozenset({"section", "workspace"})
+
+
+@cache
+def whole(key):
+    """Return a state in which the section of an arm is found."""
+    return found_section(State.initial(catalogue()[key]))
+
+
+def after(state, *commands):
+    for command in commands:
+        state = apply(state, command)
+    return state
+
+
+def tool(state):
+    return np.asarray(state[Joints].tool_pose[:3, 3])
+
+
+def test_it_is_found_while_its_page_is_seen_and_only_once():
+    state = State.initial(catalogue()["planar_2r"])
+    assert JOB.wanted(state, frozenset({"workspace"})) is None
+    wanted = JOB.wanted(state, SEEN)
+    assert wanted.inputs.arm is state[Joints].arm
+    done = -1.0
+    for found in finding(wanted.inputs):
+        if found is not None:
+            assert found.done >= done
+            done = found.done
+            state = delivered(state, wanted.inputs, found)
+            # What is under way is still the same work.
+            again = JOB.wanted(state, SEEN)
+            assert again is None or again.key == wanted.key
+    assert found_of(state).finished
+    assert JOB.wanted(state, SEEN) is None
+
+
+def test_what_belongs_to_another_arm_is_let_go():
+    state = whole("planar_2r")
+    other = after(state, ChooseRobot("elbow_3r"))
+    assert found_of(other) is None
+    question = question_of(State.initial(catalogue()["planar_2r"]))
+    assert delivered(other, question, found_of(state)) is other
+
+
+def test_another_colour_keeps_the_section_and_is_an_average_of_what_the_measure_can_be():
+    state = whole("elbow_3r")
+    coloured = found_section(after(state, LookAtSection(colour="manipulability")))
+    found = found_of(coloured)
+    assert found.section is found_of(state).section
+    assert found.size == found_of(state).size
+    values = found.values[found.section.filled]
+    assert np.isfinite(values).all()
+    # w of this elbow is a2 a3 |sin q3| times the distance from the axis: elbow up or down, the same at a place.
+    i, j = np.nonzero(found.section.filled)
+    truth = np.asarray(found.arm.manipulability(found.section.at(i, j)))
+    # Near the boundary it rises too steeply for a mean over three cells.
+    assert np.mean(np.abs(values - truth) < 0.06 * truth.max()) > 0.98
+    assert question_of(coloured) is None
+
+
+def test_nothing_can_be_gone_to_before_it_is_known():
+    state = State.initial(catalogue()["puma560"])
+    for command in (GoInSection(0.5, 0.5), GoToPoint((0.5, 0.0, 0.5))):
+        with pytest.raises(InputError, match="not known yet"):
+            command.apply(state)
+    assert tool_measured(state) is None
+    assert slice_of(state) is None
+
+
+def test_the_tool_goes_where_the_section_was_clicked_and_stays_in_its_half_plane():
+    state = whole("elbow_3r")
+    joint = found_of(state).section.joint
+    s = joint.split(tool(state))[2]
+    for u, v in [(0.9, 0.7), (0.5, 1.4), (1.2, 0.5)]:
+        moved = after(state, GoInSection(u, v))
+        assert_allclose(joint.split(tool(moved)), [u, v, s], atol=1e-6)
+        assert moved[Joints].arm.within_limits(moved[Joints].q)
+    out = after(state, GoInSection(3.0, 0.6))
+    assert_allclose(joint.split(tool(out)), [1.3, 0.6, s], atol=1e-4)
+
+
+def test_a_place_joint_1_cannot_carry_here_is_gone_to_where_it_can():
+    state = whole("scara")
+    found = found_of(state)
+    i, j = np.nonzero(found.section.filled)
+    q = found.section.at(i[:1], j[:1])[0]
+    u, v, _ = found.section.joint.split(found.arm.position(q))
+    moved = after(state, GoInSection(float(u), float(v)))
+    assert_allclose(found.section.joint.split(tool(moved))[:2], [u, v], atol=1e-6)
+
+
+def test_joints_that_do_not_move_the_point_stay_and_held_ones_too():
+    state = after(whole("scara"), LockJoint(3, True))
+    before = state[Joints].q
+    moved = after(state, GoInSection(0.5, 0.15))
+    assert moved[Joints].q[3] == before[3]
+    held = after(whole("elbow_3r"), LockJoint(0, True))
+    point = tool(held) + np.array([0.0, 0.2, 0.0])
+    assert after(held, GoToPoint(tuple(point.tolist())))[Joints].q[0] == held[Joints].q[0]
+
+
+def test_tool_and_target_know_their_way_to_the_boundary():
+    state = whole("elbow_3r")
+    measured = tool_measured(state)
+    r = np.linalg.norm(tool(state) - [0, 0, 0.6])
+    assert_allclose(measured.to.distance, min(r - 0.3, 1.3 - r), atol=2e-4)
+    assert target_measured(state) is None
+    pose = np.array(state[Joints].tool_pose)
+    pose[:3, 3] = [2.0, 0.0, 0.6]
+    dragged = after(state, DragTarget(pose, object()))
+    assert_allclose(target_measured(dragged).to.distance, -0.7, atol=1e-3)
+    assert_allclose(target_measured(dragged).to.foot, [1.3, 0.0, 0.6], atol=1e-3)
+    there = after(dragged, GoToPoint(tuple(target_measured(dragged).to.foot.tolist())))
+    assert abs(tool_measured(there).to.distance) < 1e-3
+
+
+@pytest.mark.parametrize("key", ["elbow_3r", "cartesian_3p", "scara"])
+@pytest.mark.parametrize("kind", [kind for kind in SLICES if kind != "none"])
+def test_every_point_of_a_slice_is_reached_and_lies_in_it(key, kind):
+    state = whole(key)
+    place = tool(state) @ np.eye(3)["xyz".index(kind)] if kind != "axis" else None
+    state = after(state, LookAtSection(slice=kind), PlaceSlice(place))
+    drawn, found = slice_of(state), found_of(state)
+    rows, columns = np.nonzero(drawn.reached)
+    assert len(rows) > 200
+    height, width = drawn.reached.shape
+    right = (columns + 0.5) / width * drawn.plane.width
+    up = (rows + 0.5) / height * drawn.plane.height
+    points = drawn.plane.corner + right[:, None] * drawn.plane.right + up[:, None] * drawn.plane.up
+    rng = np.random.default_rng(1)
+    for point in points[rng.choice(len(points), 25, replace=False)]:
+        q = found.section.nearest(point)
+        assert np.linalg.norm(found.arm.position(q) - point) < 6 * found.section.step
+        if kind in "xyz":
+            assert_allclose(point["xyz".index(kind)], place, atol=1e-9)
+
+
+def test_a_slice_across_the_axis_has_the_area_it_must_have():
+    state = after(whole("elbow_3r"), LookAtSection(slice="z"), PlaceSlice(0.75))
+    drawn = slice_of(state)
+    pixel = drawn.plane.width / drawn.reached.shape[1] * drawn.plane.height / drawn.reached.shape[0]
+    # A ball of radius 1.3 about z = 0.6 without one of 0.3.
+    assert_allclose(drawn.reached.sum() * pixel, math.pi * (1.3**2 - 0.3**2), rtol=0.01)
+
+
+def test_the_plane_of_a_planar_arm():
+    drawn = in_own_plane(found_of(whole("planar_2r_unequal")))
+    pixel = drawn.plane.width / drawn.reached.shape[1] * drawn.plane.height / drawn.reached.shape[0]
+    assert_allclose(drawn.reached.sum() * pixel, math.pi * (1.5**2 - 0.5**2), rtol=0.01)
+    assert in_own_plane(found_of(whole("elbow_3r"))) is None
+
+
+@pytest.mark.parametrize("key", ["elbow_3r", "cartesian_3p", "scara", "planar_2r"])
+def test_the_arm_seen_from_the_side_ends_at_the_tool(key):
+    state = whole(key)
+    found = found_of(state)
+    end = silhouette(found, state[Joints].q)[-1]
+    local = (tool(state) - found.section.joint.origin) @ found.section.joint.axes
+    expected = local[:2] if key == "planar_2r" else found.section.joint.split(tool(state))[:2]
+    assert_allclose(end, expected, atol=1e-9)
+
+
+def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
+    state = after(whole("elbow_3r"), LookAtSection(colour="sigma_min", slice="y"), PlaceSlice(0.2))
+    data = json.loads(json.dumps(state[SectionView].to_json()))
+    robot = catalogue()["elbow_3r"]
+    back = SectionView.from_json(data, robot)
+    assert (back.colour, back.slice, back.offset, back.found) == ("sigma_min", "y", 0.2, None)
+    for damage in ({"colour": "green"}, {"slice": "w"}, {"offset": math.inf}, {"turn": "far"}):
+        with pytest.raises((ArmlabError, ValueError)):
+            SectionView.from_json(data | damage, robot)
+    with pytest.raises(InputError, match="place of the slice"):
+        PlaceSlice(1e6).apply(state)
+    with pytest.raises(InputError, match=r"at most 100 m, got 9000000 m$"):
+        PlaceSlice(9e6).apply(state)
+    with pytest.raises(InputError, match=r"at most 100 rad, got 157 rad$"):
+        PlaceSlice(157.0).apply(after(state, LookAtSection(slice="axis")))
+    assert replace(back, found=None).for_robot(robot).slice == "y"

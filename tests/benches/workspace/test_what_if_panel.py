@@ -1,0 +1,228 @@
+"""The page "What if" through the protocol and as markup."""
+
+import math
+import re
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from armlab.benches.workspace.section.ui.words import across
+from armlab.benches.workspace.what_if.job import compared
+from armlab.benches.workspace.what_if.state import ChooseQuantity, ForgetChanges, Suppose, TakeOver, WhatIf
+from armlab.benches.workspace.what_if.ui.page import PANEL, commands
+from armlab.benches.workspace.what_if.ui.picture import picture
+from armlab.benches.workspace.what_if.ui.words import (
+    changes_markup,
+    figures_markup,
+    legend_markup,
+    name_of,
+    verdict_markup,
+)
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.kin.dh import Row
+from armlab.kin.workspace.first_joint import first_joint
+from armlab.session.parts.notation import Label
+from armlab.session.state import State, apply
+from armlab.ui.units import units_of
+from support.student import run, student
+
+
+def opened(key, *wished):
+    state = State.initial(catalogue()[key])
+    for command in wished:
+        state = apply(state, command)
+    return state
+
+
+@cache
+def known(key, *wished):
+    """Return the state with both workspaces known."""
+    return compared(opened(key, *wished))
+
+
+def asked(state, cell, text=""):
+    return commands(state, cell, text, units_of(state))
+
+
+def plain(markup):
+    return " ".join(re.sub(r"<[^>]+>", " ", markup).split())
+
+
+def test_cells_become_commands():
+    state = opened("planar_2r", Suppose(0, "a", 1.2))
+    assert asked(state, "take") == (TakeOver(),)
+    assert asked(state, "forget") == (ForgetChanges(),)
+    assert asked(state, "joint 1") == (ChooseQuantity(1),)
+    assert asked(state, "field low") == (ChooseQuantity(0, "low"),)
+    assert asked(state, "value", "750") == (Suppose(0, "a", 0.75),)
+    assert asked(state, "value", "80 cm") == (Suppose(0, "a", 0.8),)
+    assert asked(state, "back 0 a") == (Suppose(0, "a", 1.0),)
+    assert asked(state, "joint up") == ()
+    assert asked(state, "somewhere") == ()
+    with pytest.raises(InputError, match="a₁: expected a number in mm, got 'long'"):
+        asked(state, "value", "long")
+    turned = apply(state, ChooseQuantity(1, "high"))
+    (command,) = asked(turned, "value", "90")
+    assert (command.row, command.field) == (1, "high")
+    assert command.value == pytest.approx(1.5707963, abs=1e-6)
+
+
+def test_quantities_have_the_names_of_the_table():
+    panda = opened("panda")
+    arm, units = panda[WhatIf].arm, units_of(panda)
+    # Craig's table has the length before the joint in its row.
+    assert [name_of(arm, 3, field, units) for field in ("a", "alpha", "d", "low", "high")] == [
+        "a₃",
+        "α₃",
+        "d₄",
+        "q₄ from",
+        "q₄ to",
+    ]
+    assert name_of(arm, 7, "z", units) == "tool z"
+    puma = opened("puma560", Label("variable", "theta"))
+    assert name_of(puma[WhatIf].arm, 1, "a", units_of(puma)) == "a₂"
+    assert name_of(puma[WhatIf].arm, 1, "low", units_of(puma)) == "θ₂ from"
+
+
+def test_changes_are_listed_in_the_units_on_screen():
+    state = opened("puma560", Suppose(1, "a", 0.5), Suppose(1, "high", 1.0))
+    words = plain(changes_markup("c", state[WhatIf], units_of(state)))
+    assert words == "Changes in thought a₂ 431.8 mm → 500.0 mm × q₂ to 225.0° → 57.3° ×"
+    state = apply(apply(state, Label("length", "m")), Label("angle", "rad"))
+    words = plain(changes_markup("c", state[WhatIf], units_of(state)))
+    assert words == "Changes in thought a₂ 0.4318 m → 0.5000 m × q₂ to 3.927 rad → 1.000 rad ×"
+
+
+def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
+    larger = known("planar_2r", Suppose(1, "a", 1.2))
+    exact = 3.141592653589793 * 4 * 1.2
+    words = plain(verdict_markup(larger))
+    assert words.startswith("▲ The area is larger, +20.0 % +2.51")
+    size = larger[WhatIf].found.figures[1].size
+    assert abs(size.value - exact) <= size.error
+    smaller = known("planar_2r", Suppose(1, "a", 0.8))
+    assert plain(verdict_markup(smaller)).startswith("▼ The area is smaller, −20.0 %")
+    same = known("planar_2r", Suppose(0, "a", 1.00001))
+    assert plain(verdict_markup(same)).startswith("≈ The same area The difference is within the errors, ±0.00")
+    assert verdict_markup(known("planar_2r")) == ""
+    bent = known("planar_2r", Suppose(0, "alpha", 0.5))
+    assert plain(verdict_markup(bent)) == "The area becomes a volume m² and m³ cannot be compared."
+    assert re.search(
+        r"Size 12\.56\d+ ± 0\.0\d+ m² \d\.\d+ ± 0\.\d+ m³", plain(figures_markup(bent[WhatIf].found, units_of(bent)))
+    )
+    # Until the numbers are those of the present change, none is told.
+    ahead = apply(larger, Suppose(1, "a", 1.3))
+    assert plain(verdict_markup(ahead)) == "… The boundary is being followed."
+
+
+def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
+    state = known("planar_2r", Suppose(1, "a", 1.2))
+    part = state[WhatIf]
+
+    def said(found):
+        return plain(verdict_markup(state.replace(replace(part, found=found))))
+
+    rough = replace(part.found, figures=tuple(replace(each, refined=False) for each in part.found.figures))
+    assert said(rough) == "▲ Larger, about +20 % The boundary is being followed."
+    close = replace(rough, figures=(rough.figures[1], rough.figures[1]))
+    assert said(close) == "≈ … The boundary is being followed."
+    line = known("planar_2r", Suppose(1, "a", 0.0))
+    nothing = replace(line[WhatIf].found, figures=(line[WhatIf].found.figures[1],) * 2)
+    assert nothing.figures[0].size.value == 0.0
+    assert plain(verdict_markup(line.replace(replace(line[WhatIf], found=nothing)))).startswith(
+        "No area The tool point"
+    )
+
+
+def test_figures_stand_side_by_side_with_their_errors():
+    state = known("planar_2r", Suppose(1, "a", 0.5))
+    found, units = state[WhatIf].found, units_of(state)
+    words = plain(figures_markup(found, units))
+    assert "as it is what if" in words
+    assert re.search(r"Area, m² 12\.56\d+ ± 0\.0\d+ 6\.28\d+ ± 0\.0\d+", words)
+    assert re.search(r"From axis 1 0\.\d … (2000\.\d|1999\.\d) (500|499)\.\d … (1500|1499)\.\d", words)
+    assert "Along axis 1" not in words
+    rough = replace(found, figures=tuple(replace(each, refined=False) for each in found.figures))
+    assert "≈ 12.6 ≈ 6.3" in plain(figures_markup(rough, units))
+    unknown = replace(found, figures=tuple(replace(each, size=None, refined=False) for each in found.figures))
+    assert "Area, m² … …" in plain(figures_markup(unknown, units))
+    assert "of samples so far" in plain(figures_markup(unknown, units))
+
+
+@pytest.mark.parametrize(
+    ("alpha", "names"), [(0.0, ("x₀", "y₀")), (math.pi / 2, ("x₀", "z₀")), (0.5, ("x₀", "(0.00, 0.88, 0.48)"))]
+)
+def test_the_directions_across_a_sliding_joint_1_are_named(alpha, names):
+    turn = math.pi / 2
+    rows = (Row("P", alpha=alpha), Row("P", alpha=turn, theta=turn), Row("P", alpha=turn))
+    arm = replace(catalogue()["cartesian_3p"].arm, convention="modified", rows=rows)
+    assert across(first_joint(arm)) == names
+
+
+def test_the_figures_of_a_box_have_a_row_for_each_direction_across_joint_1():
+    state = known("cartesian_3p")
+    words = plain(figures_markup(state[WhatIf].found, units_of(state)))
+    assert re.search(r"Along x₀ \S+ … \S+ Along y₀ \S+ … \S+$", words)
+    assert "Reach" not in words
+    turning = known("elbow_3r")
+    assert re.search(r"Reach 1900\.0$", plain(figures_markup(turning[WhatIf].found, units_of(turning))))
+
+
+def test_the_legend_names_the_colours_that_are_there():
+    state = known("planar_2r", Suppose(1, "a", 0.5))
+    found = state[WhatIf].found
+    assert "lost" in legend_markup(found)
+    assert "the arm with the changes" in legend_markup(found)
+    early = legend_markup(replace(found, lost=None, gained=None))
+    assert "what if" in early
+    assert "lost" not in early
+    alone = legend_markup(known("planar_2r")[WhatIf].found)
+    assert plain(alone) == "as it is"
+
+
+def test_sections_are_drawn_one_over_the_other_of_arms_in_space():
+    state = known("elbow_3r", Suppose(1, "a", 0.5))
+    found, units = state[WhatIf].found, units_of(state)
+    drawn = picture(found, units)
+    assert drawn.count("<path") == 2
+    numbers = [float(each) for each in re.findall(r"[ML](-?[\d.]+) ", drawn)]
+    assert min(numbers) >= 0.0
+    assert max(numbers) <= 320.0
+    assert picture(known("elbow_3r")[WhatIf].found, units).count("<path") == 1
+    assert picture(replace(found, sections=None), units) == ""
+    assert picture(known("planar_2r")[WhatIf].found, units) == ""
+
+
+def test_what_is_drawn_belongs_in_the_picture():
+    assert len(PANEL.around(opened("planar_2r"))) == 0
+    low, high = PANEL.around(known("planar_2r", Suppose(1, "a", 2.0)))
+    assert high[0] == pytest.approx(3.0, abs=0.05)
+    assert low[0] == pytest.approx(-3.0, abs=0.05)
+
+
+def test_a_student_changes_a_number_sees_what_it_does_and_takes_it_over(url):
+    async def story():
+        browser = await student(url, path="/robot/planar_2r")
+        await browser.open("what_if")
+        await browser.until(lambda: "Area, m²" in browser.html())
+        assert "now 1000.0 mm" in browser.html()
+        await browser.press("value", "1200")
+        await browser.until(lambda: "The area is larger, +20.0 %" in plain(browser.html()))
+        clouds = [name for name in browser.nodes if "/what_if/" in name]
+        assert any(name.endswith("/gained") for name in clouds) or browser.counts["PointCloudMessage"] > 0
+        await browser.press("value", "far")
+        await browser.until(lambda: "expected a number in mm, got &#x27;far&#x27;" in browser.html())
+        # Directly below the field, and no longer than what was typed is about the number at hand.
+        assert re.search(r"now 1000\.0 mm</span></div></div><p class=\"no\" role=\"alert\">✕ a₁", browser.html())
+        await browser.press("field alpha")
+        await browser.until(lambda: "α₁ =" in browser.html())
+        assert "expected a number" not in browser.html()
+        await browser.press("field a")
+        await browser.press("take")
+        await browser.until(lambda: "now 1200.0 mm" in browser.html())
+        assert "Changes in thought" not in browser.html()
+        await browser.close()
+
+    run(story())
