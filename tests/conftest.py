@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -31,3 +32,12 @@ def truth() -> dict[str, dict[str, Any]]:
     """Numeric cases of the course notes, each cross-checked by other means, by identifier."""
     cases = json.loads((DATA / "truth.json").read_text(encoding="utf-8"))
     return {case["id"]: case for case in cases}
+
+
+@pytest.fixture(scope="module")
+def url() -> Iterator[str]:
+    """A lab for the tests of a module."""
+    from support.lab import running_lab  # most tests need none
+
+    with running_lab() as address:
+        yield address

@@ -1,9 +1,15 @@
-"""Find plug-ins by folder: one module each, one constant each."""
+"""Find plug-ins by folder: one module each, one constant each.
+
+What is nobody's bench in particular lies in folders of its own, see `discover`; what belongs to a page lies in the
+folder of that page, ``armlab/benches/TAB/PAGE``, in a module with a fixed name, see `discover_in_benches`. Nobody below
+imports `armlab.benches`: it is only walked.
+"""
 
 from __future__ import annotations
 
 import importlib
 import pkgutil
+from collections.abc import Iterable, Iterator
 from types import ModuleType
 from typing import Any, Protocol, TypeVar
 
@@ -20,6 +26,9 @@ class Keyed(Protocol):
 
 
 T = TypeVar("T", bound=Keyed)
+
+BENCHES = "armlab.benches"
+"""The package whose sub-packages are the tabs, and theirs the pages."""
 
 
 def discover(package: ModuleType, constant: str, kind: type[T]) -> dict[str, T]:
@@ -44,12 +53,65 @@ def discover(package: ModuleType, constant: str, kind: type[T]) -> dict[str, T]:
     PluginError
         A module fails to import, its constant is missing or of another kind, or a key comes twice.
     """
+    return _collected(_public(package), constant, kind)
+
+
+def discover_in_benches(role: str, constant: str, kind: type[T], *shared: ModuleType) -> dict[str, T]:
+    """Collect one constant from every module with a role in the folder of a page.
+
+    Parameters
+    ----------
+    role : str
+        Name of the module, or how it begins before an underscore, such as ``"job"`` for ``job.py`` and
+        ``job_proof.py``, or ``"ui.scene"``.
+    constant, kind
+        As of `discover`.
+    shared : module
+        Folders with more of the kind that belong to no page.
+
+    Returns
+    -------
+    dict
+        As of `discover`.
+
+    Raises
+    ------
+    PluginError
+        As of `discover`.
+    """
+    names = [name for package in shared for name in _public(package)]
+    return _collected([*names, *_with_role(role)], constant, kind)
+
+
+def _with_role(role: str) -> Iterator[str]:
+    """Yield the names of the modules of all pages that have a role."""
+    folder, _, word = role.rpartition(".")
+    for page in bench_pages():
+        package = importlib.import_module(f"{page}.{folder}".rstrip("."))
+        for info in pkgutil.iter_modules(package.__path__):
+            if info.name == word or info.name.startswith(f"{word}_"):
+                yield f"{package.__name__}.{info.name}"
+
+
+def bench_pages() -> Iterator[str]:
+    """Yield the names of the packages of all pages, such as ``armlab.benches.robot.table``."""
+    benches = importlib.import_module(BENCHES)
+    for tab in pkgutil.iter_modules(benches.__path__, f"{BENCHES}."):
+        for page in pkgutil.iter_modules(importlib.import_module(tab.name).__path__, f"{tab.name}."):
+            if page.ispkg:
+                yield page.name
+
+
+def _public(package: ModuleType) -> Iterator[str]:
+    for info in pkgutil.iter_modules(package.__path__):
+        if not info.name.startswith("_"):
+            yield f"{package.__name__}.{info.name}"
+
+
+def _collected(names: Iterable[str], constant: str, kind: type[T]) -> dict[str, T]:
     found: dict[str, T] = {}
     origin: dict[str, str] = {}
-    for info in pkgutil.iter_modules(package.__path__):
-        if info.name.startswith("_"):
-            continue
-        name = f"{package.__name__}.{info.name}"
+    for name in names:
         plugin = _constant_of(name, constant, kind)
         if plugin.key in found:
             raise PluginError(f"{name}: the key {plugin.key!r} is already used by {origin[plugin.key]}")

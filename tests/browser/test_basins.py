@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from armlab.benches.iterate.runs.state import first_target
 from armlab.content.robots import catalogue
 from armlab.kin.ik import iterate
+from armlab.session.run_targets import first_target
 
 pytestmark = pytest.mark.browser
 TWO_R = catalogue()["planar_2r"]

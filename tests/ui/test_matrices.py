@@ -11,7 +11,7 @@ from armlab.benches.pose.orientation.ui import scene as turn
 from armlab.benches.pose.tool.state import Pair, PoseView
 from armlab.benches.pose.tool.ui import scene as lit
 from armlab.benches.pose.tool.ui.formulas import LONGEST, short_forms, used_constants, written
-from armlab.benches.pose.tool.ui.notation import chain, link_product, turns
+from armlab.benches.pose.tool.ui.notation import chain, link_product
 from armlab.benches.pose.tool.ui.words import in_words
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
@@ -22,6 +22,7 @@ from armlab.kin.transforms import inverse, transform
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import State, apply
+from armlab.ui.factors import turns
 from armlab.ui.matrices import MatrixView, as_latex, as_matlab, as_numpy
 from armlab.ui.units import Units
 from support.student import run, student

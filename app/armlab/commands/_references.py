@@ -8,7 +8,7 @@ from urllib.parse import unquote
 
 import numpy as np
 
-from armlab.benches.motion.plan.moves import TURNINGS
+from armlab.benches.motion.api import TURNINGS
 from armlab.content import rows
 from armlab.content.actions import Action, PlayFilm, SetSwitch
 from armlab.content.check import Check

@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any, ClassVar
 
 from armlab.errors import InputError, UnknownName
-from armlab.plugins import discover
+from armlab.plugins import discover_in_benches
 from armlab.session.state import Command, State
 
 
@@ -37,9 +37,7 @@ class Bench:
 @cache
 def benches() -> dict[str, Bench]:
     """Return all benches."""
-    from armlab.session import benches as folder
-
-    return discover(folder, "BENCH", Bench)
+    return discover_in_benches("bench", "BENCH", Bench)
 
 
 def _found(name: str) -> tuple[Bench, str]:

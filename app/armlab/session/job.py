@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, ClassVar, NamedTuple
 
-from armlab.plugins import discover
+from armlab.plugins import discover_in_benches
 from armlab.session.state import Command, State
 
 
@@ -63,9 +63,7 @@ class Job:
 @cache
 def jobs() -> dict[str, Job]:
     """Return all jobs."""
-    from armlab.session import jobs as folder
-
-    return discover(folder, "JOB", Job)
+    return discover_in_benches("job", "JOB", Job)
 
 
 @dataclass(frozen=True, eq=False)

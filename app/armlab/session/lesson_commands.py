@@ -8,7 +8,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from armlab.benches.motion.plan.state import Plan
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
@@ -22,6 +21,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, State
+from armlab.session.taught import taught
 
 MOST_VARIANT = 9999
 
@@ -240,15 +240,14 @@ def _set_up(state: State, lesson: Lesson, i: int) -> State:
     # What the lesson before has switched on would be in the way; what is on besides is a matter of this one.
     off = {name: False for name, on in state[Display].switches.items() if not on}
     on = {**off, **state[Display].of_screen(), **dict.fromkeys(lesson.overlays, True)}
-    plan = state[Plan]
-    if any(step.check is not None and step.check.of_motion for step in lesson.steps):
-        plan = Plan.initial(robot)  # not what the student has planned before
+    # Not what the student has made on a bench before.
+    fresh = [each.part.initial(robot) for each in taught() if any(map(each.checked, lesson.steps))]
     ready = state.replace(
         joints,
         _target(lesson, joints, state[Target]),
         Display(MappingProxyType(on)),
         replace(state[Timeline], clip="", time=0.0, playing=False),
-        plan,
+        *fresh,
     )
     _, example = _stage(lesson, i)
     return with_example(ready, example, lesson.robot) if example else ready

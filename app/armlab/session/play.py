@@ -9,11 +9,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.benches.motion.plan import commands as plan_commands
-from armlab.benches.motion.plan import limits as plan_limits
-from armlab.benches.motion.plan import points as plan_points
-from armlab.benches.motion.plan.job import JOB as PLANNING
-from armlab.benches.motion.plan.state import Plan
 from armlab.content import actions, motion_actions
 from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
@@ -37,7 +32,8 @@ from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, duration
 from armlab.session.session import Session
-from armlab.session.state import Command, State
+from armlab.session.state import Command
+from armlab.session.taught import taught
 
 RANDOM_STATES = 100
 MOST_BY_CHANCE = 4
@@ -104,13 +100,14 @@ class Player:
         return "" if self.session.notice is told or self.session.notice is None else self.session.notice.text
 
     def _plan(self) -> None:
-        """Work out the plan of the motion where the lab would."""
-        wanted = PLANNING.wanted(self.session.state, frozenset())
-        if wanted is None or not self._planning:
-            return
-        for found in PLANNING.run(wanted.inputs):
-            if found is not None:
-                self.session.apply(Deliver(PLANNING, wanted.inputs, found), self.time)
+        """Work out what lessons may ask for, such as the plan of the motion, where the lab would."""
+        for job in (each.job for each in taught()):
+            wanted = job.wanted(self.session.state, frozenset())
+            if wanted is None or not self._planning:
+                continue
+            for found in job.run(wanted.inputs):
+                if found is not None:
+                    self.session.apply(Deliver(job, wanted.inputs, found), self.time)
 
     def act(self, action: actions.Action) -> str:
         """Do what a solution says; return why it was refused, or nothing."""
@@ -136,35 +133,11 @@ class Player:
             yield Seek(duration(self.session.state))
         elif isinstance(action, motion_actions.TakeExample):
             yield PutInPlace(action.name)
-        elif isinstance(action, motion_actions.MotionAction):
-            yield from _plan_commands(action, self.session.state)
         elif isinstance(action, actions.TypeAnswer):
             yield Answer(action.text)
-
-
-def _plan_commands(action: motion_actions.MotionAction, state: State) -> Iterator[Command]:
-    """Yield what a solution does to the plan of the motion."""
-    if isinstance(action, motion_actions.EditWaypoint):
-        k = state[Plan].selected if action.k is None else action.k
-        if action.how == "add":
-            yield plan_points.SelectWaypoint(k, handled=False)
-            yield plan_points.AddWaypoint()
         else:
-            yield plan_points.TakePresent(k) if action.how == "set" else plan_points.RemoveWaypoint(k)
-    elif isinstance(action, motion_actions.SetMoveKind):
-        k = 1 if action.to is None else action.to
-        yield plan_commands.SetMove(k, action.space, action.path, action.law, action.turning, action.stop)
-        if action.to is None:
-            yield plan_commands.AllMovesLike(k)
-    elif isinstance(action, motion_actions.SetDuration):
-        yield plan_limits.LastFor(action.seconds)
-    elif isinstance(action, motion_actions.SetLimits):
-        if action.velocity is not None or action.acceleration is not None:
-            yield plan_limits.UseShare(action.velocity, action.acceleration)
-        if action.tool_speed is not None:
-            yield plan_limits.LimitTool(action.tool_speed)
-        if action.jerk_time is not None:
-            yield plan_limits.LimitJerk(action.jerk_time)
+            for each in taught():
+                yield from each.commands(action, self.session.state)
 
 
 def problems(key: str, variant: int = 0) -> list[Problem]:

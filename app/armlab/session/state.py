@@ -2,7 +2,7 @@
 
 A part holds inputs only; what follows from it is a `cached_property` of the part, and what follows from several parts
 is asked for with `State.derived`. Both are computed once a change and only when somebody looks. A new bench brings a
-new part, as one file in `armlab.session.parts`, and touches no other.
+new part, in ``state.py`` of its folder, and touches no other.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from functools import cache
 from typing import Any, ClassVar, Self, TypeVar
 
 from armlab.content.robots import Robot
-from armlab.plugins import discover
+from armlab.plugins import discover_in_benches
 
 Json = Any
 """What `json.dumps` takes."""
 
 
 class Part:
-    """A topic of the state. Subclasses are frozen dataclasses and live in modules of `armlab.session.parts`."""
+    """A topic of the state. Subclasses are frozen dataclasses and live in ``state.py`` of a bench."""
 
     key: ClassVar[str]
 
@@ -94,7 +94,7 @@ def part_types() -> tuple[type[Part], ...]:
     """Return all parts, in order."""
     from armlab.session import parts
 
-    return tuple(found.part for found in discover(parts, "PART", PartType).values())
+    return tuple(found.part for found in discover_in_benches("state", "PART", PartType, parts).values())
 
 
 class State:

@@ -74,3 +74,7 @@ def viridis(parts: ArrayLike) -> NDArray[np.uint8]:
 
 VIRIDIS_CSS = f"linear-gradient(90deg, {', '.join(css((round(r), round(g), round(b))) for r, g, b in _VIRIDIS)})"
 """The same from left to right."""
+
+
+RUN_COLOURS: tuple[Rgb, ...] = (BLUE, VERMILLION, GREEN, PURPLE)
+"""By `Run.colour`."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import PluginError
-from armlab.plugins import discover
+from armlab.plugins import discover_in_benches
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -130,9 +130,7 @@ class Layer:
 @cache
 def panels() -> dict[str, Panel]:
     """Return all panels in order."""
-    from armlab.ui import panels as folder
-
-    found = discover(folder, "PANEL", Panel)
+    found = discover_in_benches("ui.page", "PANEL", Panel)
     for panel in found.values():
         if panel.tab and (panel.tab not in found or found[panel.tab].tab):
             raise PluginError(f"panel {panel.key}: there is no tab {panel.tab!r}")
@@ -153,9 +151,9 @@ def tabs() -> dict[str, tuple[Panel, ...]]:
 @cache
 def layers() -> dict[str, Layer]:
     """Return all layers in order."""
-    from armlab.ui import scene as folder
+    from armlab.ui import scene
 
-    found = discover(folder, "LAYER", Layer)
+    found = discover_in_benches("ui.scene", "LAYER", Layer, scene)
     names = [switch.name for switch in GENERAL] + [layer.switch.name for layer in found.values() if layer.switch]
     for name in names:
         if names.count(name) > 1:

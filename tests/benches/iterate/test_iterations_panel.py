@@ -10,12 +10,14 @@ import pytest
 from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
 from armlab.benches.iterate.runs.job import with_films
 from armlab.benches.iterate.runs.state import Iterations
-from armlab.benches.iterate.runs.ui.tangents import View, picture, ticks
-from armlab.benches.iterate.runs.ui.words import choices, chosen, made, outcome, small
+from armlab.benches.iterate.runs.ui.tangents import View, picture
+from armlab.benches.iterate.runs.ui.words import choices, chosen, made, outcome
 from armlab.content.robots import catalogue
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.format import scientific
+from armlab.ui.small_numbers import small
+from armlab.ui.ticks import ticks
 from armlab.ui.units import Units
 from support.student import run, student
 

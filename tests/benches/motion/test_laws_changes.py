@@ -28,9 +28,7 @@ from armlab.benches.motion.laws.commands import (
 from armlab.benches.motion.laws.examples import EXAMPLES, ChooseLawExample
 from armlab.benches.motion.laws.state import Laws
 from armlab.benches.motion.laws.timing import excesses
-from armlab.benches.motion.laws.words import (
-    optimal_text,
-)
+from armlab.benches.motion.laws.words import optimal_text
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import free_law_types

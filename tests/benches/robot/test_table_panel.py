@@ -11,7 +11,6 @@ import pytest
 from armlab.benches.robot.table.ui.editor import DhEditor
 from armlab.benches.robot.table.ui.ends import ends_typed
 from armlab.benches.robot.table.ui.facts import axes_section, closed_form_card, facts_of
-from armlab.benches.robot.table.ui.files import file_name
 from armlab.benches.robot.table.ui.page import moved_lines
 from armlab.content.robots import catalogue, own_robot
 from armlab.content.write_robot import robot_toml
@@ -22,6 +21,7 @@ from armlab.session.edits import AddJoint, Convert, PasteTable, SetCell
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply
+from armlab.ui.file_names import file_name
 from armlab.ui.units import Units, units_of
 from support.fake_browser import cookie_of
 from support.student import run, student

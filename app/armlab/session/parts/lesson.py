@@ -9,8 +9,6 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from armlab.benches.motion.plan.seen import asks_for_motion, plan_changed, seen_plan
-from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned
 from armlab.content.check import PLAIN, Words
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lessons import lesson, lessons
@@ -25,9 +23,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline, duration
 from armlab.session.state import Json, Part, PartType, State
-
-PLAN = "plan"
-"""Key of the plan of the motion in evidence, besides those of the observation."""
+from armlab.session.taught import taught
 
 LONGEST_NAME = 80
 """Characters of a student's name."""
@@ -111,10 +107,13 @@ class LessonPart(Part):
         return None if step is None or step.question is None or typed is None else step.question.judge(typed)
 
     @property
-    def asks_for_motion(self) -> bool:
-        """Whether the shown step looks at the planned motion."""
+    def asked(self) -> frozenset[str]:
+        """Keys of what benches give to lessons, such as ``"motion"``, that the shown step looks at."""
         found, step = self.lesson, self.step
-        return found is not None and step is not None and asks_for_motion(found, step, self.name in self.progress.met)
+        if found is None or step is None:
+            return frozenset()
+        met = self.name in self.progress.met
+        return frozenset(each.key for each in taught() if each.asked(found, step, met))
 
     @property
     def hides(self) -> tuple[str, ...]:
@@ -165,7 +164,7 @@ class LessonPart(Part):
         if (was.open, was.set_up, was.progress.step) != (self.open, self.set_up, self.progress.step):
             return False
         changed = any(now[kind] is not before[kind] for kind in (Joints, Target, RobotPart, Display, Timeline))
-        return changed or plan_changed(before, now)
+        return changed or any(each.changed(before, now) for each in taught())
 
     def with_progress(self, progress: Progress) -> Self:
         """Return the part with another progress in the open lesson."""
@@ -237,7 +236,7 @@ def has_its_arm(state: State) -> bool:
 
 def observed(state: State) -> Observation:
     """Return what the check of the shown step sees."""
-    joints, progress = state[Joints], state[LessonPart].progress
+    joints, progress, asked = state[Joints], state[LessonPart].progress, state[LessonPart].asked
     target = state[Target].pose
     return Observation(
         arm=joints.arm,
@@ -248,7 +247,7 @@ def observed(state: State) -> Observation:
         switches=frozenset(name for name, on in state[Display].switches.items() if on),
         panel=state[LessonPart].panel,
         films=progress.films,
-        motion=seen_plan(state, CLIP_KEY in progress.films) if state[LessonPart].asks_for_motion else None,
+        **{each.key: each.seen(state, each.clip in progress.films) for each in taught() if each.key in asked},
     )
 
 
@@ -270,9 +269,9 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
     seen = observed(now)
     if not step.check.check.is_met(seen):
         return progress
-    # A motion is judged again from what it is planned of.
-    plan = {} if seen.motion is None else {PLAN: now[Plan].to_json()}
-    evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **plan}})
+    # What follows from the work on a bench is judged again from that work.
+    work = {each.part.key: now[each.part].to_json() for each in taught() if getattr(seen, each.key) is not None}
+    evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **work}})
     return replace(progress, met=progress.met | {name}, evidence=evidence)
 
 
@@ -281,15 +280,14 @@ def _played(before: State, now: State) -> frozenset[str]:
     was, timeline = before[Timeline], now[Timeline]
     if timeline is was or not timeline.clip or timeline.time < duration(now):
         return frozenset()
-    if timeline.clip == CLIP_KEY and (planned(now) is None or timeline.time <= was.time):
-        # What has moved is the motion before the last change; or a shorter one has come to where the old one stood.
+    if not all(each.ended(before, now) for each in taught() if each.clip == timeline.clip):
         return frozenset()
     return frozenset({timeline.clip})
 
 
 def _still_played(films: frozenset[str], before: State, now: State) -> frozenset[str]:
-    """Return what counts as played: of the motion only the one that is planned at the moment."""
-    return films - {CLIP_KEY} if CLIP_KEY in films and plan_changed(before, now) else films
+    """Return what counts as played: of what was made on a bench only what it is at the moment."""
+    return films - {each.clip for each in taught() if each.clip in films and each.changed(before, now)}
 
 
 def refuse_locked(found: Lesson, before: State, now: State) -> None:
@@ -306,7 +304,8 @@ def refuse_locked(found: Lesson, before: State, now: State) -> None:
         joint, they = ("joints", "they stand") if len(held) > 1 else ("joint", "it stands")
         raise _kept(f"{joint} {', '.join(str(j + 1) for j in held)} where {they}")
     # Neither what follows the handle nor what is played is moved by hand.
-    by_hand = all(now[kind] is before[kind] for kind in (Target, Timeline, Plan)) and not before[Target].catching_up
+    others = (Target, Timeline, *(each.part for each in taught()))
+    by_hand = all(now[kind] is before[kind] for kind in others) and not before[Target].catching_up
     if "joints" in found.locked and by_hand and joints.q is not stood.q:
         raise _kept("the joints as they are; drag the handle")
     moved = now[Target].pose is not before[Target].pose and now[Target].pose is not None

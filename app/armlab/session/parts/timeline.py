@@ -13,7 +13,7 @@ from typing import ClassVar, Self
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
-from armlab.plugins import discover
+from armlab.plugins import discover_in_benches
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, Json, Part, PartType, State
 
@@ -51,9 +51,7 @@ class Clip:
 @cache
 def clips() -> dict[str, Clip]:
     """Return all clips."""
-    from armlab.session import clips as folder
-
-    return discover(folder, "CLIP", Clip)
+    return discover_in_benches("clip", "CLIP", Clip)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 import viser
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.arm import Arm
 from armlab.ui import adapter
@@ -14,6 +14,7 @@ from armlab.ui.colours import Rgb, line_colour
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.solids import lathe
 from armlab.ui.scene._nodes import seen
+from armlab.ui.scene._strokes import Segments, add_line, polyline
 
 Floats = NDArray[np.float64]
 
@@ -143,3 +144,38 @@ def _padded(values: Floats, count: int, filling: float | tuple[float, ...]) -> N
     whole = np.empty((count, values.shape[1]), dtype=np.float32)
     whole[: len(values)], whole[len(values) :] = values, filling
     return whole
+
+
+STICK = 0.007
+"""Thickness of an arm as a thin line, in sizes of the arm."""
+
+
+def stick_lines(arm: Arm, q: ArrayLike) -> Segments:
+    """Return an arm along the lengths of its table, (k, 2, 3)."""
+    return polyline(corners_of(arm, np.asarray(q, dtype=float)[None])[0])
+
+
+class Stick:
+    """An arm as a thin line; made when it is first to be seen."""
+
+    def __init__(self, canvas: LayerCanvas, name: str, colour: Rgb, thickness: float = STICK) -> None:
+        self._canvas, self._path, self._colour, self._thickness = canvas, canvas.path(name), colour, thickness
+        self._arm = canvas.drawn.figure.anatomy.arm
+        self._line: viser.LineSegmentsHandle | None = None
+        self._q: bytes = b""
+
+    def show(self, q: Floats | None) -> None:
+        """Show it in a configuration; None hides it."""
+        if q is None:
+            if self._line is not None:
+                seen(self._line, False)
+            return
+        if self._line is None:
+            lines = stick_lines(self._arm, q)
+            self._line = add_line(
+                self._canvas.scene, self._path, lines, self._colour, self._canvas.size, self._thickness
+            )
+        elif q.tobytes() != self._q:
+            self._line.points = stick_lines(self._arm, q)
+        self._q = q.tobytes()
+        seen(self._line, True)

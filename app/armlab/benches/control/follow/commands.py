@@ -18,11 +18,11 @@ from armlab.benches.control.follow.chosen import (
 )
 from armlab.benches.control.follow.clip import ARM, time_of
 from armlab.benches.control.follow.state import CLIP_KEY, Control, checked_push, here
-from armlab.benches.iterate.runs.state import checked_target
 from armlab.errors import InputError
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import target_pose
 from armlab.session.parts.timeline import Timeline
+from armlab.session.run_targets import checked_target
 from armlab.session.state import Command, State
 
 STILL = 1e-6

@@ -11,11 +11,11 @@ import numpy as np
 
 from armlab.benches.control.follow.chosen import setup_of
 from armlab.benches.control.follow.state import CLIP_KEY, Control
-from armlab.benches.iterate.runs.state import checked_target
 from armlab.kin.transforms import transform
 from armlab.session.examples import example_of, on_arm, with_clip_closed
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import with_clip
+from armlab.session.run_targets import checked_target
 from armlab.session.state import Command, State
 
 START = (-0.3175604292915214, 0.6351208585830428)

@@ -9,8 +9,7 @@ from typing import NamedTuple
 from armlab.benches.control.follow.clip import ARM
 from armlab.benches.control.follow.runs import Outcome, Question, making
 from armlab.benches.control.follow.state import CLIP_KEY, Control, questions
-from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.state import last_planned
+from armlab.benches.motion.api import Planned, last_planned
 from armlab.session.job import Job, Wanted
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline

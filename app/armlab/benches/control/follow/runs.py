@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.control.follow.chosen import Setup
-from armlab.benches.motion.plan.planning import making as planning
-from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.question import Question as PlanQuestion
+from armlab.benches.motion.api import Planned
+from armlab.benches.motion.api import Question as PlanQuestion
+from armlab.benches.motion.api import making as planning
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.control.encoder import encoder

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.control.follow.chosen import MOST_RUNS, Setup, joint_values, setup_from, setup_of
 from armlab.benches.control.follow.runs import Outcome, Question
-from armlab.benches.iterate.runs.state import checked_target, first_target
-from armlab.benches.motion.plan.state import question as plan_question
+from armlab.benches.motion.api import question as plan_question
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin.checks import finite_floats
@@ -20,6 +19,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
+from armlab.session.run_targets import checked_target, first_target
 from armlab.session.state import Json, Part, PartType, State
 
 CLIP_KEY = "control"

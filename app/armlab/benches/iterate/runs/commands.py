@@ -13,7 +13,6 @@ from armlab.benches.iterate.runs.state import (
     checked_limits,
     checked_most,
     checked_start,
-    checked_target,
     on_film,
     vector_of,
 )
@@ -23,6 +22,7 @@ from armlab.kin.ik.iterate import TaskVector, task_vector
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import target_pose
+from armlab.session.run_targets import checked_target
 from armlab.session.state import Command, State
 
 

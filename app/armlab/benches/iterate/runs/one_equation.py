@@ -11,6 +11,7 @@ from armlab.content.expressions import parse
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES, Example1D, newton_1d
 from armlab.kin.ik.iterate.newton_1d import Newton1D as Iterate1D
+from armlab.session.amounts import signed
 
 MOST = 20
 """Steps."""
@@ -144,15 +145,8 @@ def _unfinished(x: Sequence[float], f: Sequence[float], last: float) -> tuple[st
     return "most", f"not at a root after {MOST} steps, and coming no closer: f = {signed(last, 3)}"
 
 
-def signed(value: float, digits: int) -> str:
-    """Return a number with so many digits that count, a true minus sign, and a power of ten where it needs one."""
-    mantissa, _, exponent = f"{value + 0.0:.{digits}g}".partition("e")
-    power = f"·10{str(int(exponent)).translate(_RAISED)}" if exponent else ""
-    return mantissa.replace("-", "−") + power
-
-
 def _index(k: int) -> str:
     return str(k).translate(_LOWERED)
 
 
-_LOWERED, _RAISED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"), str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

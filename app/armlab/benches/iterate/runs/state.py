@@ -18,11 +18,11 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import finite_floats
 from armlab.kin.ik.iterate import TaskVector, task_vector
 from armlab.kin.ik.iterate.record import Limits
-from armlab.kin.transforms import as_pose
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import FARTHEST, Target
 from armlab.session.parts.timeline import Timeline, clips, with_clip
+from armlab.session.run_targets import checked_target, first_target
 from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Command, Json, Part, PartType, State
 
@@ -34,8 +34,6 @@ MOST_STEPS = 500
 STEPS = 60
 """Of a run until somebody asks for more."""
 
-ASIDE = 0.4
-"""Radians, or parts of half a stroke, of each joint from the home pose to where the first target lies."""
 
 Floats = NDArray[np.float64]
 
@@ -174,23 +172,6 @@ class Iterations(Part):
 PART = PartType(Iterations, order=97)
 
 
-def first_target(robot: Robot) -> Floats:
-    """Return the pose of the tool not far from home.
-
-    The first joint a little towards the middle of its range, the others away from it, where there is room: in the
-    middle arms are stretched, a singular place to begin with.
-    """
-    arm, home = robot.arm, np.asarray(robot.home, dtype=float)
-    low, high = arm.limits.T
-    inward = np.where(home <= 0.5 * (low + high), 1.0, -1.0)
-    way = inward * np.where(arm.revolute, ASIDE, 0.5 * ASIDE * (high - low))
-    aside = home - way
-    inside = (aside >= low) & (aside <= high) & (np.arange(arm.n) > 0)
-    pose = np.array(arm.fk(arm.clip(np.where(inside, aside, home + way))), dtype=np.float64)
-    pose.setflags(write=False)
-    return pose
-
-
 def vector_of(state: State) -> TaskVector:
     """Return the task vector the runs work with."""
     return state[Iterations].task or TaskVector(state[Joints].arm.task)
@@ -236,15 +217,6 @@ def checked_start(robot: Robot, q: ArrayLike) -> tuple[float, ...]:
     if np.any(np.abs(values) > most):
         raise InputError("start: a joint cannot stand there; expected at most ten turns")
     return tuple(values.tolist())
-
-
-def checked_target(robot: Robot, pose: ArrayLike) -> Floats:
-    """Return a target (4, 4), read-only; `InputError` when it is no pose or absurdly far away."""
-    arm, checked = robot.arm, np.array(as_pose(pose, "target"), dtype=np.float64)
-    if np.linalg.norm(checked[:3, 3] - arm.base[:3, 3]) > FARTHEST * 2.0 * arm.length_scale:
-        raise InputError(f"target: farther than {FARTHEST:g} times the reach of the arm")
-    checked.setflags(write=False)
-    return checked
 
 
 def checked_limits(limits: str) -> Limits:

@@ -160,7 +160,7 @@ def _leg(question: Question, leg: Leg, q: Floats, first: bool) -> Iterable[str]:
 
 
 def _apart(question: Question, leg: Leg, q: Floats) -> Iterable[str]:
-    """Yield a straight move in which each joint goes by itself; see `armlab.benches.motion.plan.laws.independent_motion`."""
+    """Yield a straight move in which each joint goes by itself."""
     assert leg.stretch is not None
     assert leg.motion is not None
     law = leg.stretch.move.law

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from armlab.benches.iterate.runs.one_equation import signed
 from armlab.benches.motion.laws.bounds import Bounded
 from armlab.benches.motion.laws.commands import optimal
 from armlab.benches.motion.laws.state import Laws
@@ -16,8 +15,7 @@ from armlab.errors import InputError
 from armlab.kin.motion import Law, LawBounds
 from armlab.kin.motion.breaks import class_text
 from armlab.kin.timing.table import PLUS_MINUS_ONE
-
-DIGITS = 4
+from armlab.session.amounts import amount
 
 SYMBOLS = ("s", "ṡ", "s̈", "jerk")
 """Of the derivatives 0 to 3."""
@@ -43,13 +41,6 @@ TRIANGLE = "Notes 6.112 names the triangle without its formulas, and 6.113 does 
 SCALING = "Notes 6.160 has q̇ for q̈ on the right: corrected, accelerations fall to 1/k²."
 ENDS = "Notes 6.24 looks for the largest |dq/ds| only where d²q/ds² = 0: corrected, the ends of the path count too."
 NEGATIVE = "Notes 6.33 does not say that its bound may be 0 or less: added, V must be lowered first."
-
-
-def amount(value: float, unit: str = "") -> str:
-    """Return a number with four digits and its unit."""
-    if math.isinf(value):
-        return "∞"
-    return f"{signed(value, DIGITS)} {unit}".rstrip()
 
 
 def corrections(entry: Entry, timing: Timing, found: Phases | None) -> tuple[str, ...]:

@@ -17,6 +17,9 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
+MOTION = "motion"
+"""By which lessons ask for the plan."""
+
 PANELS = "motion"
 """How the keys of panels that show the plan begin."""
 
@@ -48,7 +51,7 @@ def asked(state: State) -> Asked:
 def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
     """Return what to work out while it is seen, is on, or a lesson asks for it."""
     seen = any(key.startswith(PANELS) for key in panels)
-    if not (seen or state[Timeline].clip == CLIP_KEY or state[LessonPart].asks_for_motion):
+    if not (seen or state[Timeline].clip == CLIP_KEY or MOTION in state[LessonPart].asked):
         return None
     missing = state.derived(asked)
     if missing == Asked(None, None):

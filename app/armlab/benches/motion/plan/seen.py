@@ -26,8 +26,12 @@ ROUNDING = 1e-9
 
 def asks_for_motion(lesson: Lesson, step: Step, met: bool) -> bool:
     """Return whether a step looks at the planned motion, in a text, or in its check until that is met."""
-    checked = step.check is not None and step.check.of_motion and not met
-    return checked or not OF_MOTION.isdisjoint((*step.live, *lesson.live))
+    return (checks_motion(step) and not met) or not OF_MOTION.isdisjoint((*step.live, *lesson.live))
+
+
+def checks_motion(step: Step) -> bool:
+    """Return whether the check of a step looks at the planned motion."""
+    return step.check is not None and step.check.of_motion
 
 
 def plan_changed(before: State, now: State) -> bool:

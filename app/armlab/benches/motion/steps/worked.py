@@ -1,7 +1,7 @@
 """The five steps from knots to a motion of the joints, with the numbers of each.
 
-Notes, the list before section 6.1. What is computed here was planned already (`armlab.benches.motion.plan.planning`); this looks at
-what came of each step.
+Notes, the list before section 6.1. What is computed here was planned already, in
+`armlab.benches.motion.plan.planning`; this looks at what came of each step.
 """
 
 from __future__ import annotations

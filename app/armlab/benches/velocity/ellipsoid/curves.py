@@ -8,8 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.motion.plan.question import Planned
-from armlab.benches.motion.plan.state import last_planned
+from armlab.benches.motion.api import Planned, last_planned
 from armlab.benches.velocity.ellipsoid.state import Manipulability, VelocityBlock
 from armlab.errors import InputError
 from armlab.kin.arm import Arm

@@ -10,8 +10,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.target.solutions.motion import Motion, motion_through
-from armlab.benches.target.solutions.question import Question
+from armlab.benches.target.api import Motion, Question, motion_through
 from armlab.benches.velocity.solve.state import Solve, arm_asked
 from armlab.errors import InputError
 from armlab.kin.arm import Arm

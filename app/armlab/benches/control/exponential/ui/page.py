@@ -17,9 +17,9 @@ from armlab.benches.control.exponential.state import (
     bounds,
 )
 from armlab.benches.control.exponential.ui.plane import EIGEN, plane
-from armlab.benches.motion.laws.words import amount
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
+from armlab.session.amounts import amount
 from armlab.session.state import Command, State
 from armlab.ui.colours import BLUE, GREY, css
 from armlab.ui.examples import examples_markup

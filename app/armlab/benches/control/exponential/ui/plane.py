@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.control.exponential.state import Exponential
-from armlab.benches.iterate.runs.ui.tangents import ticks
 from armlab.ui.colours import BLUE, GREY, ORANGE, VERMILLION, css
 from armlab.ui.format import number
+from armlab.ui.ticks import ticks
 
 WIDTH, HEIGHT = 320, 200
 LEFT, BOTTOM = 30, 16

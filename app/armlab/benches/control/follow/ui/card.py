@@ -8,10 +8,9 @@ from armlab.benches.control.follow.chosen import MOST_RUNS, Setup
 from armlab.benches.control.follow.runs import Figures, Outcome, Peak
 from armlab.benches.control.follow.state import Control, questions
 from armlab.benches.control.follow.ui.form import sigma_unit
-from armlab.benches.iterate.runs.ui.colours import RUN_COLOURS
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui.colours import css
+from armlab.ui.colours import RUN_COLOURS, css
 from armlab.ui.format import dot, escaped, number, scientific
 from armlab.ui.markup import button
 from armlab.ui.units import Units, units_of

@@ -36,7 +36,7 @@ from armlab.benches.control.follow.ui.form import (
     value_of,
 )
 from armlab.benches.control.follow.ui.plots import VIEWS, Plots
-from armlab.benches.motion.plan.state import Plan
+from armlab.benches.motion.api import Plan
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart

@@ -11,16 +11,15 @@ from numpy.typing import NDArray
 from armlab.benches.control.follow.runs import Outcome, speed_limits
 from armlab.benches.control.follow.state import CLIP_KEY, Control
 from armlab.benches.control.follow.ui.form import sigma_unit
-from armlab.benches.iterate.runs.ui.colours import RUN_COLOURS
-from armlab.benches.iterate.runs.ui.plots import ROOM, RunPlot
 from armlab.kin.arm import Arm
 from armlab.kin.control.record import Run
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
-from armlab.ui.colours import joint_colour
+from armlab.ui.colours import RUN_COLOURS, joint_colour
 from armlab.ui.format import mathml
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
+from armlab.ui.run_plot import ROOM, RunPlot
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 from armlab.benches.control.follow.clip import time_of
 from armlab.benches.control.follow.runs import Outcome
 from armlab.benches.control.follow.state import CLIP_KEY, Control, questions, standing_start
-from armlab.benches.iterate.runs.ui.colours import RUN_COLOURS
-from armlab.benches.iterate.runs.ui.marks import Stick
 from armlab.kin.arm import Arm
 from armlab.kin.control.record import Run
 from armlab.session.arm_on_clip import standing
@@ -17,13 +15,13 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
-from armlab.ui.colours import BLUE, GREY, VERDICT
+from armlab.ui.colours import BLUE, GREY, RUN_COLOURS, VERDICT
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._line_nodes import Dots, Lines, Mark
 from armlab.ui.scene._nodes import add_triad, put, seen
 from armlab.ui.scene._polyline import ROUGHNESS, simplified
-from armlab.ui.scene._sticks import corners_of
+from armlab.ui.scene._sticks import Stick, corners_of
 from armlab.ui.scene._strokes import Segments, polyline
 from armlab.ui.units import units_of
 

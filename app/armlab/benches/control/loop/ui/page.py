@@ -9,9 +9,9 @@ import numpy as np
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
 from armlab.benches.control.loop.state import CLIP_KEY, FIELDS, KINDS, ChooseLoopReference, Loop, SetLoop, present_time
 from armlab.benches.control.loop.ui.pictures import ERROR, REACHED, WISH, bode, diagram
-from armlab.benches.motion.laws.words import amount
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
+from armlab.session.amounts import amount
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import Command, State

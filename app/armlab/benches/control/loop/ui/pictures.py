@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from armlab.benches.control.loop.state import Loop
-from armlab.benches.motion.laws.words import amount
+from armlab.session.amounts import amount
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, VERMILLION, css
 from armlab.ui.format import number, trimmed
 from armlab.ui.units import Units

@@ -12,12 +12,12 @@ from armlab.benches.iterate.basins.state import Basins, belongs_elsewhere
 from armlab.benches.iterate.basins.ui.picture import FULL, enlarged, pixels, png, scale_of, solution_colour
 from armlab.benches.iterate.runs.state import Iterations
 from armlab.benches.iterate.runs.ui.words import lowered_index, vector_text
-from armlab.benches.robot.table.ui.files import file_name
 from armlab.kin.arm import Arm
 from armlab.kin.ik.iterate.basins import FAILED
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css
+from armlab.ui.file_names import file_name
 from armlab.ui.format import capitalised, dot, escaped, number, trimmed
 from armlab.ui.png import as_address
 from armlab.ui.units import Units

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 import viser
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from armlab.benches.iterate.runs.films import Film
-from armlab.kin.arm import Arm
 from armlab.ui.colours import Rgb
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.solids import along
 from armlab.ui.scene._nodes import put, seen
-from armlab.ui.scene._sticks import corners_of
-from armlab.ui.scene._strokes import Segments, add_head, add_line, polyline
+from armlab.ui.scene._strokes import add_head, add_line, polyline
 
-WAY, STICK, SHAFT = 0.0035, 0.007, 0.005
-"""Thickness of the way, of an arm, and of the arrow of the error, in sizes of the arm."""
+WAY, SHAFT = 0.0035, 0.005
+"""Thickness of the way, and of the arrow of the error, in sizes of the arm."""
 
 POINT, HEAD = 0.008, 0.03
 """Size of a point and of a head, in sizes of the arm."""
@@ -25,37 +23,6 @@ LEAST = 0.02
 """Shortest error drawn as an arrow, in sizes of the arm."""
 
 Floats = NDArray[np.float64]
-
-
-def stick_lines(arm: Arm, q: ArrayLike) -> Segments:
-    """Return an arm along the lengths of its table, (k, 2, 3)."""
-    return polyline(corners_of(arm, np.asarray(q, dtype=float)[None])[0])
-
-
-class Stick:
-    """An arm as a thin line; made when it is first to be seen."""
-
-    def __init__(self, canvas: LayerCanvas, name: str, colour: Rgb, thickness: float = STICK) -> None:
-        self._canvas, self._path, self._colour, self._thickness = canvas, canvas.path(name), colour, thickness
-        self._arm = canvas.drawn.figure.anatomy.arm
-        self._line: viser.LineSegmentsHandle | None = None
-        self._q: bytes = b""
-
-    def show(self, q: Floats | None) -> None:
-        """Show it in a configuration; None hides it."""
-        if q is None:
-            if self._line is not None:
-                seen(self._line, False)
-            return
-        if self._line is None:
-            lines = stick_lines(self._arm, q)
-            self._line = add_line(
-                self._canvas.scene, self._path, lines, self._colour, self._canvas.size, self._thickness
-            )
-        elif q.tobytes() != self._q:
-            self._line.points = stick_lines(self._arm, q)
-        self._q = q.tobytes()
-        seen(self._line, True)
 
 
 class Way:

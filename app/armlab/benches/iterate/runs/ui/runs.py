@@ -12,12 +12,11 @@ from armlab.benches.iterate.runs.commands import (
     SetParameter,
 )
 from armlab.benches.iterate.runs.state import Iterations, questions, vector_of
-from armlab.benches.iterate.runs.ui.colours import RUN_COLOURS
 from armlab.benches.iterate.runs.ui.words import lowered_index, outcome, parameter_unit, sigma_unit
 from armlab.benches.iterate.runs.worked import MOST_RUNS, Run, methods
 from armlab.kin.ik.iterate import Parameter
 from armlab.session.state import Command, State
-from armlab.ui.colours import css
+from armlab.ui.colours import RUN_COLOURS, css
 from armlab.ui.format import capitalised, dot, escaped, trimmed
 from armlab.ui.markup import button, options, select
 from armlab.ui.tried import plain_number

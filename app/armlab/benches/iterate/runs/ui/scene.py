@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 from armlab.benches.iterate.runs.clip import alongside, configuration, place_of
 from armlab.benches.iterate.runs.films import Film
 from armlab.benches.iterate.runs.state import CLIP_KEY, Iterations, arms_found, vector_of
-from armlab.benches.iterate.runs.ui.colours import RUN_COLOURS
-from armlab.benches.iterate.runs.ui.marks import ErrorArrow, Stick, Way
+from armlab.benches.iterate.runs.ui.marks import ErrorArrow, Way
 from armlab.benches.iterate.runs.ui.words import errors
 from armlab.benches.iterate.runs.worked import MOST_RUNS
 from armlab.session.arm_on_clip import standing
@@ -17,10 +16,11 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
-from armlab.ui.colours import GREY, VERDICT
+from armlab.ui.colours import GREY, RUN_COLOURS, VERDICT
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._nodes import add_triad, move, put, seen, write
+from armlab.ui.scene._sticks import Stick
 from armlab.ui.scene._strokes import add_name
 from armlab.ui.units import units_of
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from armlab.benches.iterate.runs.clip import place_of
 from armlab.benches.iterate.runs.films import Film
 from armlab.benches.iterate.runs.state import Iterations
-from armlab.benches.iterate.runs.ui.words import HUGE, NO_BREAK, small
 from armlab.kin.ik.iterate import TaskVector
 from armlab.session.state import State
 from armlab.ui.format import capitalised, number, scientific
 from armlab.ui.markup import button
+from armlab.ui.small_numbers import HUGE, NO_BREAK, small
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields
 

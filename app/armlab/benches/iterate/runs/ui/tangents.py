@@ -12,6 +12,7 @@ from armlab.benches.iterate.newton_1d.clip import Place
 from armlab.benches.iterate.runs.one_equation import Solved
 from armlab.ui.colours import BLUE, ORANGE, VERMILLION, css
 from armlab.ui.format import number, subscript
+from armlab.ui.ticks import ticks
 
 WIDTH, HEIGHT = 320, 220
 LEFT, BOTTOM = 34, 18
@@ -149,21 +150,6 @@ def _axes(view: View) -> str:
         )
     lines.append(f'<path class="axis" d="M{LEFT} {view.py(0.0):.1f}H{WIDTH}"/>')
     return "".join(lines)
-
-
-def ticks(low: float, high: float, most: int = 5) -> list[float]:
-    """Return round values inside a range, at most so many.
-
-    >>> ticks(0.0, 2.0)
-    [0.0, 0.5, 1.0, 1.5, 2.0]
-    """
-    rough = (high - low) / most
-    if not (math.isfinite(rough) and rough > 0.0):
-        return []
-    power = 10.0 ** math.floor(math.log10(rough))
-    step = next(factor * power for factor in (1.0, 2.0, 2.5, 5.0, 10.0, 20.0) if factor * power >= rough)
-    first = math.ceil(low / step - 1e-9)
-    return [k * step for k in range(first, math.floor(high / step + 1e-9) + 1)]
 
 
 def _tick(value: float, span: tuple[float, float]) -> str:

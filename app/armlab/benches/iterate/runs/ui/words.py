@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from armlab.benches.iterate.runs.films import Film
 from armlab.benches.iterate.runs.state import vector_of
 from armlab.kin.arm import Arm
@@ -11,18 +9,10 @@ from armlab.kin.ik.iterate import Parameter, TaskVector, task_vector
 from armlab.kin.task import Task
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui.format import capitalised, escaped, number, scientific, subscript
+from armlab.ui.format import capitalised, escaped, subscript
+from armlab.ui.small_numbers import NO_BREAK, with_unit
 from armlab.ui.units import Units
 from armlab.ui.verdicts import SIGNS
-
-NO_BREAK = "\N{NO-BREAK SPACE}"
-"""Between a number and its unit, which belong on one line."""
-
-HUGE = 1e5
-"""Numbers from here on are written with a power of ten."""
-
-LEAST = 0.01
-"""Numbers below this are written with a power of ten, and those above with two digits at least."""
 
 GOING = ("most", "going", "limit", "jumped")
 """Statuses of runs that have not failed for good: more steps, or others, might do."""
@@ -30,24 +20,6 @@ GOING = ("most", "going", "limit", "jumped")
 OWN, POSITION = "own", "position"
 EULER = ("zyx", "zyz", "xyz")
 """Keys of task vectors besides one for each joint and each sequence of Euler angles."""
-
-
-def small(value: float, revolute: bool, units: Units) -> str:
-    """Return an angle or a length without its unit, with a power of ten where fixed decimals would show nothing."""
-    scaled, decimals = value / units.factor(revolute), units.decimals(revolute)
-    if not math.isfinite(scaled):
-        return "–"
-    if scaled == 0.0:
-        return "0"
-    if LEAST <= abs(scaled) < 10.0 ** (1 - decimals):
-        return number(scaled, 1 - math.floor(math.log10(abs(scaled))))
-    return number(scaled, decimals) if LEAST <= abs(scaled) < HUGE else scientific(scaled)
-
-
-def with_unit(value: float, revolute: bool, units: Units) -> str:
-    """Return a small angle or length with its unit."""
-    unit = units.unit(revolute)
-    return f"{small(value, revolute, units)}{'' if unit == '°' else NO_BREAK}{unit}"
 
 
 def errors(film: Film, i: int, units: Units) -> str:

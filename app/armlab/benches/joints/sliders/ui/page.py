@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from armlab.benches.pose.tool.ui.notation import turns
 from armlab.kin.arm import Arm
 from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
@@ -11,6 +10,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.factors import turns
 from armlab.ui.format import mathml, matrix, number, pairs, subscript
 from armlab.ui.markup import button, chip, row
 from armlab.ui.plugin import Panel, Post, Show

@@ -16,12 +16,12 @@ from armlab.benches.motion.files.ui.markup import Shown, export_markup, import_m
 from armlab.benches.motion.plan.question import Planned
 from armlab.benches.motion.plan.state import Plan, planned
 from armlab.benches.motion.plan.ui.around import way_around, while_on
-from armlab.benches.robot.table.ui.files import file_name
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui import recording
+from armlab.ui.file_names import file_name
 from armlab.ui.format import number
 from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.tried import plain_number

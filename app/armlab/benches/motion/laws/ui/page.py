@@ -31,11 +31,11 @@ from armlab.benches.motion.laws.timing import QUANTITIES
 from armlab.benches.motion.laws.ui.form import form_markup, head_markup, scaling_markup
 from armlab.benches.motion.laws.ui.plots import Plots, race_markup
 from armlab.benches.motion.laws.ui.tables import bounds_markup, stretch_markup, values_markup
-from armlab.benches.motion.laws.words import amount
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.field import Field
+from armlab.session.amounts import amount
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import Command, State
 from armlab.ui.markup import button

@@ -11,7 +11,6 @@ from armlab.benches.motion.laws.words import (
     ENDS,
     NEGATIVE,
     SCALING,
-    amount,
     bounds_text,
     class_words,
     factor,
@@ -22,6 +21,7 @@ from armlab.benches.motion.laws.words import (
 )
 from armlab.kin.motion import Law
 from armlab.kin.motion.breaks import ORDERS
+from armlab.session.amounts import amount
 from armlab.ui.format import escaped
 from armlab.ui.markup import chip, options, select
 from armlab.ui.option_form import PLAIN, option_markup

@@ -8,7 +8,6 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.iterate.runs.ui.words import NO_BREAK, small, with_unit
 from armlab.benches.motion.plan.moves import TURNINGS
 from armlab.benches.motion.plan.planning import NEARLY_SINGULAR
 from armlab.benches.motion.plan.question import Feasible
@@ -18,6 +17,7 @@ from armlab.benches.motion.steps.worked import Steps, length_of
 from armlab.kin.motion import law_types
 from armlab.kin.rotations import euler_zyx
 from armlab.ui.format import capitalised, dot, escaped, lowered, mathml, number, pairs
+from armlab.ui.small_numbers import NO_BREAK, small, with_unit
 from armlab.ui.units import Units
 
 Floats = NDArray[np.float64]

@@ -9,12 +9,13 @@ from numpy.typing import NDArray
 
 from armlab.benches.pose.tool.state import PoseView, WriteAngles, pair_of
 from armlab.benches.pose.tool.ui.chooser import Chooser
-from armlab.benches.pose.tool.ui.notation import in_words, turns
+from armlab.benches.pose.tool.ui.notation import in_words
 from armlab.benches.pose.tool.ui.words import vector
 from armlab.kin.euler import NAMES, SEQUENCES, EulerSolutions, angle_symbols, euler_angles, product_latex
 from armlab.kin.rotations import axis_angle, quaternion_from_rotation, rotation_from_sequence
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui.factors import turns
 from armlab.ui.format import MINUS, mathml, pairs
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plugin import Panel, Post, Show

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from armlab.benches.pose.tool.state import TOOL, WORLD, PoseView, step_of
 from armlab.kin.arm import Arm
-from armlab.kin.dh import Convention
+from armlab.ui.factors import FACTORS, elementary, product_latex
 from armlab.ui.format import MINUS, mathml
 from armlab.ui.units import Units
 
 NAMES = {WORLD: "world", TOOL: "tool"}
 
-FACTORS = {
-    "standard": (("R", "z", "theta"), ("T", "z", "d"), ("T", "x", "a"), ("R", "x", "alpha")),
-    "modified": (("R", "x", "alpha"), ("T", "x", "a"), ("R", "z", "theta"), ("T", "z", "d")),
-}
-"""The elementary transforms of A_i in order: turn or shift, axis, and the entry of the table."""
 
 INVERSE = r"T^{-1}=\begin{pmatrix}R^{T} & -R^{T}p\\ 0 & 1\end{pmatrix}"
 
@@ -61,12 +54,6 @@ def chain(view: PoseView) -> str:
     return mathml(f"{name}={before}{product}{after}")
 
 
-def elementary(kind: str, axis: str, text: str) -> str:
-    """Return one elementary turn or shift with its number, as MathML; not cached, for numbers that move."""
-    left, right = (f'<mo stretchy="false">{sign}</mo>' for sign in "()")
-    return f"<math><msub><mi>{kind}</mi><mi>{axis}</mi></msub>{left}<mn>{text}</mn>{right}</math>"
-
-
 def link_product(arm: Arm, parameters: dict[str, float], units: Units) -> str:
     """Return A_i as the product of its elementary transforms with the present numbers; it breaks between factors."""
     texts = {
@@ -80,21 +67,6 @@ def link_product(arm: Arm, parameters: dict[str, float], units: Units) -> str:
 def link_symbols(arm: Arm, i: int, units: Units) -> str:
     """Return A_i as the product of its elementary transforms in the symbols of the table, as MathML."""
     return mathml(f"A_{{{i}}}={product_latex(arm.convention, units, str(i), str(i - 1))}")
-
-
-def product_latex(convention: Convention, units: Units, index: str, before: str) -> str:
-    """Return the product of the moves of a row in LaTeX; the modified table counts a and alpha from the row before."""
-    modified = convention == "modified"
-    return r"\,".join(
-        rf"{kind}_{axis}({units.latex(name)}_{{{before if modified and name in ('a', 'alpha') else index}}})"
-        for kind, axis, name in FACTORS[convention]
-    )
-
-
-def turns(axes: str, fixed: bool, texts: Sequence[str]) -> str:
-    """Return a product of turns with numbers as it is multiplied: about fixed axes the first turn stands last."""
-    factors = [elementary("R", axis, text) for axis, text in zip(axes, texts, strict=True)]
-    return " ".join(reversed(factors) if fixed else factors)
 
 
 def cosine(value: float, angle: float, units: Units) -> str:

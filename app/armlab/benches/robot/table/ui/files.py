@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
-from armlab.content.robots import KEY, Robot
+from armlab.content.robots import Robot
 from armlab.content.write_robot import robot_toml
 from armlab.content.write_table import write_table
 from armlab.session.edits import PasteTable
 from armlab.session.state import Command
+from armlab.ui.file_names import file_name
 from armlab.ui.format import escaped
 from armlab.ui.markup import chip, copy_button, row
 from armlab.ui.units import Units
@@ -45,16 +44,6 @@ class Files:
 def save(gui: Gui, robot: Robot) -> None:
     """Have the browser save a robot file."""
     gui.save(f"{file_name(robot.name)}.toml", robot_toml(robot))
-
-
-def file_name(name: str) -> str:
-    """Return a name that a robot file may have.
-
-    >>> file_name("PUMA 560"), file_name("χ")
-    ('puma_560', 'my_arm')
-    """
-    key = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")[:64]
-    return key if KEY.match(key) else "my_arm"
 
 
 class PasteBox:

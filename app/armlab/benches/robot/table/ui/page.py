@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from armlab.benches.pose.tool.ui.notation import product_latex
 from armlab.benches.robot.table.state import Point
 from armlab.benches.robot.table.ui.editor import DhEditor
 from armlab.benches.robot.table.ui.ends import ends_fields, ends_typed, point_line
@@ -19,6 +18,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
 from armlab.session.state import Command, State
+from armlab.ui.factors import product_latex
 from armlab.ui.format import escaped, mathml
 from armlab.ui.markup import button, chips
 from armlab.ui.plugin import Panel, Post, Show

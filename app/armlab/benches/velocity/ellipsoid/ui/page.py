@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from armlab.benches.motion.plan.state import Plan
+from armlab.benches.motion.api import Plan
 from armlab.benches.velocity.ellipsoid.state import (
     KINDS,
     LookAtBlock,

@@ -7,7 +7,7 @@ import asyncio
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.motion.plan.state import CLIP_KEY as MOTION
+from armlab.benches.motion.api import CLIP_KEY as MOTION
 from armlab.benches.velocity.ellipsoid.curves import (
     AlongMotion,
     OverDistance,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from armlab.benches.motion.space_curve.stage import sphere_of
+from armlab.benches.motion.api import sphere_of
 from armlab.benches.velocity.speeds.state import Velocity
 from armlab.benches.velocity.turning.commands import LookAtTurning, SetTurning, TakeToolAngles, WriteAngles
 from armlab.benches.velocity.turning.motion import film_time, laws_time, turned_of

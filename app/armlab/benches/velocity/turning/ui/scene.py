@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.motion.space_curve.stage import sphere_of
+from armlab.benches.motion.api import sphere_of
 from armlab.benches.velocity.turning.motion import law_rotation, laws_time, turned_of
 from armlab.benches.velocity.turning.state import MATRIX, Turning
 from armlab.session.parts.display import Display

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from armlab.benches.robot.table.ui.files import file_name
 from armlab.content.worksheet import worksheet
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
@@ -15,6 +14,7 @@ from armlab.session.parts.target import Target
 from armlab.session.session import Refuse
 from armlab.session.share import short
 from armlab.session.state import Command, State
+from armlab.ui.file_names import file_name
 from armlab.ui.format import escaped
 from armlab.ui.markup import chip
 from armlab.ui.plugin import Panel, Post, Show

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from armlab.benches.robot.table.ui.files import file_name
 from armlab.benches.workspace.cloud.examples import EXAMPLES, ChooseWorkspaceExample
 from armlab.benches.workspace.cloud.files import as_csv, as_ply
 from armlab.benches.workspace.cloud.state import (
@@ -33,6 +32,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
 from armlab.session.state import Command, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.file_names import file_name
 from armlab.ui.format import capitalised, readable
 from armlab.ui.markup import button, chip, chips, options, row, select
 from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show

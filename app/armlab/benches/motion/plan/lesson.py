@@ -1,0 +1,81 @@
+"""What the planned motion gives to lessons: facts of the plan, and what solutions do to its waypoints and moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from armlab.benches.motion.plan import commands, limits, points
+from armlab.benches.motion.plan.job import JOB, with_plan
+from armlab.benches.motion.plan.seen import asks_for_motion, checks_motion, plan_changed, seen_plan
+from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned
+from armlab.content import evidence
+from armlab.content.actions import Action
+from armlab.content.motion_actions import EditWaypoint, SetDuration, SetLimits, SetMoveKind
+from armlab.content.robots import Robot
+from armlab.content.seen_motion import SeenMotion
+from armlab.errors import InputError
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import Command, Json, State
+from armlab.session.taught import Taught
+
+MOST_POSES = 30_000
+"""Poses for which the inverse kinematics of one plan is solved again; more than any lesson asks for."""
+
+
+def ended(before: State, now: State) -> bool:
+    """Return whether the motion that is planned has come to its end."""
+    # What has moved is else the motion before the last change; or a shorter one has come to where the old one stood.
+    return planned(now) is not None and now[Timeline].time > before[Timeline].time
+
+
+def again(data: Json, told: SeenMotion, robot: Robot) -> SeenMotion:
+    """Return what there is to see of a motion, planned again; whether and how far it was played is as told."""
+    if data is None:
+        raise InputError("motion: what it is planned of is missing")
+    part = Plan.from_json(evidence.mapping(data, Plan.key, (), tuple(Plan.initial(robot).to_json())), robot)
+    poses = part.samples * sum(move.space == "cartesian" for move in part.moves)
+    if poses > MOST_POSES:
+        raise InputError(f"motion: it has {poses} poses to solve; at most {MOST_POSES} are looked at again")
+    state = with_plan(State.initial(robot).replace(replace(part, compared=False, before=None)))
+    return replace(seen_plan(state, told.played), time=told.time)
+
+
+def plan_commands(action: Action, state: State) -> Iterator[Command]:
+    """Yield what a solution does to the plan of the motion."""
+    if isinstance(action, EditWaypoint):
+        k = state[Plan].selected if action.k is None else action.k
+        if action.how == "add":
+            yield points.SelectWaypoint(k, handled=False)
+            yield points.AddWaypoint()
+        else:
+            yield points.TakePresent(k) if action.how == "set" else points.RemoveWaypoint(k)
+    elif isinstance(action, SetMoveKind):
+        k = 1 if action.to is None else action.to
+        yield commands.SetMove(k, action.space, action.path, action.law, action.turning, action.stop)
+        if action.to is None:
+            yield commands.AllMovesLike(k)
+    elif isinstance(action, SetDuration):
+        yield limits.LastFor(action.seconds)
+    elif isinstance(action, SetLimits):
+        if action.velocity is not None or action.acceleration is not None:
+            yield limits.UseShare(action.velocity, action.acceleration)
+        if action.tool_speed is not None:
+            yield limits.LimitTool(action.tool_speed)
+        if action.jerk_time is not None:
+            yield limits.LimitJerk(action.jerk_time)
+
+
+TAUGHT = Taught(
+    "motion",
+    Plan,
+    CLIP_KEY,
+    JOB,
+    asks_for_motion,
+    checks_motion,
+    plan_changed,
+    ended,
+    seen_plan,
+    again,
+    plan_commands,
+)

@@ -1,0 +1,40 @@
+"""Targets of runs: the one they begin with, and those that make sense."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from armlab.content.robots import Robot
+from armlab.errors import InputError
+from armlab.kin.transforms import as_pose
+from armlab.session.parts.target import FARTHEST
+
+ASIDE = 0.4
+"""Radians, or parts of half a stroke, of each joint from the home pose to where the first target lies."""
+
+
+def first_target(robot: Robot) -> NDArray[np.float64]:
+    """Return the pose of the tool not far from home.
+
+    The first joint a little towards the middle of its range, the others away from it, where there is room: in the
+    middle arms are stretched, a singular place to begin with.
+    """
+    arm, home = robot.arm, np.asarray(robot.home, dtype=float)
+    low, high = arm.limits.T
+    inward = np.where(home <= 0.5 * (low + high), 1.0, -1.0)
+    way = inward * np.where(arm.revolute, ASIDE, 0.5 * ASIDE * (high - low))
+    aside = home - way
+    inside = (aside >= low) & (aside <= high) & (np.arange(arm.n) > 0)
+    pose = np.array(arm.fk(arm.clip(np.where(inside, aside, home + way))), dtype=np.float64)
+    pose.setflags(write=False)
+    return pose
+
+
+def checked_target(robot: Robot, pose: ArrayLike) -> NDArray[np.float64]:
+    """Return a target (4, 4), read-only; `InputError` when it is no pose or absurdly far away."""
+    arm, checked = robot.arm, np.array(as_pose(pose, "target"), dtype=np.float64)
+    if np.linalg.norm(checked[:3, 3] - arm.base[:3, 3]) > FARTHEST * 2.0 * arm.length_scale:
+        raise InputError(f"target: farther than {FARTHEST:g} times the reach of the arm")
+    checked.setflags(write=False)
+    return checked

@@ -1,0 +1,108 @@
+"""A plot of runs that are compared: a curve for each, whatever their number."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable, Sequence
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armlab.ui.colours import RUN_COLOURS
+from armlab.ui.plot import NOTHING, Curve, Plot
+from armlab.ui.widgets import Gui
+
+HEIGHT = 104
+
+ROOM = 0.08
+"""Above and below the curves, in parts of what they span."""
+
+Array = NDArray[np.float64]
+
+Values = Callable[[Any], Array | None]
+"""Returns the curve of a run; None where it has none."""
+
+
+class _Noted:
+    """A maker of controls that remembers what it has made, so that a whole plot can be hidden."""
+
+    def __init__(self, gui: Gui) -> None:
+        self._gui, self.made = gui, list[Any]()
+
+    def fields(self, on_input: Callable[[str, str], None]) -> Any:
+        fields = self._gui.fields(on_input)
+        self.made.append(fields.html)
+        return fields
+
+    def uplot(self, *arguments: Any) -> Any:
+        handle = self._gui.uplot(*arguments)
+        self.made.append(handle)
+        return handle
+
+    def html(self, content: str = "") -> Any:
+        element = self._gui.html(content)
+        self.made.append(element.handle)
+        return element
+
+    def save(self, name: str, text: str) -> None:
+        self._gui.save(name, text)
+
+
+class RunPlot(Plot):
+    """A plot with a curve for each run there is, whatever their number."""
+
+    def __init__(self, gui: Gui, title: str, file: str, values: Values, from_zero: bool = False) -> None:
+        self.values, self._zero = values, from_zero
+        self._noted = _Noted(gui)
+        self._there: tuple[int, ...] = ()
+        curves = [Curve(f"run {i + 1}", colour) for i, colour in enumerate(RUN_COLOURS)]
+        # The list of runs above is the legend; the plot's own would name runs that are not there.
+        self._title = title
+        super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT)
+
+    def _heading(self, unit: str) -> str:
+        return f'<span class="it-plot">{self._title}{f", {unit}" if unit else ""}</span>'
+
+    def name_unit(self, unit: str) -> None:
+        """Give the quantity a unit; none for a pure number."""
+        self.name(self._heading(unit))
+
+    def visible(self, on: bool) -> None:
+        """Show or hide all of it."""
+        for handle in self._noted.made:
+            if handle.visible != on:
+                handle.visible = on
+
+    def show_runs(self, x: Array, curves: Sequence[Array | None]) -> None:
+        """Show a curve for each run, by their places in the list; None for one that has none."""
+        self._there = tuple(i for i, curve in enumerate(curves) if curve is not None)
+        nothing = np.full(len(x), np.nan)
+        every: list[Array] = [nothing] * len(RUN_COLOURS)
+        for i in self._there:
+            every[i] = cast(Array, curves[i])
+        self._scale(x, every)
+        self.show(x, every)
+
+    def _scale(self, x: Array, curves: Sequence[Array]) -> None:
+        """Choose the ranges: the page cannot, where curves have ends."""
+        values = np.concatenate(curves)
+        values = values[np.isfinite(values)]
+        low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 1.0)
+        if self._zero:
+            low = 0.0
+        room = ROOM * (high - low) if high - low > NOTHING * max(1.0, abs(high)) else 0.5
+        y = {"range": (low if self._zero else low - room, high + room)}
+        scales = {"x": {"time": False, "range": (float(x[0]), float(x[-1]))}, "y": y}
+        if self._handle.scales != scales:
+            self._handle.scales = scales
+
+    def csv(self) -> str:
+        """Return the curves of the runs there are, with a name for each."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([self._x, *(f"run {i + 1}" for i in self._there)])
+        columns = [self._table[0].tolist(), *(self._table[1 + i].tolist() for i in self._there)]
+        writer.writerows(zip(*columns, strict=True))
+        return text.getvalue()
