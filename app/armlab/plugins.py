@@ -87,10 +87,18 @@ def _with_role(role: str) -> Iterator[str]:
     """Yield the names of the modules of all pages that have a role."""
     folder, _, word = role.rpartition(".")
     for page in bench_pages():
-        package = importlib.import_module(f"{page}.{folder}".rstrip("."))
-        for info in pkgutil.iter_modules(package.__path__):
+        where = _within(page, folder)
+        for info in pkgutil.iter_modules(importlib.import_module(where).__path__) if where else ():
             if info.name == word or info.name.startswith(f"{word}_"):
-                yield f"{package.__name__}.{info.name}"
+                yield f"{where}.{info.name}"
+
+
+def _within(page: str, folder: str) -> str:
+    """Return the name of a sub-package of a page, or of the page itself; empty where there is none such."""
+    if not folder:
+        return page
+    there = pkgutil.iter_modules(importlib.import_module(page).__path__)
+    return f"{page}.{folder}" if folder in {info.name for info in there} else ""
 
 
 def bench_pages() -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""One new file each: a panel, a layer, a part, a film, a long work, a robot, a lesson, a check, a method, and more."""
+"""A bench is one folder: page, layer, state, film, long work, examples, style. A robot, a lesson, a check: one file."""
 
 import os
 import re
@@ -179,7 +179,7 @@ JOB = '''
 """A made-up long work: it counts to three while its panel is open."""
 from dataclasses import replace
 from armlab.session.job import Job, Wanted
-from armlab.session.parts.made_up import MadeUp
+from armlab.benches.made_up.made_up.state import MadeUp
 
 def delivered(state, inputs, found):
     return state.replace(replace(state[MadeUp], value=found))
@@ -254,19 +254,28 @@ assert "made_up" in clips()
 assert problems("made_up") == [], problems("made_up")
 assert Player(lesson("made_up")).session.state[Joints].q[0] == 1.0
 assert main_of(["made_up", "word"]) == 0
+from armlab.front.page import make_page
+assert b".b-made_up {" in make_page().html
 print("grown")
 """
 
+PACKAGES = ("made_up", "made_up/made_up", "made_up/made_up/ui")
+BENCH_FOLDER = "app/armlab/benches/made_up/made_up"
+
+STYLE = ".made-up { color: rgb(1, 2, 3); }\n"
+
 FILES = {
-    "app/armlab/ui/panels/made_up.py": PANEL,
-    "app/armlab/ui/layers/made_up.py": LAYER,
+    **{f"app/armlab/benches/{folder}/__init__.py": '"""Made up."""' for folder in PACKAGES},
+    f"{BENCH_FOLDER}/style.css": STYLE,
+    f"{BENCH_FOLDER}/ui/page.py": PANEL,
+    f"{BENCH_FOLDER}/ui/scene.py": LAYER,
     "app/armlab/kin/ik/methods/made_up.py": METHOD,
     "app/armlab/kin/ik/iterate/methods/made_up.py": ITERATION,
     "app/armlab/kin/ik/closed/made_up.py": CLOSED,
-    "app/armlab/session/parts/made_up.py": PART,
-    "app/armlab/session/jobs/made_up.py": JOB,
-    "app/armlab/session/clips/made_up.py": CLIP,
-    "app/armlab/session/benches/made_up.py": BENCH,
+    f"{BENCH_FOLDER}/state.py": PART,
+    f"{BENCH_FOLDER}/job.py": JOB,
+    f"{BENCH_FOLDER}/clip.py": CLIP,
+    f"{BENCH_FOLDER}/bench.py": BENCH,
     "app/armlab/content/checks/made_up.py": CHECK,
     "app/armlab/content/questions/made_up.py": QUESTION,
     "app/armlab/commands/made_up.py": COMMAND,
@@ -286,15 +295,26 @@ def house(tmp_path):
     return tmp_path
 
 
+def add(house, files):
+    for name, text in files.items():
+        (house / name).parent.mkdir(parents=True, exist_ok=True)
+        (house / name).write_text(text, encoding="utf-8")
+
+
+def with_panel(house, panel):
+    """Add a bench that is a panel and nothing else."""
+    add(house, {name: text for name, text in FILES.items() if name.endswith("__init__.py")})
+    add(house, {f"{BENCH_FOLDER}/ui/page.py": panel})
+
+
 def look(house, code=LOOK):
     paths = [str(house / "app"), str(TOP / "tests")]
     variables = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
     return subprocess.run([sys.executable, "-c", code], env=variables, capture_output=True, text=True, cwd=house)
 
 
-def test_each_is_one_file_and_no_other_edit(house):
-    for name, text in FILES.items():
-        (house / name).write_text(text, encoding="utf-8")
+def test_a_bench_is_one_folder_all_else_one_file_and_there_is_no_other_edit(house):
+    add(house, FILES)
     result = look(house)
     assert result.returncode == 0, result.stderr
     assert "grown" in result.stdout
@@ -303,14 +323,14 @@ def test_each_is_one_file_and_no_other_edit(house):
 @pytest.mark.parametrize(
     ("file", "text", "told"),
     [
-        ("app/armlab/ui/panels/broken.py", "x = 1", "panels.broken: expected a constant PANEL, found none"),
-        ("app/armlab/ui/panels/broken.py", "1 / 0", "panels.broken: cannot be imported: ZeroDivisionError"),
-        ("app/armlab/ui/panels/again.py", PANEL, "the key 'made_up' is already used by"),
-        ("app/armlab/ui/layers/broken.py", "LAYER = 3", "layers.broken: LAYER must be a Layer, got int"),
+        (f"{BENCH_FOLDER}/ui/page_broken.py", "x = 1", "page_broken: expected a constant PANEL, found none"),
+        (f"{BENCH_FOLDER}/ui/page_broken.py", "1 / 0", "page_broken: cannot be imported: ZeroDivisionError"),
+        (f"{BENCH_FOLDER}/ui/page_again.py", PANEL, "the key 'made_up' is already used by"),
+        (f"{BENCH_FOLDER}/ui/scene_broken.py", "LAYER = 3", "scene_broken: LAYER must be a Layer, got int"),
     ],
 )
 def test_a_broken_plug_in_stops_the_start_and_is_named(house, file, text, told):
-    (house / "app/armlab/ui/panels/made_up.py").write_text(PANEL, encoding="utf-8")
+    with_panel(house, PANEL)
     (house / file).write_text(text, encoding="utf-8")
     code = (
         "import sys\nfrom armlab.cli import main\nsys.exit(main(['--no-browser', '--port', '0', '--state', 'state']))"
@@ -326,7 +346,7 @@ FAILING_PANEL = PANEL.replace("text = gui.html()", "1 / 0")
 
 
 def test_a_panel_that_fails_is_replaced_by_a_line_and_the_rest_lives_on(house):
-    (house / "app/armlab/ui/panels/made_up.py").write_text(FAILING_PANEL, encoding="utf-8")
+    with_panel(house, FAILING_PANEL)
     code = """
 import asyncio
 from support.fake_browser import FakeBrowser, cookie_of
@@ -357,7 +377,7 @@ def test_the_examples_of_the_guide_work_as_printed(house):
     (robot,) = re.findall(r"```toml\n(.*?)```", guide, re.DOTALL)
     (panel,) = re.findall(r"```python\n(.*?)```", guide, re.DOTALL)
     (house / "robots/from_the_guide.toml").write_text(robot, encoding="utf-8")
-    (house / "app/armlab/ui/panels/distance.py").write_text(panel, encoding="utf-8")
+    with_panel(house, panel)
     code = """
 import asyncio
 from support.fake_browser import FakeBrowser, cookie_of

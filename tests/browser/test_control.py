@@ -15,7 +15,7 @@ ARM = catalogue()["planar_2r"].arm
 def choose(lab, key):
     """Put an experiment in place and wait until its runs are made."""
     lab.page.locator('select[data-cell="example"]').select_option(key)
-    lab.page.locator(".it-look", has_text=EXAMPLES[key].says[:20]).wait_for()
+    lab.page.locator(".kit-look", has_text=EXAMPLES[key].says[:20]).wait_for()
     lab.page.locator(".ct-card").wait_for()
     lab.until(lambda: "…" not in lab.page.locator(".ct-card").inner_text())
 

@@ -20,7 +20,7 @@ def film_of(key):
 
 def present_row(lab):
     """Return the texts of the row of the present iterate."""
-    return lab.page.locator(".it-table tr.now td").all_inner_texts()
+    return lab.page.locator(".kit-table tr.now td").all_inner_texts()
 
 
 def bodies(lab):
@@ -34,8 +34,8 @@ def test_an_example_plays_steps_rewinds_and_says_how_it_ended(visit):
     lab = visit()
     lab.open_tab("Iterate")
     lab.page.locator('select[data-cell="example"]').select_option("orders")
-    lab.page.locator(".it-look", has_text="Newton's curve bends down").wait_for()
-    assert EXAMPLES["orders"].says in lab.page.locator(".it-look").inner_text()
+    lab.page.locator(".kit-look", has_text="Newton's curve bends down").wait_for()
+    assert EXAMPLES["orders"].says in lab.page.locator(".kit-look").inner_text()
     lab.page.locator(".it-run p.ok").nth(2).wait_for()
     said = lab.page.locator(".it-run p").all_inner_texts()
     assert [text.split(" in ")[0] for text in said] == ["✓ Converged"] * 3
@@ -55,7 +55,7 @@ def test_an_example_plays_steps_rewinds_and_says_how_it_ended(visit):
     np.testing.assert_allclose(turned, 0.0, atol=0.1)
     lab.page.locator('.al-time button[data-cell="play"]').click()
     lab.until(lambda: present_row(lab)[:1] == [str(film.last)])
-    lab.page.locator('.it-table button[data-cell="row 0"]').click()
+    lab.page.locator('.kit-table button[data-cell="row 0"]').click()
     lab.until(lambda: present_row(lab)[:1] == ["0"])
     lab.page.locator('.al-time button[data-cell="close"]').click()
     lab.page.locator(".al-time").wait_for(state="detached")

@@ -17,7 +17,7 @@ def test_the_frame_travels_along_a_helix_and_nonsense_stays(visit):
     lab.open_tab("Motion")
     lab.page.locator("button.page[data-cell=space_curve]").click()
     lab.page.locator('select[data-cell="example"]').select_option("helix")
-    lab.page.locator(".it-look", has_text="n always points to the axis").wait_for()
+    lab.page.locator(".kit-look", has_text="n always points to the axis").wait_for()
     lab.type_into("s", "0.25")
     lab.until(lambda: "At s" in lab.page.locator(".sc-at").inner_text())
     lab.rest()

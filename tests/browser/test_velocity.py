@@ -24,7 +24,7 @@ def at_speeds(visit, example, **options):
     lab = visit(**options)
     lab.open_tab("Velocity")
     lab.page.locator('select[data-cell="example"]').first.select_option(example)
-    lab.page.locator(".it-look").first.wait_for()
+    lab.page.locator(".kit-look").first.wait_for()
     lab.rest()
     return lab
 

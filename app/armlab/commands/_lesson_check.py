@@ -74,8 +74,8 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
             broken.setdefault(str(error), (error, []))[1].append(number)
             continue
         yield from _played(found, given, told)
-    for error, numbers in broken.values():
-        yield _of_error(found, error, numbers)
+    for what, numbers in broken.values():
+        yield _of_error(found, what, numbers)
 
 
 def _titles(found: Found, lesson: Lesson) -> Iterator[str]:

@@ -14,12 +14,14 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import resources
+from importlib.resources.abc import Traversable
 from importlib.util import find_spec
 from pathlib import Path
 
 import zstandard
 
 from armlab.errors import ArmlabError
+from armlab.plugins import bench_pages
 
 # The digits of the base-88 code of viser's build: printable ASCII without quotes, brackets and ampersand.
 _DIGITS = "".join(character for character in map(chr, range(0x21, 0x7F)) if character not in "\"&<>'`")
@@ -83,7 +85,7 @@ def make_page(title: str = "Armlab") -> Page:
         )
     packed, styles, _, loader = match.groups()
     unpacked = zstandard.ZstdDecompressor().decompress(decode_base88(packed))
-    script, style = _assets(".js"), _assets(".css")
+    script, style = _assets(".js"), f"{_assets('.css')}\n{_bench_styles()}"
     html = re.sub(r"<title>.*?</title>", f"<title>{title}</title>", source, count=1)
     html = html.replace("<head>", f"<head><script>{script}</script><style>{style}</style>", 1)
     program = unpacked[int(styles) :]
@@ -103,18 +105,30 @@ def decode_base88(text: str) -> bytes:
     return bytes(decoded)
 
 
-def _asset(name: str) -> str:
-    text = (resources.files("armlab.front") / "static" / name).read_text(encoding="utf-8")
+def _asset(file: Traversable) -> str:
+    text = file.read_text(encoding="utf-8")
     if "</script" in text or "</style" in text:
-        raise PageError(f"{name} would end its own element")
+        raise PageError(f"{file.name} would end its own element")
     return text
 
 
 def _assets(ending: str) -> str:
     """Return what is for the whole lab, and after it what is for single topics, one file each."""
-    names = sorted(file.name for file in (resources.files("armlab.front") / "static").iterdir())
+    folder = resources.files("armlab.front") / "static"
+    names = sorted(file.name for file in folder.iterdir())
     topics = (name for name in names if name.endswith(ending) and name != f"armlab{ending}")
-    return "\n".join(map(_asset, (f"armlab{ending}", *topics)))
+    return "\n".join(_asset(folder / name) for name in (f"armlab{ending}", *topics))
+
+
+def _bench_styles() -> str:
+    """Return the stylesheets of the benches, each so that it reaches only the pages of its own tab."""
+    found = []
+    for page in bench_pages():
+        file = resources.files(page) / "style.css"
+        if file.is_file():
+            tab = page.split(".")[-2]
+            found.append(f".b-{tab} {{\n{_asset(file)}}}")
+    return "\n".join(found)
 
 
 def _hash(code: bytes) -> str:

@@ -82,7 +82,9 @@ def stop_server(server: viser.ViserServer) -> None:
 def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> dict[str, str] | None:
     """Return the headers the front sent when it opened this client's connection; None when it is already gone."""
     connection = server._websock_server._live_connections.get(client.client_id)
-    return None if connection is None else dict(connection.request.headers.raw_items())
+    if connection is None or connection.request is None:
+        return None
+    return dict(connection.request.headers.raw_items())
 
 
 def origin_of(client: viser.ClientHandle) -> str:

@@ -114,7 +114,7 @@ class Canvas:
 
     def _distance(self) -> float:
         moved = zip(self._goal.tolist(), self._shown.tolist(), self._scale, strict=True)
-        return max(abs(goal - shown) / scale for goal, shown, scale in moved)
+        return float(max(abs(goal - shown) / scale for goal, shown, scale in moved))
 
     def _begin_glide(self) -> None:
         start, goal = self._shown, self._goal

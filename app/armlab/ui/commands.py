@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
-from typing import TYPE_CHECKING, Literal
+from functools import cache, partial
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import RandomPose, TakePose
@@ -79,5 +79,9 @@ def shortcuts() -> tuple[Shortcut, ...]:
 def register(view: View) -> None:
     """Add all entries to the palette of a browser."""
     for shortcut in shortcuts():
-        handle = view.client.gui.add_command(shortcut.label, hotkey=shortcut.key, modifier=shortcut.modifier)
-        adapter.on_event(handle, "on_trigger", lambda _, act=shortcut.act: act(view))
+        handle = view.client.gui.add_command(shortcut.label, hotkey=cast(Any, shortcut.key), modifier=shortcut.modifier)
+        adapter.on_event(handle, "on_trigger", partial(_do, shortcut, view))
+
+
+def _do(shortcut: Shortcut, view: View, _: object) -> None:
+    shortcut.act(view)

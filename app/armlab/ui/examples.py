@@ -46,5 +46,5 @@ def examples_markup(
     """
     titles = {"": "Choose …", **{key: example.title for key, example in examples.items()}}
     chooser = select(channel, "example", "Example", options(titles, chosen), "Put one in place")
-    look = f'<p class="it-look">{written(examples[chosen].says)}</p>' if chosen in examples else ""
-    return f'<div class="it-head"><span class="dim">{label}</span>{chooser}</div>{look}'
+    look = f'<p class="kit-look">{written(examples[chosen].says)}</p>' if chosen in examples else ""
+    return f'<div class="kit-head"><span class="dim">{label}</span>{chooser}</div>{look}'

@@ -62,13 +62,13 @@ def scale(arm: Arm, key: str, low: float, high: float) -> str:
     """Return the colours and what they stand for."""
     measure = measure_named(key)
     if high - low <= SAME * abs(high):
-        return f'<div class="ws-scale"><b>{_head(arm, key)}</b> the same everywhere: {figure(high)}</div>'
+        return f'<div class="kit-scale"><b>{_head(arm, key)}</b> the same everywhere: {figure(high)}</div>'
     low = _least(low, high) if measure.logarithmic else low
     middle = (low * high) ** 0.5 if measure.logarithmic else 0.5 * (low + high)
     kind = ", logarithmic" if measure.logarithmic else ""
     least = f"≤ {figure(low)}" if low > 0.0 else figure(low)
     return (
-        f'<div class="ws-scale"><b>{_head(arm, key)}{kind}</b><u style="background:{VIRIDIS_CSS}"></u>'
+        f'<div class="kit-scale"><b>{_head(arm, key)}{kind}</b><u style="background:{VIRIDIS_CSS}"></u>'
         f"<div><i>{least}</i><i>{figure(middle)}</i><i>≥ {figure(high)}</i></div></div>"
     )
 
@@ -81,4 +81,4 @@ def _head(arm: Arm, key: str) -> str:
 
 def _least(low: float, high: float) -> float:
     """Return the dark end of a logarithmic scale: that of the values, but no more than `DECADES` down."""
-    return max(low, high * 10.0**-DECADES)
+    return max(low, high * math.pow(10.0, -DECADES))

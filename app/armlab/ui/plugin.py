@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import PluginError
-from armlab.plugins import discover_in_benches
+from armlab.plugins import BENCHES, discover_in_benches
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -86,6 +86,11 @@ class Panel:
     about: tuple[str, ...] = ()
     always: bool = False
     outside: Callable[[], object] = lambda: None
+
+    @property
+    def scope(self) -> str:
+        """The class under which the stylesheets of its tab hold: ``b-`` and the name of the tab's folder."""
+        return f"b-{self.build.__module__.removeprefix(f'{BENCHES}.').partition('.')[0]}"
 
 
 @dataclass(frozen=True)

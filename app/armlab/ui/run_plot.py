@@ -63,7 +63,7 @@ class RunPlot(Plot):
         super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT)
 
     def _heading(self, unit: str) -> str:
-        return f'<span class="it-plot">{self._title}{f", {unit}" if unit else ""}</span>'
+        return f'<span class="kit-plot">{self._title}{f", {unit}" if unit else ""}</span>'
 
     def name_unit(self, unit: str) -> None:
         """Give the quantity a unit; none for a pure number."""

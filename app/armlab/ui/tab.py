@@ -117,6 +117,7 @@ class Tab:
                 same = before is not None and state[RobotPart] is before[RobotPart]
                 self._gui.clear(linger=same and self._built == self.page)
                 self._built = self.page
+                self._gui.scope = panel.scope
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)

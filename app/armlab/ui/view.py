@@ -76,8 +76,9 @@ class View:
         pace: Pace,
         on_panels: Callable[[], None] = lambda: None,
     ) -> None:
-        self.client, self.session, self._post, self._on_panels = client, session, post, on_panels
-        self.camera = Camera(client, lambda: session.state[Joints].q, self._around)
+        self.client, self._post, self._on_panels = client, post, on_panels
+        self.session: Session = session
+        self.camera: Camera = Camera(client, lambda: session.state[Joints].q, self._around)
         self._gallery, self._pace = gallery, pace
         self._loop = asyncio.get_running_loop()
         self._acted = self._loop.time()

@@ -8,6 +8,7 @@ import logging
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import partial
 from typing import Any
 
 import viser
@@ -48,7 +49,8 @@ class Control:
 
     def __init__(self, handle: Any, on_change: Callable[[Any], None]) -> None:
         self.handle = handle
-        self._touched, self._later = 0.0, None
+        self._touched = 0.0
+        self._later: asyncio.TimerHandle | None = None
         adapter.on_event(handle, "on_update", lambda _: self._change(on_change))
 
     def _change(self, on_change: Callable[[Any], None]) -> None:
@@ -86,14 +88,21 @@ class Choice(Control):
 
 
 class Html:
-    """A piece of markup; written only when it changes."""
+    """A piece of markup; written only when it changes.
 
-    def __init__(self, handle: Any) -> None:
-        self.handle = handle
+    Parameters
+    ----------
+    handle : viser html handle
+    scope : str
+        Class whose style it has besides the common one.
+    """
+
+    def __init__(self, handle: Any, scope: str = "") -> None:
+        self.handle, self._class = handle, f"al {scope}".rstrip()
 
     def show(self, content: str) -> None:
         """Show this markup."""
-        adapter.set_content(self.handle, f'<div class="al">{content}</div>')
+        adapter.set_content(self.handle, f'<div class="{self._class}">{content}</div>')
 
     def visible(self, on: bool) -> None:
         """Show or hide the element."""
@@ -115,9 +124,14 @@ class Fields:
         Characters of a text that its reader takes; of a longer one it gets one more, and says that it is too long.
         Where nothing is said, more than `LONGEST_TYPED` are refused here: reading is done where all students wait, and
         some of it takes the square of the length.
+    scope : str
+        Class whose style they have besides the common one.
     """
 
-    def __init__(self, gui: viser.GuiApi, on_input: Callable[[str, str], None], longest: int | None = None) -> None:
+    def __init__(
+        self, gui: viser.GuiApi, on_input: Callable[[str, str], None], longest: int | None = None, scope: str = ""
+    ) -> None:
+        self._class = f"al {scope}".rstrip()
         self.channel = gui.add_text("channel", "", visible=False)
         self.html = gui.add_html("")
         self._on_input, self._longest = on_input, longest
@@ -185,7 +199,7 @@ class Fields:
             content += f'<p class="no" role="alert">✕ {escaped(self._mistake[2])}</p>'
         # The page numbers what it sends: fields whose text is not in here yet keep it.
         marks = f'data-revision="{self._revision}" data-heard="{self._heard}"'
-        adapter.set_content(self.html, f'<div class="al" {marks}>{content}</div>')
+        adapter.set_content(self.html, f'<div class="{self._class}" {marks}>{content}</div>')
 
 
 def _cut(said: object, longest: int) -> str:
@@ -225,10 +239,13 @@ class Gui:
         The camera of this browser.
     open_panel : callable
         Brings a panel to the front, by its key.
+    scope : str
+        Class under which the stylesheets of the bench hold.
     """
 
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
         self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
+        self.scope = ""
         self._made: list[Any] = []
         self._channels: list[Any] = []
         self._drawing: set[asyncio.Task[None]] = set()
@@ -292,7 +309,7 @@ class Gui:
         """Ask before something that cannot be undone."""
         modal = self._gui.add_modal(title)
 
-        def answer(agreed: bool) -> None:
+        def answer(agreed: bool, _: object) -> None:
             modal.close()
             if agreed:
                 on_yes()
@@ -301,7 +318,7 @@ class Gui:
             self._gui.add_html(f'<div class="al"><p>{text}</p></div>')
             for label, agreed in ((yes, True), ("No, go back", False)):
                 handle = self._gui.add_button(label, color=None if agreed else "gray")
-                adapter.on_event(handle, "on_click", lambda _, agreed=agreed: answer(agreed))
+                adapter.on_event(handle, "on_click", partial(answer, agreed))
 
     def button(self, label: str, on_click: Callable[[], None], hint: str, icon: viser.IconName | None = None) -> Any:
         """Add a button; returns the handle, whose ``visible`` and ``label`` may be set."""
@@ -311,7 +328,7 @@ class Gui:
 
     def html(self, content: str = "") -> Html:
         """Add markup."""
-        element = Html(self._keep(self._gui.add_html("")))
+        element = Html(self._keep(self._gui.add_html("")), self.scope)
         element.show(content)
         return element
 
@@ -321,7 +338,7 @@ class Gui:
 
     def fields(self, on_input: Callable[[str, str], None], longest: int | None = None) -> Fields:
         """Add markup with input fields; ``on_input`` gets the cell and the text; see `Fields`."""
-        fields = Fields(self._gui, on_input, longest)
+        fields = Fields(self._gui, on_input, longest, self.scope)
         self._channels.append(fields.channel)
         self._keep(fields.html)
         return fields

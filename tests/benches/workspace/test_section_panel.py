@@ -164,7 +164,7 @@ def test_the_page_is_filled_clicked_and_sliced(url):
             await browser.press("boundary")
             await browser.until(lambda: "<span>on the boundary</span>" in browser.html())
             await browser.press("colour", "manipulability")
-            await browser.until(lambda: "ws-scale" in browser.html())
+            await browser.until(lambda: "kit-scale" in browser.html())
         finally:
             await browser.close()
 

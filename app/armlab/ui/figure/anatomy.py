@@ -146,5 +146,5 @@ def anatomy_of(arm: Arm) -> Anatomy:
     if size < SMALLEST:
         size = 1.0
     thinning = 0.45 / max(arm.n, 3)
-    radius = 0.034 * size * (1.0 - thinning * np.arange(arm.n + 1))
+    radius = 0.034 * size * (1.0 - thinning * np.arange(arm.n + 1, dtype=np.float64))
     return Anatomy(arm, np.array(root), tuple(bodies), size, radius)

@@ -166,8 +166,8 @@ def _link_of_rail(anatomy: Anatomy, i: int, last: bool) -> list[Part]:
     if last:
         path, parts = _hand(anatomy, path)
     if len(path) > 1:
-        ends = (0.92 * float(anatomy.radius[k]) for k in (i, i + 1))
-        parts.append(("shell", tube(path, *ends, 1.6 * float(anatomy.radius[i]))))
+        start, end = (0.92 * float(anatomy.radius[k]) for k in (i, i + 1))
+        parts.append(("shell", tube(path, start, end, 1.6 * float(anatomy.radius[i]))))
     return parts
 
 

@@ -97,9 +97,9 @@ class LessonPage:
             self._draft = key, Draft(question.form, typed)
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
-        form = asked(question, typed, self._draft[1], settled, self._question.channel_id, order)
+        fields = asked(question, typed, self._draft[1], settled, self._question.channel_id, order)
         right = part.progress.right.get(part.name)
-        self._question.show(form + said(part.verdict, settled, right.typed if right else ""))
+        self._question.show(fields + said(part.verdict, settled, right.typed if right else ""))
 
     def _answered(self, cell: str, text: str) -> None:
         if self._state is None or self._draft is None:

@@ -38,7 +38,8 @@ def dashes(start: ArrayLike, end: ArrayLike, count: int) -> Segments:
     """Return so many dashes of a line, (count, 2, 3); a dash stands at both ends."""
     first, last = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     parts = np.linspace(0.0, 1.0, 2 * count)[:, None]
-    return (first + parts * (last - first)).reshape(count, 2, 3).astype(np.float32)
+    ends: Segments = (first + parts * (last - first)).reshape(count, 2, 3).astype(np.float32)
+    return ends
 
 
 def add_line(

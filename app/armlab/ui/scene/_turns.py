@@ -107,7 +107,7 @@ class Slide:
         )
         tick = polyline([[-side, 0.0, 0.0], [0.4 * r, 0.0, 0.0]])
         add_line(scene, f"{path}/from", tick, colour, size)
-        self._line = add_line(scene, f"{path}/arc", polyline([np.zeros(3), [0.0, 0.0, 1.0]]), colour, size, THICK)
+        self._line = add_line(scene, f"{path}/arc", polyline([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]), colour, size, THICK)
         self.name = add_name(scene, f"{path}/name", "", (0.0, 0.0, 0.0), "center-left")
         own = f"{canvas.node(i + 1)}/angle_to{i + 1}"
         scene.add_frame(own, show_axes=False, position=(side, 0.0, 0.0))

@@ -16,6 +16,7 @@ from armlab.ui.figure.anatomy import Pose
 from armlab.ui.figure.figure import Figure
 from armlab.ui.figure.marks import symbol_height
 from armlab.ui.plugin import Layer, Show
+from armlab.ui.scene._strokes import Segments
 from armlab.ui.switches import DARK, SKELETON
 
 PLATE = (110, 119, 132)
@@ -51,7 +52,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     return show
 
 
-def _plate(canvas: LayerCanvas) -> viser.MeshHandle:
+def _plate(canvas: LayerCanvas) -> viser.CylinderHandle:
     """Return the ground the arm stands on."""
     radius = 2.2 * float(canvas.drawn.figure.anatomy.radius[0])
     return canvas.scene.add_cylinder(
@@ -78,7 +79,7 @@ def _place_of_symbol(figure: Figure, i: int) -> tuple[int, Pose]:
     return (i + 1 if body.revolute else i), pose
 
 
-def _segments(canvas: LayerCanvas, i: int) -> np.ndarray:
+def _segments(canvas: LayerCanvas, i: int) -> Segments:
     """Return the lines of body i in its node, (k, 2, 3): along z, along x, and to the tool at the last body."""
     anatomy = canvas.drawn.figure.anatomy
     body = anatomy.bodies[i]
@@ -90,7 +91,8 @@ def _segments(canvas: LayerCanvas, i: int) -> np.ndarray:
         points.append(anatomy.tool_on_last()[:3, 3])
     pairs = np.array(list(pairwise(points)))
     long_enough = np.linalg.norm(pairs[:, 0] - pairs[:, 1], axis=1) > 1e-6 * canvas.size
-    return pairs[long_enough].astype(np.float32)
+    drawn: Segments = pairs[long_enough].astype(np.float32)
+    return drawn
 
 
 LAYER = Layer("skeleton", order=30, watches=(Display,), build=build, switch=SKELETON, silent=True)

@@ -59,7 +59,7 @@ def reference_markup(fields: Fields, state: State) -> str:
     level = "z" not in state[Joints].arm.task.position
     way = _values(fields, run, [each for each in WAY if not (level and each.key == "elevation")], units)
     return (
-        f'<h3>Reference</h3><div class="it-head">{chooser}</div>'
+        f'<h3>Reference</h3><div class="kit-head">{chooser}</div>'
         + (f'<div class="options">{way}</div>' if way else "")
         + (_target(channel, state, units) if run.reference == "target" else "")
         + (_joints(fields, state, "start", run.start, "Start", _here(channel)) if run.reference != "planned" else "")
@@ -74,13 +74,13 @@ def law_markup(fields: Fields, state: State) -> str:
     sigma = sigma_unit(arm)
     found = (
         "<h3>Control law</h3>"
-        + f'<div class="it-head">{select(channel, "law", "Control law", _laws(run.law))}</div>'
+        + f'<div class="kit-head">{select(channel, "law", "Control law", _laws(run.law))}</div>'
         + f'<p class="ct-formula">{mathml(run.kind.formula)}</p>'
         + _options(fields, "law", _gains(run.kind.fields, arm), dict(run.law_options), sigma)
     )
     if run.kind.inverts:
         found += (
-            f'<div class="it-head">{select(channel, "inverse", "Inverse of J", _inverses(run.inverse))}</div>'
+            f'<div class="kit-head">{select(channel, "inverse", "Inverse of J", _inverses(run.inverse))}</div>'
             + f'<p class="ct-formula">{mathml(run.method.formula)}</p>'
             + _options(fields, "inverse", run.method.fields, dict(run.inverse_options), sigma)
         )
@@ -151,7 +151,7 @@ def _joints(fields: Fields, state: State, cell: str, values: Sequence[float], ti
         typed = fields.field(f"{cell} {i}", trimmed(value / units.factor(revolute), 2), f"{title} of {name} in {unit}")
         cells.append(f"<label><span>{name}</span>{typed}<i>{unit}</i></label>")
     copies = f'<span class="copies">{more}</span>' if more else ""
-    return f'<div class="ct-joints"><b>{title}</b>{copies}<div class="it-numbers">{"".join(cells)}</div></div>'
+    return f'<div class="ct-joints"><b>{title}</b>{copies}<div class="kit-numbers">{"".join(cells)}</div></div>'
 
 
 def _target(channel: str, state: State, units: Units) -> str:

@@ -124,7 +124,7 @@ def _clock(fields: Fields, state: State) -> str:
     play = button(fields.channel_id, cell, text, "main")
     time = fields.field("time", amount(present_time(state)), "Time in seconds")
     end = amount(state[Loop].end, "s")
-    return f'<div class="bar law-clock">{play}<label>t = {time} <i>of {end}</i></label></div>'
+    return f'<div class="bar kit-clock">{play}<label>t = {time} <i>of {end}</i></label></div>'
 
 
 def _verdict(part: Loop, units: Units) -> str:

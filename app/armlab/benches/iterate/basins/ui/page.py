@@ -203,7 +203,7 @@ def _parameters(fields: Fields, state: State) -> str:
         cells.append(
             f'<label title="{escaped(hint)}"><span>{lowered_index(each.symbol)}</span>{cell}<i>{unit}</i></label>'
         )
-    return row("", f'<div class="it-numbers">{"".join(cells)}</div>') if cells else ""
+    return row("", f'<div class="kit-numbers">{"".join(cells)}</div>') if cells else ""
 
 
 def _task(fields: Fields, state: State, units: Units) -> str:
@@ -223,7 +223,7 @@ def _task(fields: Fields, state: State, units: Units) -> str:
         name = units.variable(joint - 1, revolute)
         cell = fields.field("wanted", units.text(value, revolute), f"Wanted value of {name}")
         wanted = f"<label><span>{name} wanted</span>{cell}<i>{units.unit(revolute)}</i></label>"
-        line += row("", f'<div class="it-numbers">{wanted}</div>')
+        line += row("", f'<div class="kit-numbers">{wanted}</div>')
     return line
 
 
@@ -256,7 +256,7 @@ def _rest(fields: Fields, state: State, units: Units) -> str:
     if not cells:
         return ""
     take = chip(fields.channel_id, "stand", "As the arm stands", "Take the joint values of the arm")
-    return row("Others", f'<div class="it-numbers">{"".join(cells)}</div>{take}')
+    return row("Others", f'<div class="kit-numbers">{"".join(cells)}</div>{take}')
 
 
 def _action(channel: str, state: State) -> str:

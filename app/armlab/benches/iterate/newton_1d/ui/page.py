@@ -93,9 +93,9 @@ def _problem(fields: Fields, state: State) -> str:
     start = fields.field("x0", f"{part.x0:.10g}".replace("-", "−"), "Start")
     return (
         f'<div class="eq small" title="Notes 4.106-4.110; printed there without x_n">&emsp;{FORMULA}</div>'
-        f'<div class="it-head"><span class="dim">Equation</span>{chooser}</div>'
-        f'<div class="it-numbers it-typed"><label><span>or f(x) =</span>{typed}</label></div>{slope}'
-        f'<div class="it-numbers"><label><span>x₀</span>{start}</label></div>'
+        f'<div class="kit-head"><span class="dim">Equation</span>{chooser}</div>'
+        f'<div class="kit-numbers kit-typed"><label><span>or f(x) =</span>{typed}</label></div>{slope}'
+        f'<div class="kit-numbers"><label><span>x₀</span>{start}</label></div>'
         f'<div class="bar">{play}<span class="{kind}">{SIGNS[kind]} {escaped(found.says)}.</span></div>'
     )
 
@@ -110,7 +110,7 @@ def _table(fields: Fields, found: Solved, place: Place) -> str:
         cells = (name, _plain(each.x, DIGITS), _plain(each.f, 4), _plain(each.tangent.slope, 4))
         rows.append(f"<tr{mark}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>")
     heads = "".join(f"<th>{head}</th>" for head in ("k", "x<sub>k</sub>", "f(x<sub>k</sub>)", "f′(x<sub>k</sub>)"))
-    return f'<table class="it-table"><tr>{heads}</tr>{"".join(rows)}</table>'
+    return f'<table class="kit-table"><tr>{heads}</tr>{"".join(rows)}</table>'
 
 
 def _plain(value: float, decimals: int) -> str:

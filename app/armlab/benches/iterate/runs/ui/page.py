@@ -141,7 +141,7 @@ def _bounds(fields: Fields, part: Iterations) -> str:
     )
     most = fields.field("most", str(part.most), "Largest number of steps")
     steps = f'<label class="it-most">at most {most}<i>steps</i></label>'
-    return f'<div class="it-numbers"><span class="dim">Limits</span>{kept}{steps}</div>'
+    return f'<div class="kit-numbers"><span class="dim">Limits</span>{kept}{steps}</div>'
 
 
 def _present(state: State) -> str:
@@ -171,7 +171,7 @@ def _start_markup(fields: Fields, state: State) -> str:
     poses = {"": "named pose …", **{name: name for name in state[RobotPart].robot.poses}}
     take = button(channel, "here", "Present pose", "chip", "Begin where the arm stands")
     take += select(channel, "pose", "Named pose", options(poses, ""), "Begin at a pose of the robot file")
-    return f'<h3>Start<span class="copies">{take}</span></h3><div class="it-numbers">{"".join(cells)}</div>'
+    return f'<h3>Start<span class="copies">{take}</span></h3><div class="kit-numbers">{"".join(cells)}</div>'
 
 
 def _target_markup(channel: str, state: State) -> str:
@@ -191,7 +191,7 @@ def _task_markup(fields: Fields, state: State) -> str:
         return head
     chooser = select(fields.channel_id, "task", "Task vector", options(found, chosen(arm, part.task)))
     if not vector.joints:
-        return f'{head}<div class="it-head">{chooser}</div>'
+        return f'{head}<div class="kit-head">{chooser}</div>'
     joint, value = vector.joints[0]
     revolute = bool(arm.revolute[joint - 1])
     name = units.variable(joint - 1, revolute)
@@ -199,7 +199,10 @@ def _task_markup(fields: Fields, state: State) -> str:
     many = len(arms_found(state))
     arms = f"{many} arm{'s' if many != 1 else ''} found, drawn pale" if many else ""
     wanted = f"<label><span>{name} wanted</span>{field}<i>{units.unit(revolute)}</i></label>"
-    return f'{head}<div class="it-head">{chooser}</div><div class="it-numbers">{wanted}</div><p class="dim">{arms}</p>'
+    return (
+        f'{head}<div class="kit-head">{chooser}</div>'
+        f'<div class="kit-numbers">{wanted}</div><p class="dim">{arms}</p>'
+    )
 
 
 def _in_the_way(state: State) -> tuple[str, ...]:

@@ -52,9 +52,9 @@ def _run(fields: Fields, state: State, i: int, run: Run) -> str:
         _parameter(fields, i, parameter, run.values[parameter.key], parameter_unit(parameter, metres, freedom))
         for parameter in run.kind.parameters
     )
-    numbers = f'<div class="it-numbers">{cells}</div>' if cells else ""
+    numbers = f'<div class="kit-numbers">{cells}</div>' if cells else ""
     said = '<p class="dim">…</p>' if stale or film is None else outcome(film, units)
-    top = f'<div class="it-head">{head}</div><span class="it-tools">{tools}</span>'
+    top = f'<div class="kit-head">{head}</div><span class="it-tools">{tools}</span>'
     return f'<div class="it-run">{top}{numbers}{said}</div>'
 
 

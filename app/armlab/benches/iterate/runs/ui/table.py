@@ -46,7 +46,7 @@ class Table:
         title = "Instants" if film.t is not None else "Iterates"
         self._fields.show(
             f"<h3>{title} of run {part.selected + 1}</h3>"
-            f'<table class="it-table"><tr>{top}</tr>{rows}</table><p class="dim">{capitalised(film.scaling)}.</p>'
+            f'<table class="kit-table"><tr>{top}</tr>{rows}</table><p class="dim">{capitalised(film.scaling)}.</p>'
         )
 
     def _row(self, film: Film, k: int, present: bool, units: Units) -> str:

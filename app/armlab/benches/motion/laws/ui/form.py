@@ -83,7 +83,7 @@ def _law(fields: Fields, part: Laws, i: int) -> str:
         typed = f'<div class="bar">{chips(channel, both, held, hint)}</div>'
     form = option_markup(fields, f"l{i}-", kind.fields, entry.chosen.options)
     given = f'<div class="options">{form}</div>' if form else ""
-    head = f'<div class="it-head">{marked(str(i + 1), LAW_COLOURS[entry.colour])}{chooser}{away}</div>'
+    head = f'<div class="kit-head">{marked(str(i + 1), LAW_COLOURS[entry.colour])}{chooser}{away}</div>'
     return f'<div class="law">{head}{typed}{given}{_said(part, i)}</div>'
 
 

@@ -89,7 +89,7 @@ def _clock(fields: Fields, state: State) -> str:
     play = button(fields.channel_id, cell, text, "main")
     time = fields.field("time", amount(present_time(state)), "Time in seconds")
     return (
-        f'<div class="bar law-clock">{play}<label>t = {time} <i>of {amount(state[Laws].end, "s")}</i></label></div>'
+        f'<div class="bar kit-clock">{play}<label>t = {time} <i>of {amount(state[Laws].end, "s")}</i></label></div>'
         + race_markup(state)
     )
 

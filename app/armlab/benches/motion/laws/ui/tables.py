@@ -106,7 +106,7 @@ def bounds_markup(fields: Fields, bounded: Bounded) -> str:
     return (
         '<h3 class="law-bounds">Bounds of ṡ and s̈ on a path <small>q in rad or m</small></h3>'
         f'<div class="options">{option_markup(fields, "b-", FIELDS, given, scales)}</div>'
-        f'<div class="it-head"><span class="dim">Path</span>{chooser}</div>'
+        f'<div class="kit-head"><span class="dim">Path</span>{chooser}</div>'
         f'<div class="options">{path}</div>{_joints(bounded)}'
         f'<div class="verdict {kind}">{SIGNS[kind]} {escaped(said)}</div>'
         f'<div class="bar">{lower}{take}</div>' + "".join(f'<p class="dim">{escaped(note)}</p>' for note in notes)

@@ -114,7 +114,7 @@ def _selected(fields: Fields, state: State) -> str:
         + chip(channel, "drag", "Drag it", "A handle at this waypoint instead of at the arm", pressed=part.handled)
     )
     turn = _turning(state, channel) if part.handled else ""
-    joints = f'<div class="it-numbers">{"".join(cells)}</div>'
+    joints = f'<div class="kit-numbers">{"".join(cells)}</div>'
     pose = pose_fields(fields, arm, point.wanted(arm), units, "pose ")
     short = _shortfall(state)
     return f'<h3>Waypoint {k + 1}<span class="copies">{take}</span></h3>{turn}{joints}{pose}{short}'

@@ -60,7 +60,7 @@ def curve_form(fields: Fields, state: State) -> str:
     told = found.given.remarks_in(units.length_unit, units.factor(False))
     remarks = "".join(f'<p class="dim">{escaped(text)}</p>' for text in told)
     return (
-        f'<h3>Curve <span class="copies">{by_length}</span></h3><div class="it-head">{chooser}</div>{typed}'
+        f'<h3>Curve <span class="copies">{by_length}</span></h3><div class="kit-head">{chooser}</div>{typed}'
         f'<div class="options sc-options">{form}</div>{notes}{remarks}'
     )
 
@@ -71,7 +71,7 @@ def _formula(fields: Fields, part: SpaceCurve) -> str:
         "<i>m</i></label>"
         for k, axis in enumerate("xyz")
     )
-    return f'<div class="it-numbers it-typed sc-typed">{rows}</div>'
+    return f'<div class="kit-numbers kit-typed sc-typed">{rows}</div>'
 
 
 def _points(fields: Fields, part: SpaceCurve, units: Units) -> str:
@@ -88,7 +88,7 @@ def _points(fields: Fields, part: SpaceCurve, units: Units) -> str:
     add = (
         "" if kind.most == kind.least else chip(channel, "add-point", "+ waypoint", "Add one behind the last", off=full)
     )
-    return f'<table class="sc-points"><tr><th></th>{heads}<th></th></tr>{"".join(rows)}</table>{add}'
+    return f'<table class="kit-points"><tr><th></th>{heads}<th></th></tr>{"".join(rows)}</table>{add}'
 
 
 def _coordinate(fields: Fields, part: SpaceCurve, units: Units, i: int, j: int) -> str:
@@ -112,7 +112,7 @@ def law_form(fields: Fields, state: State) -> str:
     form = option_markup(fields, "l-", free_law_types()[part.law.key].fields, part.law.options)
     remarks = "".join(f'<p class="dim">{escaped(text)}</p>' for text in found.law.remarks)
     return (
-        f'<h3>Timing law s(t)</h3><div class="it-head">{chooser}'
+        f'<h3>Timing law s(t)</h3><div class="kit-head">{chooser}'
         f'<label class="sc-time">T {duration}<i>s</i></label></div>'
         f'{own}<div class="options sc-options">{form}</div>{remarks}'
     )

@@ -41,8 +41,8 @@ def turn_form(fields: Fields, state: State) -> str:
     kind = f'<p class="dim">{escaped(capitalised(name))}.</p>' if name else ""
     ends = "".join(_end(fields, part, end, units) for end in ("A", "B"))
     return (
-        f'<h3>From A to B</h3><div class="it-head">{sequence}{about}</div>{kind}'
-        f'<table class="sc-points sc-angles">{_heads(part, units)}{ends}</table>'
+        f'<h3>From A to B</h3><div class="kit-head">{sequence}{about}</div>{kind}'
+        f'<table class="kit-points sc-angles">{_heads(part, units)}{ends}</table>'
     )
 
 

@@ -108,7 +108,9 @@ def _step(fields: Fields, state: State, found: Steps) -> str:
         said = words.path(found, units)
     elif step == SAMPLING:
         typed = fields.field("samples", str(state[Plan].samples), "Number of samples")
-        said = words.sampling(found, f'<div class="it-numbers"><label><span>samples</span>{typed}</label></div>', units)
+        said = words.sampling(
+            found, f'<div class="kit-numbers"><label><span>samples</span>{typed}</label></div>', units
+        )
     elif step == INVERSE:
         said = words.inverse(found, units)
     else:

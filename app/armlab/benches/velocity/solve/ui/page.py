@@ -130,7 +130,7 @@ def head_markup(fields: Fields, state: State, solved: Found, units: Units) -> st
     return (
         f"{examples}{asked}"
         f"<h3>Wanted velocity {mathml('v')} <small>in axes of {frame}; or drag the blue arrow</small></h3>"
-        f'<div class="it-numbers so-twist">{"".join(cells)}</div>'
+        f'<div class="kit-numbers so-twist">{"".join(cells)}</div>'
     )
 
 

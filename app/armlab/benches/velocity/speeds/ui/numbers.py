@@ -100,8 +100,8 @@ def points_markup(fields: Fields, state: State) -> str:
     lines = "".join(f"<tr><th>{name}</th>{_three(vector, kind, units)}</tr>" for name, vector, kind in rows)
     along = float(found.across @ found.lever)
     return (
-        f'<div class="it-head"><span class="dim">In the frame of</span>{chooser}</div>'
-        f'<table class="sc-points ve-points"><tr><th></th>{heads}</tr>{typed}</table>'
+        f'<div class="kit-head"><span class="dim">In the frame of</span>{chooser}</div>'
+        f'<table class="kit-points ve-points"><tr><th></th>{heads}</tr>{typed}</table>'
         f'<table class="ve-table ve-three"><tr><th></th><th>x</th><th>y</th><th>z</th><th></th></tr>{lines}</table>'
         f'<p class="dim">World axes. (ω × r₁₂)·r₁₂ = {number(along, 3)} m²/s: across the line. {OMEGA}</p>'
     )

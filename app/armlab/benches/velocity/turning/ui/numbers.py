@@ -70,8 +70,8 @@ def form_markup(fields: Fields, state: State) -> str:
     rates = "".join(_field(fields, part.rates[k], f"rates {k}", f"rate {k + 1}", units) for k in range(3))
     heads = "".join(f"<th>{dot(css(joint_colour(k)))}{name}</th>" for k, name in enumerate(names))
     return (
-        f'<div class="it-head">{chooser}{about}</div>{told}'
-        f'<table class="sc-points ve-points"><tr><th></th>{heads}</tr>'
+        f'<div class="kit-head">{chooser}{about}</div>{told}'
+        f'<table class="kit-points ve-points"><tr><th></th>{heads}</tr>'
         f"<tr><th>φ, {units.angle_unit}</th>{angles}</tr><tr><th>φ̇, {units.angle_unit}/s</th>{rates}</tr></table>"
         f'<div class="bar">{take}</div>'
     )
@@ -191,7 +191,7 @@ def small_markup() -> str:
     )
     return (
         "<h3>Small turns commute <small>5.22–5.27</small></h3>"
-        '<table class="it-table"><tr><th>dφ, rad</th><th>two orders</th><th>from I + S(dφ)</th><th>/ dφ²</th></tr>'
+        '<table class="kit-table"><tr><th>dφ, rad</th><th>two orders</th><th>from I + S(dφ)</th><th>/ dφ²</th></tr>'
         f'{lines}</table><p class="dim">Largest difference of an entry, of turns by dφ about x, y and z. '
         f"A tenth of dφ leaves a hundredth. {ORDERS}</p>"
     )

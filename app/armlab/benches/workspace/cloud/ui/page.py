@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from armlab.benches.workspace.cloud.examples import EXAMPLES, ChooseWorkspaceExample
 from armlab.benches.workspace.cloud.files import as_csv, as_ply
+from armlab.benches.workspace.cloud.samples import Sampled
 from armlab.benches.workspace.cloud.state import (
     COUNTS,
     CUTS,
@@ -40,7 +41,7 @@ from armlab.ui.tried import tried
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Fields, Gui
 
-SAVES = {"ply": as_ply, "csv": as_csv}
+SAVES: dict[str, Callable[[Sampled], str | bytes]] = {"ply": as_ply, "csv": as_csv}
 
 LONGEST_SEED = 18
 """Digits; the lab takes fewer and says how large a seed may be, and Python reads no number of thousands."""

@@ -271,13 +271,13 @@ def scale(state: State, found: Study) -> str:
             "</span>"
             for value in numbers
         )
-        return f'<div class="ws-scale"><b>Solutions inside the limits</b><div class="dx-counts">{marks}</div></div>'
+        return f'<div class="kit-scale"><b>Solutions inside the limits</b><div class="dx-counts">{marks}</div></div>'
     if found.map is not None and never_turns(found.question.arm):
         return ""
     circle = found.map is not None and found.map.sheet.bins.circle
     head = "Orientations in the plane" if circle else "Approach directions"
     return (
-        f'<div class="ws-scale"><b>{head}</b><u style="background:{VIRIDIS_CSS}"></u>'
+        f'<div class="kit-scale"><b>{head}</b><u style="background:{VIRIDIS_CSS}"></u>'
         "<div><i>0 %</i><i>50 %</i><i>100 %</i></div></div>"
     )
 

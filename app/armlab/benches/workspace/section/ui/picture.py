@@ -148,7 +148,7 @@ def _outlines(found: Found) -> str:
     whole, frame = in_own_plane(found), frame_of(found)
     if whole is None:
         # Of a section that is being found, specks are left out: there are hundreds, and others wait meanwhile.
-        lines = [line for line in found.section.contours if found.section.finished or len(line) > SPECK]
+        lines = tuple(line for line in found.section.contours if found.section.finished or len(line) > SPECK)
     else:
         reached = np.pad(whole.reached, 1).T
         columns, rows = reached.shape

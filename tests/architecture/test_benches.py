@@ -1,0 +1,154 @@
+"""A bench is a folder: what tabs may see of each other, what in them draws, and how far their styles reach."""
+
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from armlab.session.bench import benches
+from armlab.session.job import jobs
+from armlab.session.parts.timeline import clips
+from armlab.ui.plugin import layers, panels
+from support.sources import PACKAGE, TOP, imports_of
+
+DRAWING = ("armlab.ui", "viser", "trimesh", "latex2mathml")
+"""What only the folders ``ui`` of benches may import."""
+
+MARKUP = re.compile(r"""class=\\?["']([^"'{}]*)""")
+
+
+def tab_of(name):
+    """Return the tab a dotted name belongs to; empty for what is no bench's."""
+    parts = name.split(".")
+    return parts[2] if parts[:2] == ["armlab", "benches"] and len(parts) > 2 else ""
+
+
+def trespasses(package):
+    """Return every import of a bench that goes past the door of another tab, or draws outside ``ui``."""
+    found = []
+    for path in sorted((package / "benches").rglob("*.py")):
+        tab, *inside = path.relative_to(package / "benches").parts
+        for name in imports_of(path):
+            other = tab_of(name)
+            if other not in ("", tab) and not name.startswith(f"armlab.benches.{other}.api"):
+                found.append(f"{path.relative_to(package)} imports {name}, which is no part of the api of {other}")
+            draws = ".ui." in f"{name}." if other == tab else name.startswith(DRAWING)
+            if "ui" not in inside and draws:
+                found.append(f"{path.relative_to(package)} imports {name} and lies outside a folder ui")
+    return found
+
+
+def test_tabs_meet_in_their_api_and_only_what_is_seen_draws():
+    assert trespasses(PACKAGE) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("control/follow/state.py", "from armlab.benches.motion.plan.state import Plan"),
+        ("control/follow/ui/page.py", "from armlab.benches.iterate.runs.ui.words import errors"),
+        ("robot/table/state.py", "from armlab.ui.units import units_of"),
+        ("motion/plan/job.py", "from armlab.benches.motion.plan.ui.points import marks"),
+        ("motion/plan/job.py", "import viser"),
+    ],
+)
+def test_a_planted_trespass_is_found(file, line, tmp_path):
+    copy = tmp_path / "benches" / file
+    copy.parent.mkdir(parents=True)
+    copy.write_text((PACKAGE / "benches" / file).read_text(encoding="utf-8") + f"\n\n{line}\n", encoding="utf-8")
+    assert len(trespasses(tmp_path)) >= 1
+
+
+def classes(text):
+    """Return the classes that stylesheets speak of."""
+    return set(re.findall(r"\.([a-zA-Z][\w-]*)", re.sub(r"\{[^{}]*\}", "{}", text)))
+
+
+def strangers(tab, markup, own, common, others):
+    """Return the classes that markup of a tab takes from stylesheets of other tabs, which do not reach it."""
+    used = {name for text in MARKUP.findall(markup) for name in text.split()}
+    return sorted(name for name in used if name in others and name not in own | common)
+
+
+def styles():
+    """Return the classes of each tab's stylesheets, and those of the whole lab."""
+    common = "".join(file.read_text() for file in (PACKAGE / "front" / "static").glob("*.css"))
+    tabs = {folder.name: "" for folder in (PACKAGE / "benches").iterdir() if folder.is_dir()}
+    for file in (PACKAGE / "benches").glob("*/*/style.css"):
+        tabs[file.parts[-3]] += file.read_text()
+    return {tab: classes(text) for tab, text in tabs.items()}, classes(common)
+
+
+def test_markup_of_a_bench_uses_its_own_styles_and_the_common_ones():
+    tabs, common = styles()
+    found = {}
+    for tab, own in tabs.items():
+        others = set().union(*(names for key, names in tabs.items() if key != tab))
+        markup = "".join(file.read_text() for file in (PACKAGE / "benches" / tab).rglob("*.py"))
+        found[tab] = strangers(tab, markup, own, common, others)
+    kit = "".join(file.read_text() for file in (PACKAGE / "ui").rglob("*.py"))
+    found["ui"] = strangers("ui", kit, set(), common, set().union(*tabs.values()))
+    assert {tab: names for tab, names in found.items() if names} == {}
+
+
+def test_a_class_of_another_tab_is_found():
+    tabs, common = styles()
+    assert strangers("control", '<i class="law-name">', tabs["control"], common, tabs["motion"]) == ["law-name"]
+
+
+def test_keys_that_are_written_as_text_exist():
+    """Jobs and clips say on which pages they are wanted; what a lesson or a link names is looked up when it is read."""
+    assert {clip.panel for clip in clips().values() if clip.panel} <= panels().keys()
+    for file in (PACKAGE / "benches").glob("*/*/job*.py"):
+        for key in re.findall(r'^(?:PANEL|PAGE) = "(\w+)"', file.read_text(), re.MULTILINE):
+            assert key in panels(), f"{file}: there is no page {key!r}"
+
+
+def test_what_lies_in_a_bench_is_found_and_nothing_twice():
+    names = [info.build.__module__ for info in (*panels().values(), *layers().values())]
+    pages = sorted(file.relative_to(PACKAGE) for file in (PACKAGE / "benches").glob("*/*/ui/page.py"))
+    assert len(pages) == len(panels()) == sum(name.startswith("armlab.benches.") for name in names if "page" in name)
+    assert len(list((PACKAGE / "benches").glob("*/*/job*.py"))) == len(jobs())
+    assert len(list((PACKAGE / "benches").glob("*/*/clip*.py"))) == len(clips())
+    assert len(list((PACKAGE / "benches").glob("*/*/bench.py"))) == len(benches())
+
+
+WITHOUT = """
+import asyncio
+from support.fake_browser import FakeBrowser, cookie_of
+from support.lab import running_lab
+from armlab.front.page import make_page
+from armlab.session.play import problems
+from armlab.ui.plugin import layers, panels
+
+async def main(url):
+    browser = FakeBrowser(url, cookie_of(url))
+    await browser.connect()
+    await browser.until(lambda: "al-notes" in browser.html())
+    await browser.open("target", "velocity", "motion", "control")
+    before = browser.counts["SetOrientationMessage"]
+    await browser.set_value(browser.slider(1), 20.0)
+    await browser.until(lambda: browser.counts["SetOrientationMessage"] > before)
+    await browser.close()
+
+with running_lab() as url:
+    asyncio.run(main(url))
+assert not {"workspace", "section", "dexterous", "what_if"} & {*panels(), *layers()}
+assert b".b-workspace" not in make_page().html
+assert problems("first_arm") == []
+print("lives without")
+"""
+
+
+def test_a_lab_without_one_tab_starts_and_shows_no_trace_of_it(tmp_path):
+    for name in ("app", "robots"):
+        shutil.copytree(TOP / name, tmp_path / name)
+    (tmp_path / "lessons").mkdir()
+    shutil.copy(TOP / "lessons" / "first_arm.md", tmp_path / "lessons")
+    shutil.copy(TOP / "pyproject.toml", tmp_path)
+    shutil.rmtree(tmp_path / "app/armlab/benches/workspace")
+    variables = {"PYTHONPATH": f"{tmp_path / 'app'}:{TOP / 'tests'}", "PATH": "/usr/bin:/bin", "HOME": str(tmp_path)}
+    done = subprocess.run([sys.executable, "-c", WITHOUT], env=variables, capture_output=True, text=True, cwd=tmp_path)
+    assert "lives without" in done.stdout, done.stderr
