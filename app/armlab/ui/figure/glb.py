@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable
 from functools import cache
-
-import trimesh
-from trimesh.visual import TextureVisuals
-from trimesh.visual.material import PBRMaterial
+from typing import TYPE_CHECKING
 
 from armlab.ui.colours import Rgb, joint_colour, linear
 from armlab.ui.figure.mesh import Solid, joined
+
+if TYPE_CHECKING:
+    from trimesh.visual.material import PBRMaterial
 
 Part = tuple[str, Solid]
 """A material (a key of `MATERIALS`, or ``joint3``) and a solid."""
@@ -48,6 +48,9 @@ def merged(parts: Iterable[Part]) -> dict[str, Solid]:
 
 def scene_glb(coloured: Iterable[tuple[Solid, Look]]) -> bytes:
     """Return the GLB file of solids, each of one material."""
+    import trimesh  # Half a second; the page can be served meanwhile.
+    from trimesh.visual import TextureVisuals
+
     scene = trimesh.Scene()
     for solid, look in coloured:
         # Neither checked nor cleaned: merged vertices would lose the sharp edges.
@@ -66,6 +69,8 @@ def scene_glb(coloured: Iterable[tuple[Solid, Look]]) -> bytes:
 
 @cache
 def _material(look: Look) -> PBRMaterial:
+    from trimesh.visual.material import PBRMaterial
+
     colour, roughness, metallic = look
     factor = [*(round(255.0 * float(value)) for value in linear(colour)), 255]
     look_of = {"baseColorFactor": factor, "roughnessFactor": roughness, "metallicFactor": metallic}

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from functools import cache, lru_cache
 
-import trimesh
-
 from armlab.ui.colours import AXES, Rgb, joint_colour
 from armlab.ui.figure.anatomy import Anatomy
 from armlab.ui.figure.glb import scene_glb
@@ -27,6 +25,8 @@ def frame_glb() -> bytes:
     """Return three arrows of unit length from a ball: x, y, z."""
     width = 0.033
     arrow = lathe([(0.0, 0.0), (width, 0.0), (width, 0.78), (2.6 * width, 0.78), (0.0, 1.0)], sides=20)
+    import trimesh  # Half a second; the page can be served meanwhile.
+
     ball = trimesh.creation.icosphere(subdivisions=3, radius=1.7 * width)
     arrows = [(placed(arrow, along(_DIRECTIONS[axis])), (colour, 0.6, 0.0)) for axis, colour in AXES.items()]
     return scene_glb(

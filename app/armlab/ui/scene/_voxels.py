@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import trimesh
 import viser
 from numpy.typing import NDArray
 
@@ -45,6 +44,8 @@ class VoxelBody:
             Side of a voxel, m.
         colours : ndarray of uint8, shape (k, 3)
         """
+        import trimesh  # Half a second; the page can be served meanwhile.
+
         self.clear()
         solid = trimesh.creation.box(extents=np.full(3, FILLED * step))
         self._node = self._canvas.scene.add_batched_meshes_simple(
