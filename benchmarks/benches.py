@@ -6,7 +6,7 @@ from itertools import islice
 
 import drag
 import servers
-from armlab.ui.plugin import panels, switches
+from armlab.ui.plugin import pages, switches
 from rounds import quantile, sized
 from support.fake_browser import FakeBrowser
 
@@ -29,7 +29,7 @@ def measure() -> Iterator[str]:
 
 def cases() -> Iterator[tuple[str, Callable[[FakeBrowser], Awaitable[None]]]]:
     """Yield every panel, then every switch of the picture that is off at first."""
-    for key, panel in islice(panels().items(), MOST):
+    for key, panel in islice(pages().items(), MOST):
         yield panel.title, lambda browser, key=key: browser.open(key)
     for switch in islice((switch for switch in switches() if not switch.default), MOST):
         yield f"overlay: {switch.title}", lambda browser, name=switch.name: _switch_on(browser, name)

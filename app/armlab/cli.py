@@ -19,7 +19,7 @@ from armlab import __version__
 from armlab.commands import command_types, listing, run_command
 from armlab.content.lessons import lessons
 from armlab.content.robots import catalogue
-from armlab.errors import ArmlabError
+from armlab.errors import ArmlabError, PluginError
 from armlab.front.addresses import addresses
 from armlab.front.room import LONGEST
 from armlab.front.start import Running, Settings, start
@@ -70,12 +70,27 @@ def _run(running: Running, options: argparse.Namespace) -> int:
     print("Stop it with Ctrl-C.", flush=True)
     if not options.no_browser:
         threading.Thread(target=_open_browser, args=(own,), daemon=True).start()
+    if not options.labs and (broken := _broken_panel()):
+        print(f"armlab: {broken}", file=sys.stderr)
+        running.stop()
+        return 1
     # The front of a class reads the lessons for this alone, and students can come in meanwhile.
     for problem in lessons().problems:
         print(f"armlab: {problem}", file=sys.stderr)
     _wait(ended)
     running.stop()
     return 0
+
+
+def _broken_panel() -> PluginError | None:
+    """Import all panels, which are else imported when they are opened; return why one cannot be."""
+    from armlab.ui.plugin import panels  # the front of a class does without
+
+    try:
+        panels()
+    except PluginError as error:
+        return error
+    return None
 
 
 def _wait(ended: queue.SimpleQueue[None]) -> None:

@@ -25,13 +25,14 @@ class Keyed(Protocol):
         ...
 
 
-T = TypeVar("T", bound=Keyed)
+T = TypeVar("T")
+K = TypeVar("K", bound=Keyed)
 
 BENCHES = "armlab.benches"
 """The package whose sub-packages are the tabs, and theirs the pages."""
 
 
-def discover(package: ModuleType, constant: str, kind: type[T]) -> dict[str, T]:
+def discover(package: ModuleType, constant: str, kind: type[K]) -> dict[str, K]:
     """Import every public module of a package and collect one constant from each.
 
     Parameters
@@ -56,7 +57,7 @@ def discover(package: ModuleType, constant: str, kind: type[T]) -> dict[str, T]:
     return _collected(_public(package), constant, kind)
 
 
-def discover_in_benches(role: str, constant: str, kind: type[T], *shared: ModuleType) -> dict[str, T]:
+def discover_in_benches(role: str, constant: str, kind: type[K], *shared: ModuleType) -> dict[str, K]:
     """Collect one constant from every module with a role in the folder of a page.
 
     Parameters
@@ -81,6 +82,11 @@ def discover_in_benches(role: str, constant: str, kind: type[T], *shared: Module
     """
     names = [name for package in shared for name in _public(package)]
     return _collected([*names, *_with_role(role)], constant, kind)
+
+
+def discover_pages(constant: str, kind: type[K]) -> dict[str, K]:
+    """Collect one constant from the packages of all pages; see `discover`."""
+    return _collected(bench_pages(), constant, kind)
 
 
 def _with_role(role: str) -> Iterator[str]:
@@ -116,18 +122,19 @@ def _public(package: ModuleType) -> Iterator[str]:
             yield f"{package.__name__}.{info.name}"
 
 
-def _collected(names: Iterable[str], constant: str, kind: type[T]) -> dict[str, T]:
-    found: dict[str, T] = {}
+def _collected(names: Iterable[str], constant: str, kind: type[K]) -> dict[str, K]:
+    found: dict[str, K] = {}
     origin: dict[str, str] = {}
     for name in names:
-        plugin = _constant_of(name, constant, kind)
+        plugin = constant_of(name, constant, kind)
         if plugin.key in found:
             raise PluginError(f"{name}: the key {plugin.key!r} is already used by {origin[plugin.key]}")
         found[plugin.key], origin[plugin.key] = plugin, name
     return dict(sorted(found.items(), key=lambda item: (getattr(item[1], "order", 0), item[0])))
 
 
-def _constant_of(module_name: str, constant: str, kind: type[T]) -> T:
+def constant_of(module_name: str, constant: str, kind: type[T]) -> T:
+    """Import a module and return its constant; `PluginError` when that fails or it is of another kind."""
     try:
         module: Any = importlib.import_module(module_name)
     except Exception as error:

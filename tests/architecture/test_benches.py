@@ -10,7 +10,7 @@ import pytest
 from armlab.session.bench import benches
 from armlab.session.job import jobs
 from armlab.session.parts.timeline import clips
-from armlab.ui.plugin import layers, panels
+from armlab.ui.plugin import layers, pages, panel
 from support.sources import PACKAGE, TOP, imports_of
 
 DRAWING = ("armlab.ui", "viser", "trimesh", "latex2mathml")
@@ -103,16 +103,16 @@ def test_a_class_of_another_tab_is_found():
 
 def test_keys_that_are_written_as_text_exist():
     """Jobs and clips say on which pages they are wanted; what a lesson or a link names is looked up when it is read."""
-    assert {clip.panel for clip in clips().values() if clip.panel} <= panels().keys()
+    assert {clip.panel for clip in clips().values() if clip.panel} <= pages().keys()
     for file in (PACKAGE / "benches").glob("*/*/job*.py"):
         for key in re.findall(r'^(?:PANEL|PAGE) = "(\w+)"', file.read_text(), re.MULTILINE):
-            assert key in panels(), f"{file}: there is no page {key!r}"
+            assert key in pages(), f"{file}: there is no page {key!r}"
 
 
 def test_what_lies_in_a_bench_is_found_and_nothing_twice():
-    names = [info.build.__module__ for info in (*panels().values(), *layers().values())]
-    pages = sorted(file.relative_to(PACKAGE) for file in (PACKAGE / "benches").glob("*/*/ui/page.py"))
-    assert len(pages) == len(panels()) == sum(name.startswith("armlab.benches.") for name in names if "page" in name)
+    assert len(list((PACKAGE / "benches").glob("*/*/ui/page.py"))) == len(pages())
+    assert len([key for key in pages() if panel(key).build]) == len(pages())
+    assert len(list((PACKAGE / "benches").glob("*/*/ui/scene*.py"))) < len(layers())
     assert len(list((PACKAGE / "benches").glob("*/*/job*.py"))) == len(jobs())
     assert len(list((PACKAGE / "benches").glob("*/*/clip*.py"))) == len(clips())
     assert len(list((PACKAGE / "benches").glob("*/*/bench.py"))) == len(benches())
@@ -124,7 +124,7 @@ from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from armlab.front.page import make_page
 from armlab.session.play import problems
-from armlab.ui.plugin import layers, panels
+from armlab.ui.plugin import layers, pages, panel
 
 async def main(url):
     browser = FakeBrowser(url, cookie_of(url))
@@ -138,7 +138,7 @@ async def main(url):
 
 with running_lab() as url:
     asyncio.run(main(url))
-assert not {"workspace", "section", "dexterous", "what_if"} & {*panels(), *layers()}
+assert not {"workspace", "section", "dexterous", "what_if"} & {*pages(), *layers()}
 assert b".b-workspace" not in make_page().html
 assert problems("first_arm") == []
 print("lives without")

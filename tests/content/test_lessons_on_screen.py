@@ -3,7 +3,7 @@
 import pytest
 
 from armlab.content.lessons import lessons
-from armlab.ui.plugin import panels, switches
+from armlab.ui.plugin import pages, switches
 
 
 @pytest.fixture(params=list(lessons().lessons))
@@ -12,7 +12,7 @@ def given(request):
 
 
 def test_its_panel_is_there(given):
-    assert given.panel in ("", *panels())
+    assert given.panel in ("", *pages())
 
 
 def test_its_overlays_are_switches_of_the_picture(given):
@@ -20,4 +20,4 @@ def test_its_overlays_are_switches_of_the_picture(given):
 
 
 def test_what_it_hides_is_a_panel(given):
-    assert set(given.hidden) <= set(panels())
+    assert set(given.hidden) <= set(pages())

@@ -12,7 +12,7 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
-from armlab.ui.plugin import panels
+from armlab.ui.plugin import pages
 from support.patience import WAIT, Patience
 
 ARGUMENTS = (
@@ -215,8 +215,8 @@ class LabPage:
 
     def open_tab(self, title: str) -> None:
         """Open a tab, or the page of a tab that has this title."""
-        page = next((panel for panel in panels().values() if panel.title == title and panel.tab), None)
-        tab = title if page is None else panels()[page.tab].title
+        page = next((panel for panel in pages().values() if panel.title == title and panel.tab), None)
+        tab = title if page is None else pages()[page.tab].title
         self.page.locator(f'[role=tab][title="{tab}"]').click()
         self.frames(3)
         if page is not None:

@@ -12,7 +12,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.commands import shortcuts
 from armlab.ui.figure.anatomy import anatomy_of
-from armlab.ui.plugin import layers, panels
+from armlab.ui.plugin import layers, panel
 from armlab.ui.scene._dimensions import dimensions_of
 from armlab.ui.scene._strokes import dashes, stretch
 from armlab.ui.scene._turns import before_turn
@@ -249,6 +249,6 @@ def test_the_arm_is_out_of_the_way_of_lines_of_ones_own(url):
 
 def test_what_is_in_the_way_are_layers():
     fresh = State.initial(catalogue()["puma560"])
-    hidden = panels()["normal"].hides_then(fresh)
+    hidden = panel("normal").hides_then(fresh)
     assert {"arm", "skeleton"} <= set(hidden) <= set(layers())
-    assert panels()["normal"].hides_then(apply(fresh, TakeAxes(0))) == ()
+    assert panel("normal").hides_then(apply(fresh, TakeAxes(0))) == ()

@@ -121,9 +121,9 @@ def _unknown(kind: str, names: Iterable[str], known: Iterable[str]) -> Iterator[
 
 
 def _panels() -> Iterable[str]:
-    from armlab.ui.plugin import panels
+    from armlab.ui.plugin import pages
 
-    return panels()
+    return pages()
 
 
 def _switches() -> Iterable[str]:

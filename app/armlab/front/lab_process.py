@@ -11,6 +11,7 @@ from armlab.content.lessons import add_folder
 from armlab.content.robots import catalogue
 from armlab.front.start import SWITCH_INTERVAL
 from armlab.ui.lab import Lab
+from armlab.ui.plugin import panels
 
 
 def main() -> None:
@@ -21,6 +22,7 @@ def main() -> None:
     for lessons in settings["lessons"]:
         add_folder(Path(lessons))
     folder = Path(settings["sessions"]) if settings["sessions"] else None
+    panels()
     lab = Lab(catalogue()[settings["opening"]], folder, settings["secret"])
     print(json.dumps({"port": lab.port}), flush=True)
     sys.stdin.read()

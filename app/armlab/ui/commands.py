@@ -13,7 +13,7 @@ from armlab.session.parts.target import TargetToTool
 from armlab.session.session import Redo, Undo
 from armlab.ui import adapter
 from armlab.ui.format import lowered
-from armlab.ui.plugin import panels, switches
+from armlab.ui.plugin import pages, switches
 from armlab.ui.switches import Switch
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def _open(key: str, title: str) -> Shortcut:
 def shortcuts() -> tuple[Shortcut, ...]:
     """Return all entries: the fixed ones, one for each switch of the picture, one for each panel."""
     toggles = (_toggle(switch) for switch in switches())
-    return (*_FIXED, *toggles, *(_open(panel.key, panel.title) for panel in panels().values()))
+    return (*_FIXED, *toggles, *(_open(panel.key, panel.title) for panel in pages().values()))
 
 
 def register(view: View) -> None:

@@ -65,7 +65,8 @@ class Lab:
     """
 
     def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
-        # Found now, so that a broken plug-in stops the start and not the first student.
+        # Found now, so that a broken plug-in stops the start and not the first student; panels take half a second, and
+        # are looked at when the lab is open.
         for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
         self._secret = secret

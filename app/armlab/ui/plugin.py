@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import PluginError
-from armlab.plugins import BENCHES, discover_in_benches
+from armlab.page import Page
+from armlab.plugins import constant_of, discover_in_benches, discover_pages
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -31,26 +32,17 @@ NOTHING: Points = np.zeros((0, 3))
 
 @dataclass(frozen=True)
 class Panel:
-    """The constant ``PANEL`` of a module in `armlab.ui.panels`.
+    """The constant ``PANEL`` of the module ``ui.page`` of a page.
 
-    A panel is built when a person first opens it, and shown only while it is open.
+    It is imported and built when a person first opens the page, and shown only while it is open.
 
     Parameters
     ----------
-    key, title : str
-    icon : str
-        Name of one of `viser.Icon`, such as ``"ROBOT"``.
-    order : int
-        Place among the tabs, or among the pages of its tab.
     watches : tuple of part types
         ``show`` is called when one of these parts has changed, at most some eight times a second.
     build : callable
         ``build(gui, state, post) -> show``: makes the controls, returns the function that shows a state, which is
         called at once.
-    tab : str
-        Key of the panel whose tab it shares as one of its pages; empty for a tab of its own.
-    page : str
-        What its page is called where that is not its title, which a first page lends to its tab.
     rebuilds : tuple of part types
         ``build`` is called anew when one of these has changed: another arm, other units.
     see_through : bool
@@ -62,35 +54,18 @@ class Panel:
     around : callable
         ``around(state)`` returns points (k, 3) of the scene that belong in the picture beside the arm while the panel
         is open.
-    about : tuple of str
-        What the index finds it by: sections and equations of the notes, rows of the inventory, words.
-    always : bool
-        Whether it may be read also while a question of a lesson hides the arm or its values.
     outside : callable
         ``outside()`` returns what it shows besides the state; ``show`` is called also when this is another object.
     """
 
-    key: str
-    title: str
-    icon: str
-    order: int
     watches: tuple[type[Part], ...]
     build: Callable[[Gui, State, Post], Show]
-    tab: str = ""
-    page: str = ""
     rebuilds: tuple[type[Part], ...] = (RobotPart, Notation)
     see_through: bool = False
     hides: tuple[str, ...] = ()
     hides_then: Callable[[State], tuple[str, ...]] = lambda state: ()
     around: Callable[[State], Points] = lambda state: NOTHING
-    about: tuple[str, ...] = ()
-    always: bool = False
     outside: Callable[[], object] = lambda: None
-
-    @property
-    def scope(self) -> str:
-        """The class under which the stylesheets of its tab hold: ``b-`` and the name of the tab's folder."""
-        return f"b-{self.build.__module__.removeprefix(f'{BENCHES}.').partition('.')[0]}"
 
 
 @dataclass(frozen=True)
@@ -133,19 +108,33 @@ class Layer:
 
 
 @cache
-def panels() -> dict[str, Panel]:
-    """Return all panels in order."""
-    found = discover_in_benches("ui.page", "PANEL", Panel)
-    for panel in found.values():
-        if panel.tab and (panel.tab not in found or found[panel.tab].tab):
-            raise PluginError(f"panel {panel.key}: there is no tab {panel.tab!r}")
+def pages() -> dict[str, Page]:
+    """Return what is known of all pages in order, without their panels."""
+    found = discover_pages("PAGE", Page)
+    for page in found.values():
+        if page.tab and (page.tab not in found or found[page.tab].tab):
+            raise PluginError(f"page {page.key}: there is no tab {page.tab!r}")
     return found
 
 
 @cache
-def tabs() -> dict[str, tuple[Panel, ...]]:
+def panel(key: str) -> Panel:
+    """Return the panel of a page, which is imported now; `PluginError` when it is broken."""
+    found = constant_of(f"{pages()[key].package}.ui.page", "PANEL", Panel)
+    _refuse_unknown(key, found.hides)
+    return found
+
+
+def panels() -> None:
+    """Import all panels; `PluginError` with the name of the first that is broken."""
+    for key in pages():
+        panel(key)
+
+
+@cache
+def tabs() -> dict[str, tuple[Page, ...]]:
     """Return the tabs in order: the key of each, which is that of its first page, and its pages."""
-    found = panels()
+    found = pages()
     return {
         key: (first, *(page for page in found.values() if page.tab == key))
         for key, first in found.items()
@@ -164,15 +153,17 @@ def layers() -> dict[str, Layer]:
         if names.count(name) > 1:
             raise PluginError(f"two switches are called {name!r}")
     for layer in found.values():
-        for panel in layer.panels:
-            if panel not in panels():
-                raise PluginError(f"layer {layer.key}: there is no panel {panel!r}")
-    hiding: tuple[Panel | Layer, ...] = (*panels().values(), *found.values())
-    for plugin in hiding:
-        for key in plugin.hides:
-            if key not in found:
-                raise PluginError(f"{plugin.key}: there is no layer {key!r} to hide")
+        for key in layer.panels:
+            if key not in pages():
+                raise PluginError(f"layer {layer.key}: there is no page {key!r}")
+        _refuse_unknown(layer.key, layer.hides, found)
     return found
+
+
+def _refuse_unknown(key: str, hides: tuple[str, ...], known: Collection[str] | None = None) -> None:
+    for hidden in hides:
+        if hidden not in (layers() if known is None else known):
+            raise PluginError(f"{key}: there is no layer {hidden!r} to hide")
 
 
 def hidden_panels(state: State) -> frozenset[str]:

@@ -6,12 +6,14 @@ import logging
 from collections.abc import Callable
 from typing import Any
 
+from armlab.page import Page
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.format import escaped
 from armlab.ui.markup import button
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Post, Show
+from armlab.ui.plugin import panel as panel_of
 from armlab.ui.widgets import Fields, Gui
 
 log = logging.getLogger(__name__)
@@ -25,7 +27,7 @@ class Tab:
 
     Parameters
     ----------
-    pages : tuple of Panel
+    pages : tuple of Page
         The first gives the tab its name.
     container : viser tab handle
     make_gui : callable
@@ -37,7 +39,7 @@ class Tab:
 
     def __init__(
         self,
-        pages: tuple[Panel, ...],
+        pages: tuple[Page, ...],
         container: Any,
         make_gui: Callable[[], Gui],
         post: Post,
@@ -104,8 +106,12 @@ class Tab:
             Pages that are not there now.
         """
         self._leave_out(hidden)
-        panel = self.pages[self.page]
-        if self._cover(panel, state):
+        page = self.pages[self.page]
+        if self._cover(page, state):
+            return
+        with self._container:
+            panel = self._try(panel_of, page.key)
+        if panel is None:
             return
         before, self._shown = self._shown, state
         other, self._outside = self._outside, panel.outside()
@@ -117,7 +123,7 @@ class Tab:
                 same = before is not None and state[RobotPart] is before[RobotPart]
                 self._gui.clear(linger=same and self._built == self.page)
                 self._built = self.page
-                self._gui.scope = panel.scope
+                self._gui.scope = page.scope
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)
@@ -131,9 +137,9 @@ class Tab:
         self.page = self.page if self.page in left else left[0]
         self._show_head()
 
-    def _cover(self, panel: Panel, state: State) -> bool:
+    def _cover(self, page: Page, state: State) -> bool:
         """Show a sentence instead of a page that would tell what is to be predicted."""
-        covered = bool(state[LessonPart].hides) and not panel.always
+        covered = bool(state[LessonPart].hides) and not page.always
         if covered and self._built != COVERED:
             with self._container:
                 self._gui.clear()

@@ -27,7 +27,7 @@ from armlab.ui.figure.drawn import Drawn, Gallery
 from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.overlay import Overlay
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import NOTHING, Points, hidden_panels, layers, panels, tabs
+from armlab.ui.plugin import NOTHING, Points, hidden_panels, layers, pages, panel, tabs
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
@@ -93,8 +93,8 @@ class View:
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._closed = False
-        first = session.front if session.front in panels() else FIRST_TAB
-        self._seen: frozenset[str] = frozenset((panels()[first].tab or first,))
+        first = session.front if session.front in pages() else FIRST_TAB
+        self._seen: frozenset[str] = frozenset((pages()[first].tab or first,))
         with client.atomic():
             self._theme(session.state)
             self._overlay = Overlay(client, self.post, self._tabs_seen)
@@ -104,7 +104,7 @@ class View:
             commands.register(self)
         (seen,) = self._seen
         self._tabs[seen].turn_to(first)
-        self._overlay.open_tab(panels()[seen].title)
+        self._overlay.open_tab(pages()[seen].title)
         self.show()
 
     def post(self, command: Command) -> None:
@@ -114,9 +114,9 @@ class View:
 
     def _dock(self) -> None:
         dock = self.client.gui.add_panel()
-        for key, pages in tabs().items():
-            tab = dock.add_tab(pages[0].title, getattr(viser.Icon, pages[0].icon))
-            self._tabs[key] = Tab(pages, tab, self._gui, self.post, self._panels_changed)
+        for key, of_tab in tabs().items():
+            tab = dock.add_tab(of_tab[0].title, getattr(viser.Icon, of_tab[0].icon))
+            self._tabs[key] = Tab(of_tab, tab, self._gui, self.post, self._panels_changed)
         dock.dock_right()
         dock.set_width(DOCK_WIDTH)
 
@@ -138,7 +138,7 @@ class View:
         if predicted:
             return frozenset(key for key, layer in layers().items() if not layer.silent)
         on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
-        opened = [panels()[key] for key in self.open_panels]
+        opened = [panel(key) for key in self.open_panels]
         hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))
         return frozenset(key for hides in hiding for key in hides)
 
@@ -147,12 +147,12 @@ class View:
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front, unless the lesson hides it."""
-        panel = panels()[key]
+        page = pages()[key]
         if key in hidden_panels(self.session.state):
             return
-        tab = self._tabs[panel.tab or key]
+        tab = self._tabs[page.tab or key]
         tab.turn_to(key)
-        self._overlay.open_tab(panels()[tab.key].title)
+        self._overlay.open_tab(pages()[tab.key].title)
         self._show_overlay()
         self._panels_changed()
 
@@ -225,12 +225,12 @@ class View:
         step = part.step
         if step is None or part.name == before.name:
             return
-        if part.bench in panels() and (step.panel or part.bench != before.bench):
+        if part.bench in pages() and (step.panel or part.bench != before.bench):
             self.open_tab(part.bench)
 
     def _front_of(self, wanted: str, state: State) -> str:
         """Return the panel to bring to the front: the lesson's, or another one for one that it hides."""
-        there = [key for key in panels() if key not in hidden_panels(state)]
+        there = [key for key in pages() if key not in hidden_panels(state)]
         if wanted in there:
             return wanted
         return next(iter(there), "") if not self.open_panels <= set(there) else ""
@@ -238,7 +238,7 @@ class View:
     def _around(self) -> Points:
         """Return the points that open panels want in the picture beside the arm."""
         state = self.session.state
-        return np.vstack([NOTHING, *(panels()[key].around(state) for key in self.open_panels)])
+        return np.vstack([NOTHING, *(panel(key).around(state) for key in self.open_panels)])
 
     def _keep_in_view(self) -> None:
         if not self._closed:
@@ -249,7 +249,7 @@ class View:
         if self._robot is None or state[RobotPart].robot is not self._robot.robot:
             return  # the picture of another arm is being made
         open_panels = self.open_panels
-        bare = SKELETON.on(state) or any(panels()[key].see_through for key in open_panels)
+        bare = SKELETON.on(state) or any(panel(key).see_through for key in open_panels)
         hidden = self._hidden(state)
         for drawing in self._drawings:
             drawing.show(state, open_panels, bare, hidden)

@@ -25,7 +25,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import OpenClip
 from armlab.session.state import State, apply
 from armlab.ui.figure.anatomy import anatomy_of
-from armlab.ui.plugin import layers, panels
+from armlab.ui.plugin import layers, panel
 from armlab.ui.recording import LONGEST, POSES_PER_SECOND, Scenario, maker, record
 from support.student import run, student
 
@@ -120,11 +120,11 @@ def test_sizes_are_told_in_kilobytes_or_megabytes():
 @pytest.mark.parametrize("key", ["motion", "motion_plots", "motion_files"])
 def test_the_handle_of_the_arm_is_hidden_while_the_motion_is_on(key):
     state = opened()
-    assert panels()[key].hides_then(state) == ()
+    assert panel(key).hides_then(state) == ()
     on = apply(state, OpenClip("motion"))
-    assert set(panels()[key].hides_then(on)) == {"gizmo", "gap"} <= set(layers())
+    assert set(panel(key).hides_then(on)) == {"gizmo", "gap"} <= set(layers())
     # A waypoint takes the handle only where it has one itself.
-    held = panels()[key].hides_then(apply(state, SelectWaypoint(1, handled=True)))
+    held = panel(key).hides_then(apply(state, SelectWaypoint(1, handled=True)))
     assert bool(held) == (key in layers()["motion_waypoints"].panels)
 
 

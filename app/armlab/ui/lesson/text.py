@@ -14,7 +14,7 @@ from armlab.session.parts.lesson import LessonPart, observed
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
 from armlab.ui.format import escaped
-from armlab.ui.plugin import panels, switches
+from armlab.ui.plugin import pages, switches
 from armlab.ui.units import units_of
 
 _LIVE = re.compile(r'(<output class="live" data-live="([^"]*)">)[^<]*(?=</output>)')
@@ -32,7 +32,7 @@ def words_of(state: State) -> Words:
 def _titles() -> dict[str, str]:
     """Return the titles of films, panels and switches, where a name is shared the last counts."""
     films = {key: clip.title for key, clip in clips().items()}
-    named = {key: panel.title for key, panel in panels().items()}
+    named = {key: panel.title for key, panel in pages().items()}
     return films | named | {switch.name: switch.title for switch in switches()}
 
 

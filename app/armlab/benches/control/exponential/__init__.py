@@ -1,1 +1,21 @@
-"""The page "Notes 1.50-1.52, 1.58 corrected"."""
+"""The page e^At of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "exponential",
+    "e^At",
+    "SUPERSCRIPT",
+    47,
+    tab="control",
+    about=(
+        "S1.3-matrix-exp",
+        "S1.3-error-dynamics",
+        "1.3",
+        "matrix exponential",
+        "eigenvectors",
+        "diagonalisation",
+        "linear system",
+    ),
+)

@@ -1,1 +1,43 @@
-"""The page "Runs"."""
+"""The page Runs of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "control",
+    "Control",
+    "STEERING_WHEEL",
+    45,
+    page="Runs",
+    about=(
+        "S5.2-inverse",
+        "S5.2-incremental",
+        "S5.2-sim-170",
+        "S5.2-sim-178",
+        "S5.2-sim-saturation",
+        "S5.2.1-dls",
+        "S5.2.1-dls-sim",
+        "S6.3.1-execution",
+        "S7.1-scheme",
+        "S7.1-errors",
+        "S7.1-proportional",
+        "S7.2-plant",
+        "S7.2-joint-control",
+        "S7.2-joint-cart-error",
+        "S7.2-cart-control",
+        "5.2",
+        "5.2.1",
+        "7.1",
+        "7.2",
+        "resolved rate",
+        "kinematic control",
+        "damped least squares",
+        "saturation",
+        "feedback",
+        "regulation",
+        "tracking",
+        "encoder",
+        "sampling time",
+        "null space",
+    ),
+)

@@ -1,1 +1,23 @@
-"""The page "{title}"."""
+"""The page Loop of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "loop",
+    "Loop",
+    "REFRESH",
+    46,
+    tab="control",
+    about=(
+        "S7.1.1-mass-loop",
+        "S7.1.1-transfer",
+        "S7.1.1-sine",
+        "7.1.1",
+        "velocity loop",
+        "transfer function",
+        "Bode plot",
+        "cutoff frequency",
+        "feedback loop",
+    ),
+)

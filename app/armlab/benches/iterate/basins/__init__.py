@@ -1,1 +1,23 @@
-"""The page "{escaped(hint)}"."""
+"""The page Basins of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "basins",
+    "Basins",
+    "MAP",
+    38,
+    tab="iterations",
+    about=(
+        "S4.4.1-newton-ik",
+        "S4.4.1-newton-singular",
+        "S4.4.2-gradient",
+        "S4.4.2-lyapunov",
+        "4.4",
+        "basins of attraction",
+        "which solution a method finds",
+        "start of an iteration",
+        "convergence",
+    ),
+)

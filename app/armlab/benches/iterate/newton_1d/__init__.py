@@ -1,1 +1,13 @@
-"""The page "Notes 4.106-4.110; printed there without x_n"."""
+"""The page One variable of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "newton_1d",
+    "One variable",
+    "MATH_FUNCTION",
+    34,
+    tab="iterations",
+    about=("S4.4.1-newton-scalar", "Newton-Raphson", "tangent", "root of an equation"),
+)

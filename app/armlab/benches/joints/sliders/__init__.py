@@ -1,1 +1,20 @@
-"""The page "sliders"."""
+"""The page Joints of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "joints",
+    "Joints",
+    "ADJUSTMENTS_HORIZONTAL",
+    20,
+    about=(
+        "S1.1-joint-types",
+        "S4.0-spaces",
+        "S4.0-2R",
+        "sliders",
+        "joint limits",
+        "move the arm",
+        "forward kinematics",
+    ),
+)

@@ -1,1 +1,41 @@
-"""The page "curves"."""
+"""The page Curves of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "curves",
+    "Curves",
+    "CHART_LINE",
+    41,
+    tab="motion",
+    about=(
+        "S6.0-cubic-quintic",
+        "S6.2-classes",
+        "S6.2.1-cubic",
+        "S6.2.1-cosine",
+        "S6.2.1-quintic",
+        "S6.2.1-normalised-rules",
+        "S6.2.1-wandering",
+        "S6.2.1-lts",
+        "S6.2.1-linear-parabolic",
+        "S6.2.2-spline",
+        "S6.2.2-spline-properties",
+        "S6.2.2-virtual-knots",
+        "S6.3.5-doubly-normalised",
+        "S6.3.5-example",
+        "6.2.1",
+        "6.2.2",
+        "6.3.5",
+        "spline",
+        "cubic",
+        "quintic",
+        "interpolating polynomial",
+        "overshoot",
+        "lift-off",
+        "parabolic blends",
+        "virtual knots",
+        "knots",
+        "minimum time",
+    ),
+)

@@ -1,1 +1,29 @@
-"""The page "Plots"."""
+"""The page Plots of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "motion_plots",
+    "Plots of the motion",
+    "CHART_LINE",
+    40,
+    tab="motion",
+    page="Plots",
+    about=(
+        "S6.1-space-time",
+        "S6.2-classes",
+        "S6.3.2-optimality",
+        "S6.3-cartesian",
+        "6.18-6.19",
+        "plots of the motion",
+        "velocity",
+        "acceleration",
+        "jerk",
+        "tool speed",
+        "curvature",
+        "joint limits over time",
+        "joint move against Cartesian move",
+        "travel time",
+    ),
+)

@@ -1,1 +1,42 @@
-"""The page "space_curve"."""
+"""The page Geometry of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "space_curve",
+    "Geometry",
+    "VECTOR_BEZIER_2",
+    44,
+    tab="motion",
+    about=(
+        "S6.0-line",
+        "S6.0-corner",
+        "S6.1-characteristics",
+        "S6.1-curvature",
+        "S6.1-arclength",
+        "S6.1-space-time",
+        "S6.3.1-line",
+        "S6.3.2-overfly",
+        "S6.3.2-circle-wrist",
+        "S6.3.2-arclength-timing",
+        "S6.3.2-frenet",
+        "S6.3.2-frenet-example",
+        "S6.3.3-euler-interp",
+        "S6.3.3-axis-angle",
+        "6.1",
+        "6.3.1",
+        "6.3.2",
+        "6.3.3",
+        "curvature",
+        "torsion",
+        "arc length",
+        "Frenet frame",
+        "osculating circle",
+        "over-fly",
+        "clothoid",
+        "helix",
+        "orientation planning",
+        "slerp",
+    ),
+)

@@ -1,1 +1,25 @@
-"""The page "steps"."""
+"""The page Five steps of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "motion_steps",
+    "Five steps",
+    "STAIRS",
+    43,
+    tab="motion",
+    about=(
+        "S6.0-planning",
+        "S6.0-pipeline",
+        "S6.0-checklist",
+        "S6.3-cartesian",
+        "6",
+        "five planning steps",
+        "trajectory planning",
+        "motion planning",
+        "sampling",
+        "knots",
+        "inverse kinematics along a path",
+    ),
+)

@@ -1,1 +1,24 @@
-"""The page "tool"."""
+"""The page Pose of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "pose",
+    "Pose",
+    "BRACKETS",
+    25,
+    about=(
+        "S1.1-direct-kinematics",
+        "S1.1-world-frame",
+        "S3.1-rotation-matrix",
+        "S3.1-chain",
+        "S3.1-cylindrical",
+        "S3.1-three-meanings",
+        "(3.109-3.115)",
+        "S4.1-dh-chain",
+        "matrix",
+        "position",
+        "coordinates",
+    ),
+)

@@ -1,1 +1,13 @@
-"""The page "{_hint(name)}"."""
+"""The page Film of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "film",
+    "Film",
+    "MOVIE",
+    12,
+    tab="robot",
+    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step"),
+)

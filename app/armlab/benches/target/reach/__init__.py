@@ -1,1 +1,19 @@
-"""The page "reach"."""
+"""The page Target of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "target",
+    "Target",
+    "TARGET_ARROW",
+    30,
+    about=(
+        "S1.1-inverse-kinematics",
+        "4.4",
+        "S5.2.1-dls",
+        "inverse kinematics",
+        "reach a point",
+        "drag",
+    ),
+)

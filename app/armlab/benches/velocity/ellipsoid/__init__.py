@@ -1,1 +1,25 @@
-"""The page "Singular values of J, notes 5.152"."""
+"""The page Ellipsoid of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "ellipsoid",
+    "Ellipsoid",
+    "SPHERE",
+    38,
+    tab="velocity",
+    about=(
+        "5.3",
+        "5.4.1",
+        "S5.1.4-singularity",
+        "S5.1.4-2R",
+        "S5.2.3-svd",
+        "S5.4.1-force-ellipsoid",
+        "velocity ellipsoid",
+        "force ellipsoid",
+        "manipulability over the distance",
+        "condition number",
+        "singular places",
+    ),
+)

@@ -1,1 +1,23 @@
-"""The page "Microscope"."""
+"""The page Microscope of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "microscope",
+    "Microscope",
+    "ZOOM_IN",
+    40,
+    tab="velocity",
+    page="Microscope",
+    about=(
+        "S5.2.1-dls",
+        "S5.1.4-singularity",
+        "5.2.1",
+        "singularity microscope",
+        "damped least squares",
+        "singular directions",
+        "inverse condition",
+        "wrist singularity",
+    ),
+)

@@ -1,1 +1,28 @@
-"""The page "turning"."""
+"""The page Turning of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "turning",
+    "Turning",
+    "ROTATE_3D",
+    35,
+    tab="velocity",
+    about=(
+        "S5.1-ee-velocity",
+        "S5.1-commute",
+        "S5.1-omega-integral",
+        "S5.1-infinitesimal",
+        "S5.1-rdot",
+        "S5.1-T-matrix",
+        "S5.1.1-analytic",
+        "5.1",
+        "angular velocity",
+        "rates of angles",
+        "roll pitch yaw",
+        "Euler angles",
+        "infinitesimal rotations",
+        "gimbal lock",
+    ),
+)

@@ -1,1 +1,7 @@
-"""The page "picture"."""
+"""The page View of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__, "picture", "View", "EYE", 60, about=("camera", "theme", "labels", "units", "overlays"), always=True
+)

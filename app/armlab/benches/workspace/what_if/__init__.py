@@ -1,1 +1,23 @@
-"""The page "what_if"."""
+"""The page What if of the lab."""
+
+from armlab.page import Page
+
+PAGE = Page(
+    __name__,
+    "what_if",
+    "What if",
+    "ARROWS_DIFF",
+    38,
+    tab="workspace",
+    about=(
+        "S4.2-ws1",
+        "4.2",
+        "what if",
+        "link length",
+        "joint limits",
+        "design",
+        "compare workspaces",
+        "volume",
+        "parameter",
+    ),
+)

@@ -220,22 +220,4 @@ def commands(cell: str, text: str) -> tuple[Command, ...]:
     return (SetEntry(cell, value),)
 
 
-PANEL = Panel(
-    "exponential",
-    "e^At",
-    "SUPERSCRIPT",
-    47,
-    (Exponential,),
-    build,
-    tab="control",
-    rebuilds=(),
-    about=(
-        "S1.3-matrix-exp",
-        "S1.3-error-dynamics",
-        "1.3",
-        "matrix exponential",
-        "eigenvectors",
-        "diagonalisation",
-        "linear system",
-    ),
-)
+PANEL = Panel((Exponential,), build, rebuilds=())

@@ -1,1 +1,1 @@
-"""What is seen of "Runs": its page and its part of the scene."""
+"""What is seen of the page Runs: its panel, and its part of the scene."""

@@ -1,1 +1,1 @@
-"""What is seen of "{title}": its page and its part of the scene."""
+"""What is seen of the page Loop: its panel, and its part of the scene."""

@@ -206,24 +206,4 @@ def _to_time(state: State, text: str) -> tuple[Command, ...]:
     return (*on, Seek(time))
 
 
-PANEL = Panel(
-    "loop",
-    "Loop",
-    "REFRESH",
-    46,
-    (Loop, Timeline),
-    build,
-    tab="control",
-    rebuilds=(Notation,),
-    about=(
-        "S7.1.1-mass-loop",
-        "S7.1.1-transfer",
-        "S7.1.1-sine",
-        "7.1.1",
-        "velocity loop",
-        "transfer function",
-        "Bode plot",
-        "cutoff frequency",
-        "feedback loop",
-    ),
-)
+PANEL = Panel((Loop, Timeline), build, rebuilds=(Notation,))

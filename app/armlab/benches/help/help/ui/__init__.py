@@ -1,1 +1,1 @@
-"""What is seen of "help": its page and its part of the scene."""
+"""What is seen of the page Help: its panel, and its part of the scene."""

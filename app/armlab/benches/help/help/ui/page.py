@@ -59,13 +59,4 @@ def _table(rows: object) -> str:
     return f'<table class="keys">{body}</table>'
 
 
-PANEL = Panel(
-    "help",
-    "Help",
-    "HELP_CIRCLE",
-    90,
-    (RobotPart,),
-    build,
-    about=("mouse", "keys", "shortcuts"),
-    always=True,
-)
+PANEL = Panel((RobotPart,), build)

@@ -1,1 +1,1 @@
-"""What is seen of "{escaped(hint)}": its page and its part of the scene."""
+"""What is seen of the page Basins: its panel, and its part of the scene."""

@@ -281,23 +281,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return BasinsPage(gui, state, post).show
 
 
-PANEL = Panel(
-    "basins",
-    "Basins",
-    "MAP",
-    38,
-    (Basins, Iterations, Joints, RobotPart, Notation),
-    build,
-    tab="iterations",
-    about=(
-        "S4.4.1-newton-ik",
-        "S4.4.1-newton-singular",
-        "S4.4.2-gradient",
-        "S4.4.2-lyapunov",
-        "4.4",
-        "basins of attraction",
-        "which solution a method finds",
-        "start of an iteration",
-        "convergence",
-    ),
-)
+PANEL = Panel((Basins, Iterations, Joints, RobotPart, Notation), build)

@@ -120,14 +120,4 @@ def _plain(value: float, decimals: int) -> str:
     return number(value, decimals) if 10.0 ** (1 - decimals) <= abs(value) < 1e4 else scientific(value, 3)
 
 
-PANEL = Panel(
-    "newton_1d",
-    "One variable",
-    "MATH_FUNCTION",
-    34,
-    (Newton1D, Timeline),
-    build,
-    tab="iterations",
-    rebuilds=(),
-    about=("S4.4.1-newton-scalar", "Newton-Raphson", "tangent", "root of an equation"),
-)
+PANEL = Panel((Newton1D, Timeline), build, rebuilds=())

@@ -1,1 +1,1 @@
-"""What is seen of "Steps": its page and its part of the scene."""
+"""What is seen of the page Steps: its panel, and its part of the scene."""

@@ -200,8 +200,7 @@ def _task_markup(fields: Fields, state: State) -> str:
     arms = f"{many} arm{'s' if many != 1 else ''} found, drawn pale" if many else ""
     wanted = f"<label><span>{name} wanted</span>{field}<i>{units.unit(revolute)}</i></label>"
     return (
-        f'{head}<div class="kit-head">{chooser}</div>'
-        f'<div class="kit-numbers">{wanted}</div><p class="dim">{arms}</p>'
+        f'{head}<div class="kit-head">{chooser}</div><div class="kit-numbers">{wanted}</div><p class="dim">{arms}</p>'
     )
 
 
@@ -210,29 +209,4 @@ def _in_the_way(state: State) -> tuple[str, ...]:
     return ("gizmo", "gap") if state[Timeline].clip == CLIP_KEY else ()
 
 
-PANEL = Panel(
-    "iterations",
-    "Iterate",
-    "STAIRS_UP",
-    33,
-    (Iterations, Joints, Timeline, Target, Notation, RobotPart),
-    build,
-    page="Steps",
-    hides_then=_in_the_way,
-    about=(
-        "S4.4.1-newton-ik",
-        "S4.4.1-newton-redundant",
-        "S4.4.1-newton-singular",
-        "S4.4.2-gradient",
-        "S4.4.2-gradient-feedback",
-        "S4.4.2-lyapunov",
-        "S5.2.1-dls",
-        "4.4",
-        "iterations",
-        "step by step",
-        "numerical inverse kinematics",
-        "damped least squares",
-        "cyclic coordinate descent",
-        "Broyden",
-    ),
-)
+PANEL = Panel((Iterations, Joints, Timeline, Target, Notation, RobotPart), build, hides_then=_in_the_way)

@@ -1,1 +1,1 @@
-"""What is seen of "sliders": its page and its part of the scene."""
+"""What is seen of the page Joints: its panel, and its part of the scene."""

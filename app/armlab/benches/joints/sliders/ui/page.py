@@ -129,20 +129,4 @@ def _manipulability(joints: Joints) -> str:
     return f"{number(joints.manipulability, 4)} {unit}".rstrip()
 
 
-PANEL = Panel(
-    "joints",
-    "Joints",
-    "ADJUSTMENTS_HORIZONTAL",
-    20,
-    (Joints,),
-    build,
-    about=(
-        "S1.1-joint-types",
-        "S4.0-spaces",
-        "S4.0-2R",
-        "sliders",
-        "joint limits",
-        "move the arm",
-        "forward kinematics",
-    ),
-)
+PANEL = Panel((Joints,), build)

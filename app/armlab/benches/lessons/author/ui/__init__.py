@@ -1,1 +1,1 @@
-"""What is seen of "author": its page and its part of the scene."""
+"""What is seen of the page For teachers: its panel, and its part of the scene."""

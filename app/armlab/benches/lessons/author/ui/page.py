@@ -78,15 +78,4 @@ def file_name(title: str) -> str:
     return re.sub(r"[^a-z0-9]+", "_", title.lower()).strip("_")[:60] or "lesson"
 
 
-PANEL = Panel(
-    "author",
-    "For teachers",
-    "PENCIL",
-    6,
-    (RobotPart, Joints, Target, Display, LessonPart),
-    build,
-    tab="lessons",
-    rebuilds=(),
-    about=("write a lesson", "teacher", "save as lesson"),
-    always=True,
-)
+PANEL = Panel((RobotPart, Joints, Target, Display, LessonPart), build, rebuilds=())

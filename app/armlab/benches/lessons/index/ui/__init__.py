@@ -1,1 +1,1 @@
-"""What is seen of "index": its page and its part of the scene."""
+"""What is seen of the page Lessons: its panel, and its part of the scene."""

@@ -17,7 +17,7 @@ from armlab.ui import markup
 from armlab.ui.format import escaped
 from armlab.ui.lesson.load import load_work
 from armlab.ui.picks import broken_files, pick
-from armlab.ui.plugin import Panel, Post, Show, hidden_panels, panels
+from armlab.ui.plugin import Panel, Post, Show, hidden_panels, pages
 from armlab.ui.widgets import Gui
 
 LESSON, BENCH = "lesson:", "bench:"
@@ -80,7 +80,7 @@ def _lesson(lesson: Lesson, part: LessonPart, channel: str) -> str:
 
 @cache
 def _benches() -> tuple[Bench, ...]:
-    return tuple(Bench(key, panel.title, panel.about) for key, panel in panels().items())
+    return tuple(Bench(key, panel.title, panel.about) for key, panel in pages().items())
 
 
 def _found(query: str, state: State, channel: str) -> str:
@@ -105,7 +105,7 @@ def _entry(entry: Entry, channel: str) -> str:
         )
     ways = [
         *(markup.chip(channel, LESSON + key, lessons()[key].title, "Lesson") for key in entry.lessons),
-        *(markup.chip(channel, BENCH + key, panels()[key].title, "Bench") for key in entry.benches),
+        *(markup.chip(channel, BENCH + key, pages()[key].title, "Bench") for key in entry.benches),
     ]
     kind = "chapter" if entry.kind == "chapter" else "topic"
     chips = f'<div class="chips">{"".join(ways)}</div>' if ways else ""
@@ -118,15 +118,4 @@ def _import_line(key: str) -> str:
     return f"from {module} import {name}"
 
 
-PANEL = Panel(
-    "lessons",
-    "Lessons",
-    "BOOK",
-    5,
-    (LessonPart,),
-    build,
-    rebuilds=(),
-    about=("exercises", "course", "chapters", "index of the notes"),
-    always=True,
-    outside=lessons,
-)
+PANEL = Panel((LessonPart,), build, rebuilds=(), outside=lessons)

@@ -185,26 +185,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return MotionFiles(gui, state, post).show
 
 
-PANEL = Panel(
-    "motion_files",
-    "Files",
-    "FILE_EXPORT",
-    45,
-    (RobotPart, Plan),
-    build,
-    tab="motion",
-    rebuilds=(),
-    hides_then=while_on,
-    around=way_around,
-    about=(
-        "S6.0-pipeline",
-        "export",
-        "import",
-        "CSV",
-        "JSON",
-        "Python",
-        "recording",
-        "samples of a motion",
-        "MATLAB",
-    ),
-)
+PANEL = Panel((RobotPart, Plan), build, rebuilds=(), hides_then=while_on, around=way_around)

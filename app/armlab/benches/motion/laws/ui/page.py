@@ -177,35 +177,4 @@ def _to_time(state: State, text: str) -> tuple[Command, ...]:
     return (*on, Seek(time))
 
 
-PANEL = Panel(
-    "laws",
-    "Laws",
-    "WAVE_SINE",
-    42,
-    (Laws, Timeline),
-    build,
-    tab="motion",
-    rebuilds=(),
-    about=(
-        "S1.3-accel-profile",
-        "S1.3-rest-to-rest",
-        "S6.1.1-velocity-bound",
-        "S6.1.1-accel-bound",
-        "S6.2.1-cosine",
-        "S6.3.1-trapezoid",
-        "S6.3.1-triangle",
-        "S6.3.4-time-scaling",
-        "6.1.1",
-        "6.3.1",
-        "6.3.4",
-        "timing law",
-        "trapezoid of speed",
-        "bang-coast-bang",
-        "bang-bang",
-        "double S",
-        "jerk",
-        "time scaling",
-        "velocity bound",
-        "acceleration bound",
-    ),
-)
+PANEL = Panel((Laws, Timeline), build, rebuilds=())

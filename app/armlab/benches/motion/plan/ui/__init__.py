@@ -1,1 +1,1 @@
-"""What is seen of "Plan": its page and its part of the scene."""
+"""What is seen of the page Plan: its panel, and its part of the scene."""

@@ -122,28 +122,5 @@ def _verdict(state: State) -> str:
 
 
 PANEL = Panel(
-    "motion",
-    "Motion",
-    "ROUTE",
-    39,
-    (Plan, Timeline, Joints, Target, Display, Notation, RobotPart),
-    build,
-    page="Plan",
-    hides_then=in_the_way,
-    around=way_around,
-    about=(
-        "S6.0-planning",
-        "S6.0-corner",
-        "S6.0-checklist",
-        "S6.3-cartesian",
-        "S6.3.2-overfly",
-        "S6.3.2-circle-wrist",
-        "6",
-        "6.3",
-        "trajectory planning",
-        "waypoints",
-        "play a motion",
-        "joint move",
-        "Cartesian move",
-    ),
+    (Plan, Timeline, Joints, Target, Display, Notation, RobotPart), build, hides_then=in_the_way, around=way_around
 )

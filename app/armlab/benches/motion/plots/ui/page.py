@@ -138,31 +138,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return _Page(gui, state, post).show
 
 
-PANEL = Panel(
-    "motion_plots",
-    "Plots of the motion",
-    "CHART_LINE",
-    40,
-    (Plan, MotionPlots, Joints, Timeline),
-    build,
-    tab="motion",
-    page="Plots",
-    hides_then=in_the_way,
-    around=way_around,
-    about=(
-        "S6.1-space-time",
-        "S6.2-classes",
-        "S6.3.2-optimality",
-        "S6.3-cartesian",
-        "6.18-6.19",
-        "plots of the motion",
-        "velocity",
-        "acceleration",
-        "jerk",
-        "tool speed",
-        "curvature",
-        "joint limits over time",
-        "joint move against Cartesian move",
-        "travel time",
-    ),
-)
+PANEL = Panel((Plan, MotionPlots, Joints, Timeline), build, hides_then=in_the_way, around=way_around)

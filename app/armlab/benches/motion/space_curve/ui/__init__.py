@@ -1,1 +1,1 @@
-"""What is seen of "space_curve": its page and its part of the scene."""
+"""What is seen of the page Geometry: its panel, and its part of the scene."""

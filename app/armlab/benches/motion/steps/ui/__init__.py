@@ -1,1 +1,1 @@
-"""What is seen of "steps": its page and its part of the scene."""
+"""What is seen of the page Five steps: its panel, and its part of the scene."""

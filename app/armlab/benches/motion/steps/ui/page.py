@@ -118,27 +118,4 @@ def _step(fields: Fields, state: State, found: Steps) -> str:
     return words.head_of(step, found) + said
 
 
-PANEL = Panel(
-    "motion_steps",
-    "Five steps",
-    "STAIRS",
-    43,
-    (Plan, PlanSteps, RobotPart, Notation),
-    build,
-    tab="motion",
-    hides=("gizmo", "gap"),
-    around=way_around,
-    about=(
-        "S6.0-planning",
-        "S6.0-pipeline",
-        "S6.0-checklist",
-        "S6.3-cartesian",
-        "6",
-        "five planning steps",
-        "trajectory planning",
-        "motion planning",
-        "sampling",
-        "knots",
-        "inverse kinematics along a path",
-    ),
-)
+PANEL = Panel((Plan, PlanSteps, RobotPart, Notation), build, hides=("gizmo", "gap"), around=way_around)

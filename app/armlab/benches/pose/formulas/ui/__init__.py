@@ -1,1 +1,1 @@
-"""What is seen of "formulas": its page and its part of the scene."""
+"""What is seen of the page Formulas: its panel, and its part of the scene."""

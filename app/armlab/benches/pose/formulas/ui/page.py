@@ -131,13 +131,4 @@ def _copy(kind: str, text: str) -> str:
     return copy_button(kind, text)
 
 
-PANEL = Panel(
-    "formulas",
-    "Formulas",
-    "MATH_FUNCTION",
-    27,
-    (Joints,),
-    build,
-    tab="pose",
-    about=("S1.1-direct-kinematics", "S4.0-2R", "S4.1-dh-chain", "symbolic", "closed form of the direct kinematics"),
-)
+PANEL = Panel((Joints,), build)

@@ -1,1 +1,1 @@
-"""What is seen of "orientation": its page and its part of the scene."""
+"""What is seen of the page Orientation: its panel, and its part of the scene."""

@@ -133,24 +133,4 @@ def _residual(R: NDArray[np.floating], found: EulerSolutions, view: PoseView) ->
     return f'<p class="dim">The products differ from R by {residual:.0e}.</p>'
 
 
-PANEL = Panel(
-    "orientation",
-    "Orientation",
-    "ROTATE",
-    26,
-    (Joints, PoseView),
-    build,
-    tab="pose",
-    see_through=True,
-    about=(
-        "3.2",
-        "3.3",
-        "S3.1-atan2",
-        "S3.1-elementary",
-        "SA-rot3",
-        "axis and angle",
-        "quaternion",
-        "Euler angles",
-        "roll pitch yaw",
-    ),
-)
+PANEL = Panel((Joints, PoseView), build, see_through=True)

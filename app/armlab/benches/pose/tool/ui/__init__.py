@@ -1,1 +1,1 @@
-"""What is seen of "tool": its page and its part of the scene."""
+"""What is seen of the page Pose: its panel, and its part of the scene."""

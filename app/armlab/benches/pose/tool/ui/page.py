@@ -80,25 +80,4 @@ def _position(pair: Pair, units: Units) -> str:
     return f'<h3>Position p</h3><table class="coordinates">{lines}</table><p class="dim">{note}</p>'
 
 
-PANEL = Panel(
-    "pose",
-    "Pose",
-    "BRACKETS",
-    25,
-    (Joints, PoseView, Selection),
-    build,
-    see_through=True,
-    about=(
-        "S1.1-direct-kinematics",
-        "S1.1-world-frame",
-        "S3.1-rotation-matrix",
-        "S3.1-chain",
-        "S3.1-cylindrical",
-        "S3.1-three-meanings",
-        "(3.109-3.115)",
-        "S4.1-dh-chain",
-        "matrix",
-        "position",
-        "coordinates",
-    ),
-)
+PANEL = Panel((Joints, PoseView, Selection), build, see_through=True)

@@ -1,1 +1,1 @@
-"""What is seen of "choose": its page and its part of the scene."""
+"""What is seen of the page Robot: its panel, and its part of the scene."""

@@ -66,12 +66,4 @@ def _description(robot: Robot, units: Units) -> str:
     return f"<h3>{escaped(robot.name)}</h3>{pairs(rows)}{table}<h3>Source</h3>{source}"
 
 
-PANEL = Panel(
-    "robot",
-    "Robot",
-    "ROBOT",
-    10,
-    (RobotPart,),
-    build,
-    about=("R", "S1.1-joint-types", "S1.1-r4-robot", "S1.7-history", "catalogue of arms", "choose an arm"),
-)
+PANEL = Panel((RobotPart,), build)

@@ -1,1 +1,1 @@
-"""What is seen of "{_hint(name)}": its page and its part of the scene."""
+"""What is seen of the page Film: its panel, and its part of the scene."""

@@ -204,15 +204,5 @@ def _titled(title: str, values: NDArray[np.float64]) -> str:
 
 
 PANEL = Panel(
-    "film",
-    "Film",
-    "MOVIE",
-    12,
-    (RobotPart, Joints, Timeline, Notation),
-    build,
-    tab="robot",
-    rebuilds=(),
-    see_through=True,
-    hides=("gizmo", "gap", "names"),
-    about=("S4.1-dh", "(4.10-4.14)", "animation of a row", "four factors", "step by step"),
+    (RobotPart, Joints, Timeline, Notation), build, rebuilds=(), see_through=True, hides=("gizmo", "gap", "names")
 )

@@ -1,1 +1,1 @@
-"""What is seen of "{hint}": its page and its part of the scene."""
+"""What is seen of the page Common normal: its panel, and its part of the scene."""

@@ -191,16 +191,4 @@ def in_the_way(state: State) -> tuple[str, ...]:
     return ARM if state[Lines].pair is None else ()
 
 
-PANEL = Panel(
-    "normal",
-    "Common normal",
-    "VECTOR",
-    13,
-    (Lines, Joints, RobotPart),
-    build,
-    tab="robot",
-    see_through=True,
-    hides=("gizmo", "gap"),
-    hides_then=in_the_way,
-    about=("S4.1-common-normal", "(4.8-4.9)", "common normal", "skew lines", "twist angle"),
-)
+PANEL = Panel((Lines, Joints, RobotPart), build, see_through=True, hides=("gizmo", "gap"), hides_then=in_the_way)

@@ -1,1 +1,1 @@
-"""What is seen of "table": its page and its part of the scene."""
+"""What is seen of the page Table: its panel, and its part of the scene."""

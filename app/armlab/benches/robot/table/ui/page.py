@@ -186,24 +186,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return TablePanel(gui, state, post).show
 
 
-PANEL = Panel(
-    "table",
-    "Table",
-    "TABLE",
-    11,
-    (RobotPart, Joints, Point),
-    build,
-    tab="robot",
-    rebuilds=(Notation,),
-    about=(
-        "S4.1-dh",
-        "S4.1-dh-chain",
-        "S4.1-dh-caveats",
-        "(4.10-4.16)",
-        "S4.3.2-methods",
-        "DH table",
-        "standard and modified convention",
-        "Craig",
-        "edit an arm",
-    ),
-)
+PANEL = Panel((RobotPart, Joints, Point), build, rebuilds=(Notation,))

@@ -1,1 +1,1 @@
-"""What is seen of "trainer": its page and its part of the scene."""
+"""What is seen of the page Trainer: its panel, and its part of the scene."""

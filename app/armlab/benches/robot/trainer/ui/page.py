@@ -148,15 +148,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return TrainerPanel(gui, state, post).show
 
 
-PANEL = Panel(
-    "trainer",
-    "Trainer",
-    "PENCIL",
-    14,
-    (Trainer, Joints),
-    build,
-    tab="robot",
-    see_through=True,
-    hides=("gizmo", "gap"),
-    about=("S4.1-common-normal", "S4.1-dh", "S4.1-dh-caveats", "assign frames", "practise the DH rules", "exercise"),
-)
+PANEL = Panel((Trainer, Joints), build, see_through=True, hides=("gizmo", "gap"))

@@ -1,1 +1,1 @@
-"""What is seen of "by_hand": its page and its part of the scene."""
+"""What is seen of the page By hand: its panel, and its part of the scene."""

@@ -112,23 +112,4 @@ def _card(wrong: int | None, held: bool) -> str:
     return f'<div class="verdict no"><b>✕ No solution</b>Line {wrong + 1} fails.{note}</div>'
 
 
-PANEL = Panel(
-    "by_hand",
-    "By hand",
-    "TARGET_ARROW",
-    32,
-    (Joints, Target),
-    build,
-    tab="target",
-    about=(
-        "S4.3-tan-half",
-        "S4.3.2-methods",
-        "S4.3.3-ik-2R",
-        "S4.3.4-ik-polar-rrp",
-        "S4.3.5-ik-elbow",
-        "closed form",
-        "derivation",
-        "law of cosines",
-        "Pieper",
-    ),
-)
+PANEL = Panel((Joints, Target), build)

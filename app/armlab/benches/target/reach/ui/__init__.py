@@ -1,1 +1,1 @@
-"""What is seen of "reach": its page and its part of the scene."""
+"""What is seen of the page Target: its panel, and its part of the scene."""

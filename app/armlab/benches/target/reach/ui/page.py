@@ -99,19 +99,4 @@ def _fields(fields: Fields, state: State, units: Units) -> str:
     return shown if arm.task.rotation == "phi" else shown + product()
 
 
-PANEL = Panel(
-    "target",
-    "Target",
-    "TARGET_ARROW",
-    30,
-    (Joints, Target),
-    build,
-    about=(
-        "S1.1-inverse-kinematics",
-        "4.4",
-        "S5.2.1-dls",
-        "inverse kinematics",
-        "reach a point",
-        "drag",
-    ),
-)
+PANEL = Panel((Joints, Target), build)

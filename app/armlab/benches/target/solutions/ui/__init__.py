@@ -1,1 +1,1 @@
-"""What is seen of "solutions": its page and its part of the scene."""
+"""What is seen of the page Solutions: its panel, and its part of the scene."""

@@ -238,28 +238,4 @@ class _Proof:
         return escaped("  ".join(shown))
 
 
-PANEL = Panel(
-    "solutions",
-    "Solutions",
-    "TARGET_ARROW",
-    31,
-    (Joints, Target, Solutions),
-    build,
-    tab="target",
-    about=(
-        "S4.3-multiplicity",
-        "S4.3-ur10",
-        "S4.3-ik16",
-        "S4.3.1-ik-cases",
-        "S4.3.2-methods",
-        "all solutions",
-        "ghosts",
-        "elbow up",
-        "elbow down",
-        "shoulder left",
-        "wrist flip",
-        "self-motion",
-        "redundant arm",
-        "multistart",
-    ),
-)
+PANEL = Panel((Joints, Target, Solutions), build)

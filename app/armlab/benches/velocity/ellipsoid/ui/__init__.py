@@ -1,1 +1,1 @@
-"""What is seen of "Singular values of J, notes 5.152": its page and its part of the scene."""
+"""What is seen of the page Ellipsoid: its panel, and its part of the scene."""

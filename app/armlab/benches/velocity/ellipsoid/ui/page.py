@@ -142,25 +142,7 @@ def _measures(block: VelocityBlock, found: PlacedEllipsoid, units: Units) -> str
 
 
 PANEL = Panel(
-    "ellipsoid",
-    "Ellipsoid",
-    "SPHERE",
-    38,
     (Joints, Manipulability, Sweep, Timeline, Display, UnitCircle, Plan),
     build,
-    tab="velocity",
     rebuilds=(RobotPart, Notation, Manipulability),
-    about=(
-        "5.3",
-        "5.4.1",
-        "S5.1.4-singularity",
-        "S5.1.4-2R",
-        "S5.2.3-svd",
-        "S5.4.1-force-ellipsoid",
-        "velocity ellipsoid",
-        "force ellipsoid",
-        "manipulability over the distance",
-        "condition number",
-        "singular places",
-    ),
 )

@@ -1,1 +1,1 @@
-"""What is seen of "Microscope": its page and its part of the scene."""
+"""What is seen of the page Microscope: its panel, and its part of the scene."""

@@ -215,25 +215,4 @@ def _around(state: State) -> Points:
     return np.array([at, at + size * twist[:3], at + size * twist[3:]])
 
 
-PANEL = Panel(
-    "microscope",
-    "Microscope",
-    "ZOOM_IN",
-    40,
-    (Microscope, Joints),
-    build,
-    tab="velocity",
-    page="Microscope",
-    see_through=True,
-    around=_around,
-    about=(
-        "S5.2.1-dls",
-        "S5.1.4-singularity",
-        "5.2.1",
-        "singularity microscope",
-        "damped least squares",
-        "singular directions",
-        "inverse condition",
-        "wrist singularity",
-    ),
-)
+PANEL = Panel((Microscope, Joints), build, see_through=True, around=_around)

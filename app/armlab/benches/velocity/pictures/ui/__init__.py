@@ -1,1 +1,1 @@
-"""What is seen of "pictures": its page and its part of the scene."""
+"""What is seen of the page Pictures: its panel, and its part of the scene."""

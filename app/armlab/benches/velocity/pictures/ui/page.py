@@ -138,23 +138,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return PicturesPage(gui, state, post).show
 
 
-PANEL = Panel(
-    "pictures",
-    "Pictures",
-    "CHART_GRID_DOTS",
-    37,
-    (Joints, Solve),
-    build,
-    tab="velocity",
-    about=(
-        "S1.2.1-two-lines",
-        "S1.2.1-min-norm",
-        "S1.2.1-inverse-2x2",
-        "S5.1.1-manifolds",
-        "S5.1.4-2R",
-        "joint space",
-        "torus",
-        "two lines",
-        "configuration space",
-    ),
-)
+PANEL = Panel((Joints, Solve), build)

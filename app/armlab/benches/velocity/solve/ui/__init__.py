@@ -1,1 +1,1 @@
-"""What is seen of "solve": its page and its part of the scene."""
+"""What is seen of the page Solve: its panel, and its part of the scene."""

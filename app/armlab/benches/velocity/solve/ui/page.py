@@ -243,37 +243,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return SolvePage(gui, state, post).show
 
 
-PANEL = Panel(
-    "solve",
-    "Solve",
-    "EQUAL",
-    36,
-    (Joints, Solve, Timeline),
-    build,
-    tab="velocity",
-    around=around,
-    about=(
-        "S1.2-inverse-velocity",
-        "S1.2.1-min-norm",
-        "S1.2.1-inverse-2x2",
-        "S1.2.1-kernel-3R",
-        "S5.1.3-mobility",
-        "S5.1.3-3R-examples",
-        "S5.1.4-singularity",
-        "S5.1.4-2R",
-        "S5.1.4-rrp",
-        "S5.1.5-minors",
-        "S5.2.2-pinv",
-        "S5.2.2-penrose",
-        "S5.2.3-svd",
-        "S5.2.3-sing2R",
-        "S5.2.3-nullspace",
-        "inverse of the Jacobian",
-        "pseudo-inverse",
-        "range and null space",
-        "singularity",
-        "singular configuration",
-        "self-motion of a redundant arm",
-        "minimum norm",
-    ),
-)
+PANEL = Panel((Joints, Solve, Timeline), build, around=around)

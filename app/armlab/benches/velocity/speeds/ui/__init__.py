@@ -1,1 +1,1 @@
-"""What is seen of "Speeds": its page and its part of the scene."""
+"""What is seen of the page Speeds: its panel, and its part of the scene."""

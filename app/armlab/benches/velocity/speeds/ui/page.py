@@ -223,35 +223,4 @@ def _around(state: State) -> Points:
     return np.asarray(tips)
 
 
-PANEL = Panel(
-    "velocity",
-    "Velocity",
-    "GAUGE",
-    34,
-    (Velocity, Joints, Selection, Timeline, Display),
-    build,
-    page="Speeds",
-    see_through=True,
-    around=_around,
-    about=(
-        "S1.2-superposition",
-        "S1.2-rigid-velocity",
-        "S1.2-basic-jacobian",
-        "S1.2.1-kernel-3R",
-        "S5.0-rigid",
-        "S5.1-ee-velocity",
-        "S5.1.1-geometric",
-        "S5.1.1-prismatic",
-        "S5.1.1-revolute",
-        "S5.1.2-higher-order",
-        "1.2",
-        "5.1.1",
-        "5.1.2",
-        "Jacobian",
-        "joint speeds",
-        "linear velocity",
-        "angular velocity",
-        "acceleration",
-        "jerk",
-    ),
-)
+PANEL = Panel((Velocity, Joints, Selection, Timeline, Display), build, see_through=True, around=_around)

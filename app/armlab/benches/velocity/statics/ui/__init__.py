@@ -1,1 +1,1 @@
-"""What is seen of "statics": its page and its part of the scene."""
+"""What is seen of the page Statics: its panel, and its part of the scene."""

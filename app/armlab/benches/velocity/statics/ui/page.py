@@ -131,26 +131,4 @@ def _around(state: State) -> Points:
     return np.array([tool[:3, 3] + reach / full * vector for vector, full in ends if full > 0.0]).reshape(-1, 3)
 
 
-PANEL = Panel(
-    "statics",
-    "Statics",
-    "WEIGHT",
-    39,
-    (Joints, Statics),
-    build,
-    tab="velocity",
-    around=_around,
-    rebuilds=(RobotPart, Notation),
-    about=(
-        "5.4",
-        "S5.4-statics",
-        "S5.4-virtual-work",
-        "S5.4-duality",
-        "statics",
-        "wrench",
-        "joint torques",
-        "virtual work",
-        "transpose of the Jacobian",
-        "force without torque",
-    ),
-)
+PANEL = Panel((Joints, Statics), build, around=_around, rebuilds=(RobotPart, Notation))

@@ -1,1 +1,1 @@
-"""What is seen of "turning": its page and its part of the scene."""
+"""What is seen of the page Turning: its panel, and its part of the scene."""

@@ -151,30 +151,4 @@ def _around(state: State) -> Points:
     return np.asarray(centre + radius * np.array([[1.0, 1, 1], [-1, -1, -1]]))
 
 
-PANEL = Panel(
-    "turning",
-    "Turning",
-    "ROTATE_3D",
-    35,
-    (Turning, Timeline, Selection, Joints, Velocity),
-    build,
-    tab="velocity",
-    rebuilds=(Notation,),
-    around=_around,
-    about=(
-        "S5.1-ee-velocity",
-        "S5.1-commute",
-        "S5.1-omega-integral",
-        "S5.1-infinitesimal",
-        "S5.1-rdot",
-        "S5.1-T-matrix",
-        "S5.1.1-analytic",
-        "5.1",
-        "angular velocity",
-        "rates of angles",
-        "roll pitch yaw",
-        "Euler angles",
-        "infinitesimal rotations",
-        "gimbal lock",
-    ),
-)
+PANEL = Panel((Turning, Timeline, Selection, Joints, Velocity), build, rebuilds=(Notation,), around=_around)

@@ -1,1 +1,1 @@
-"""What is seen of "picture": its page and its part of the scene."""
+"""What is seen of the page View: its panel, and its part of the scene."""

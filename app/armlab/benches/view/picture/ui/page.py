@@ -116,13 +116,4 @@ def _hint(switch: Switch) -> str:
     return f"{switch.hint} Key {switch.key}." if switch.key else switch.hint
 
 
-PANEL = Panel(
-    "picture",
-    "View",
-    "EYE",
-    60,
-    (Display, Notation),
-    build,
-    about=("camera", "theme", "labels", "units", "overlays"),
-    always=True,
-)
+PANEL = Panel((Display, Notation), build)

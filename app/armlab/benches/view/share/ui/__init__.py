@@ -1,1 +1,1 @@
-"""What is seen of "share": its page and its part of the scene."""
+"""What is seen of the page Share: its panel, and its part of the scene."""

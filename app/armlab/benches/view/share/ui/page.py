@@ -129,14 +129,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return SharePage(gui, state, post).show
 
 
-PANEL = Panel(
-    "share",
-    "Share",
-    "SHARE",
-    61,
-    (Shelf, *TABLE),
-    build,
-    tab="picture",
-    rebuilds=(),
-    about=("link", "QR code", "save", "worksheet"),
-)
+PANEL = Panel((Shelf, *TABLE), build, rebuilds=())

@@ -1,1 +1,1 @@
-"""What is seen of "Reach": its page and its part of the scene."""
+"""What is seen of the page Reach: its panel, and its part of the scene."""

@@ -225,26 +225,4 @@ def _around(state: State) -> Points:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-PANEL = Panel(
-    "workspace",
-    "Workspace",
-    "CHART_DOTS_3",
-    36,
-    (Workspace, Joints),
-    build,
-    page="Reach",
-    rebuilds=(RobotPart, Notation),
-    around=_around,
-    about=(
-        "S4.2-ws1",
-        "4.2",
-        "4.17",
-        "4.18",
-        "4.19",
-        "workspace",
-        "reachable workspace",
-        "primary workspace",
-        "reach",
-        "manipulability",
-    ),
-)
+PANEL = Panel((Workspace, Joints), build, rebuilds=(RobotPart, Notation), around=_around)

@@ -1,1 +1,1 @@
-"""What is seen of "dexterous": its page and its part of the scene."""
+"""What is seen of the page Dexterous: its panel, and its part of the scene."""

@@ -211,36 +211,4 @@ def _around(state: State) -> Points:
     return np.array([shown.corner + wide * i * shown.right + high * j * shown.up for i in (0, 1) for j in (0, 1)])
 
 
-PANEL = Panel(
-    "dexterous",
-    "Dexterous",
-    "COMPASS",
-    38,
-    (Dexterous, Joints, Target),
-    build,
-    tab="workspace",
-    rebuilds=(RobotPart, Notation),
-    around=_around,
-    about=(
-        "S4.2-ws2",
-        "S4.2-ws-2R",
-        "S4.3.1-ws-3R",
-        "S4.3.1-ik-cases",
-        "4.2",
-        "4.3.1",
-        "4.20",
-        "4.21",
-        "4.39",
-        "4.40",
-        "4.41",
-        "4.42",
-        "4.43",
-        "figure 4.9",
-        "dexterous workspace",
-        "secondary workspace",
-        "WS2",
-        "orientation",
-        "approach direction",
-        "number of solutions",
-    ),
-)
+PANEL = Panel((Dexterous, Joints, Target), build, rebuilds=(RobotPart, Notation), around=_around)

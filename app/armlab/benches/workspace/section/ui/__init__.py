@@ -1,1 +1,1 @@
-"""What is seen of "section": its page and its part of the scene."""
+"""What is seen of the page Section: its panel, and its part of the scene."""

@@ -175,25 +175,4 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return SectionPage(gui, state, post).show
 
 
-PANEL = Panel(
-    "section",
-    "Section",
-    "CUT",
-    37,
-    (SectionView, Joints, Target),
-    build,
-    tab="workspace",
-    rebuilds=(RobotPart, Notation),
-    around=_around,
-    about=(
-        "S4.2-ws1",
-        "4.2",
-        "workspace",
-        "side view",
-        "data sheet",
-        "section of the workspace",
-        "volume of the workspace",
-        "boundary of the workspace",
-        "reach",
-    ),
-)
+PANEL = Panel((SectionView, Joints, Target), build, rebuilds=(RobotPart, Notation), around=_around)

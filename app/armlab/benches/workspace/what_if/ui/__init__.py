@@ -1,1 +1,1 @@
-"""What is seen of "what_if": its page and its part of the scene."""
+"""What is seen of the page What if: its panel, and its part of the scene."""

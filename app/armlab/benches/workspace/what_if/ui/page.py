@@ -137,25 +137,4 @@ def _around(state: State) -> Points:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-PANEL = Panel(
-    "what_if",
-    "What if",
-    "ARROWS_DIFF",
-    38,
-    (WhatIf,),
-    build,
-    tab="workspace",
-    rebuilds=(RobotPart, Notation),
-    around=_around,
-    about=(
-        "S4.2-ws1",
-        "4.2",
-        "what if",
-        "link length",
-        "joint limits",
-        "design",
-        "compare workspaces",
-        "volume",
-        "parameter",
-    ),
-)
+PANEL = Panel((WhatIf,), build, rebuilds=(RobotPart, Notation), around=_around)

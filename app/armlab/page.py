@@ -1,0 +1,44 @@
+"""What is known of a page before anybody opens it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Page:
+    """The constant ``PAGE`` of the package of a page; its panel is imported when it is first opened.
+
+    Parameters
+    ----------
+    package : str
+        ``__name__`` of the package.
+    key, title : str
+    icon : str
+        Name of one of `viser.Icon`, such as ``"ROBOT"``.
+    order : int
+        Place among the tabs, or among the pages of its tab.
+    tab : str
+        Key of the page whose tab it shares as one of its pages; empty for a tab of its own.
+    page : str
+        What it is called among the pages of its tab where that is not its title, which a first page lends to its tab.
+    about : tuple of str
+        What the index finds it by: sections and equations of the notes, rows of the inventory, words.
+    always : bool
+        Whether it may be read also while a question of a lesson hides the arm or its values.
+    """
+
+    package: str
+    key: str
+    title: str
+    icon: str
+    order: int
+    tab: str = ""
+    page: str = ""
+    about: tuple[str, ...] = ()
+    always: bool = False
+
+    @property
+    def scope(self) -> str:
+        """The class under which the stylesheets of its tab hold: ``b-`` and the name of the tab's folder."""
+        return f"b-{self.package.split('.')[-2]}"
