@@ -18,7 +18,7 @@ from armlab.front.limits import Limits
 from armlab.front.page import make_page
 from armlab.front.start import Settings, _listen
 from armlab.front.tokens import Tokens
-from support.lab import running_lab
+from support.lab import open_lab, running_lab
 from support.patience import Patience
 from support.web import get
 
@@ -116,14 +116,12 @@ def test_a_link_that_loses_a_part_gains_no_header(url):
 
 
 @pytest.mark.parametrize("path", ["/../../../../etc/passwd", "/..%2f..%2fetc%2fpasswd", "//etc/passwd", "/%2e%2e/x"])
-def test_the_lab_behind_the_front_gives_no_file_either(path, monkeypatch):
-    from armlab.front import start
-
-    labs = []
-    opened = start._open_labs
-    monkeypatch.setattr(start, "_open_labs", lambda *parts: labs.extend(opened(*parts)) or labs)
-    with running_lab() as _:
-        found = answer(f"http://127.0.0.1:{labs[0]}/", b"", asked(path.encode(), b"Connection: close\r\n"))
+def test_the_lab_behind_the_front_gives_no_file_either(path):
+    lab = open_lab()
+    try:
+        found = answer(f"http://127.0.0.1:{lab.lab.port}/", b"", asked(path.encode(), b"Connection: close\r\n"))
+    finally:
+        lab.stop()
     assert found.startswith(b"HTTP/1.1 404"), found
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from armlab.content import lessons as lessons_module
 from armlab.front.start import Running, Settings, start
+from support.at_rest import OPEN
 
 
 @contextmanager
@@ -28,4 +29,6 @@ def open_lab(
     folder: Path | None = None, opening: str = "puma560", labs: int = 0, port: int = 0, lessons: Path | None = None
 ) -> Running:
     """Open a lab on a free port, or on this one."""
-    return start(Settings("127.0.0.1", [port], opening, folder, labs, (lessons,) if lessons is not None else ()))
+    lab = start(Settings("127.0.0.1", [port], opening, folder, labs, (lessons,) if lessons is not None else ()))
+    OPEN.add(lab)
+    return lab
