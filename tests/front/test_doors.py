@@ -20,6 +20,7 @@ from armlab.front.start import Settings, _listen
 from armlab.front.tokens import Tokens
 from support.lab import open_lab, running_lab
 from support.patience import Patience
+from support.student import run
 from support.web import get
 
 HOST = b"Host: 127.0.0.1\r\n"
@@ -237,7 +238,7 @@ def test_the_address_with_most_connections_loses_its_oldest():
             doors.leave(visitor)
 
     doors = Doors(Limits(visitors=3))
-    asyncio.run(story())
+    run(story())
 
 
 def test_of_a_page_that_is_not_taken_only_a_piece_is_held(opened):
