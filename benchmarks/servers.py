@@ -97,6 +97,8 @@ def _started(arguments: Sequence[str], has_front: bool) -> Iterator[Server]:
         yield Server(f"http://127.0.0.1:{port}/", (process.pid, *_children(process.pid)), has_front)
     finally:
         process.stdin.close()
+        if not has_front:
+            process.kill()  # viser alone takes no notice of its input
         try:
             process.wait(3.0)
         except subprocess.TimeoutExpired:
