@@ -75,7 +75,8 @@ COUNTED = """(() => {
 SEEN = """async () => {
   for (let k = 0; k < 2; k++) await new Promise(drawn => requestAnimationFrame(drawn));
   const mutable = window.__viserMutable;
-  const still = mutable.messageQueue.length === 0 && mutable.getRenderRequestState === 'ready' && window.__passed.timers.size === 0
+  const still = mutable.messageQueue.length === 0 && mutable.getRenderRequestState === 'ready'
+    && window.__passed.timers.size === 0
     && [...document.images].every(image => image.complete)
     && document.getAnimations().every(one => one.effect.getComputedTiming().endTime === Infinity);
   return [still, JSON.stringify([
@@ -99,7 +100,7 @@ FITTED = """() => {
 """Whether picture and panels have followed the window."""
 
 LEAST = QUIET = 0.4
-"""Seconds: a page that has been the same for the second, but not before the first, has had its answer in all likelihood."""
+"""Seconds: after the first a page that has been the same for the second has probably had its answer."""
 
 SETTLING = 10.0
 """Seconds for which a page may still lay itself out anew."""
