@@ -30,6 +30,9 @@ ARGUMENTS = (
     "--disable-renderer-backgrounding",
     "--disable-backgrounding-occluded-windows",
 )
+WITHOUT_A_CARD = "--disable-gpu-compositing"
+"""Puts the page together without the software that plays graphics card, which takes it most of the time."""
+
 EXPECTED_ERRORS = ("unsafe-eval", "Evaluating a string as JavaScript")
 """At every load viser tries, and under our policy fails, to prepare a splat sorter nobody uses."""
 
@@ -110,11 +113,11 @@ HANDLE = 0.14
 
 
 @contextmanager
-def chromium() -> Iterator[Browser]:
-    """Start the browser that `tests/find_browser.py` found."""
+def chromium(*more: str) -> Iterator[Browser]:
+    """Start the browser that `tests/find_browser.py` found, with more arguments if any are given."""
     with sync_playwright() as playwright:
         path = os.environ.get("ARMLAB_BROWSER") or None
-        browser = playwright.chromium.launch(executable_path=path, headless=True, args=list(ARGUMENTS))
+        browser = playwright.chromium.launch(executable_path=path, headless=True, args=[*ARGUMENTS, *more])
         try:
             yield browser
         finally:
