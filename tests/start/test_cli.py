@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from armlab import cli
 from armlab.cli import main
 from armlab.content import lessons as library_module
 from armlab.content.lessons import Library
@@ -41,8 +42,14 @@ def opening_lines(process):
 
 
 @pytest.fixture
-def refused(capsys):
+def refused(capsys, monkeypatch):
     """Return exit status, output and complaint of a command that ends before a lab is open, in this process."""
+
+    def opened(running, _options):
+        running.stop()
+        pytest.fail("a lab was opened")
+
+    monkeypatch.setattr(cli, "_run", opened)
 
     def run(*arguments):
         capsys.readouterr()
