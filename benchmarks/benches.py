@@ -11,7 +11,7 @@ from rounds import quantile, sized
 from support.fake_browser import FakeBrowser
 
 TITLE = "Dragging with a panel open, or an overlay on"
-MOST = sized(None, 2)
+MOST = sized(None, 1)
 """How many panels, and how many overlays, are tried; None for all."""
 
 

@@ -18,7 +18,7 @@ from support.fake_browser import FakeBrowser, cookie_of
 from support.student import student
 
 TITLE = "Killed in the middle: what a student loses"
-ROUNDS = sized(30, 3)
+ROUNDS = sized(30, 1)
 SEED = 9
 RATE = 20.0
 """Values of the slider a second."""
@@ -26,7 +26,7 @@ RATE = 20.0
 LEAST, MOST = sized(0.5, 0.1), sized(3.0, 0.5)
 """Seconds of moving before the kill."""
 
-KINDS = ("lab", "front", "both")
+KINDS = sized(("lab", "front", "both"), ("both",))
 BACK = 60.0
 """Seconds within which everything has to be there again."""
 

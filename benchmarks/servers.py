@@ -1,13 +1,15 @@
 """Servers in processes of their own, and what they cost."""
 
+import atexit
 import os
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from rounds import TINY
 from support.fake_browser import FakeBrowser, cookie_of
 
 HERE = Path(__file__).resolve().parent
@@ -62,7 +64,27 @@ def bare() -> Iterator[Server]:
 
 @contextmanager
 def started(arguments: Sequence[str], has_front: bool = True) -> Iterator[Server]:
-    """Run a Python script that prints its port and ends with its input."""
+    """Run a Python script that prints its port and ends with its input.
+
+    Figures need a server that has served nobody else; tables that are only to be filled share one.
+    """
+    if not TINY:
+        with _started(arguments, has_front) as server:
+            yield server
+        return
+    key = tuple(arguments)
+    if key not in _SHARED:
+        _SHARED[key] = _UNTIL_EXIT.enter_context(_started(arguments, has_front))
+    yield _SHARED[key]
+
+
+_SHARED: dict[tuple[str, ...], "Server"] = {}
+_UNTIL_EXIT = ExitStack()
+atexit.register(_UNTIL_EXIT.close)
+
+
+@contextmanager
+def _started(arguments: Sequence[str], has_front: bool) -> Iterator[Server]:
     process = subprocess.Popen(
         [sys.executable, *arguments],
         stdin=subprocess.PIPE,
@@ -75,6 +97,8 @@ def started(arguments: Sequence[str], has_front: bool = True) -> Iterator[Server
         yield Server(f"http://127.0.0.1:{port}/", (process.pid, *_children(process.pid)), has_front)
     finally:
         process.stdin.close()
+        if not has_front:
+            process.kill()  # viser alone takes no notice of its input
         try:
             process.wait(3.0)
         except subprocess.TimeoutExpired:

@@ -1,4 +1,7 @@
-"""``python3 tests``: install once, find a browser, then pass all tests, two at a time; or what pytest is told."""
+"""``python3 tests``: install once, find a browser, then pass all tests, two at a time; or what pytest is told.
+
+``python3 tests --quick`` leaves out browsers, processes of their own and what takes long, for an answer in a minute.
+"""
 
 import os
 import subprocess
@@ -22,6 +25,22 @@ def find_browser(python):
 
 TWO_AT_A_TIME = ["-n", "2", "--dist", "worksteal"]
 
+NOT_QUICK = """
+    architecture/test_growing benchmarks browser content/test_lesson_mistakes content/test_resources
+    content/test_write_robot front kin/control/test_plant kin/control/test_run kin/test_all_solutions_special
+    kin/test_assignment kin/test_basins kin/test_closed_forms kin/test_dimension kin/test_ik kin/test_ik_solve
+    kin/test_peers kin/test_structure kin/test_volume_trial kin/test_workspace_* session/test_basins
+    session/test_dexterous session/test_edits session/test_plan_* session/test_section session/test_share
+    session/test_what_if start ui/test_*_panel ui/test_asking ui/test_lesson_* ui/test_live ui/test_manners
+    ui/test_opening ui/test_player
+"""
+"""Folders, and files without their ending, that `--quick` leaves out: what takes long, and what opens a whole lab."""
+
 os.chdir(str(ROOT))
-arguments = sys.argv[1:] or TWO_AT_A_TIME
-sys.exit(bootstrap.run(ROOT, "pytest", arguments, extras=("test",), prepare=find_browser))
+if os.environ.pop("PYTHONDONTWRITEBYTECODE", None):
+    print("armlab: tests keep compiled modules, since they start Python a hundred times")
+arguments, prepare = sys.argv[1:] or TWO_AT_A_TIME, find_browser
+if arguments[0] == "--quick":
+    left_out = ["--ignore-glob=tests/%s%s" % (name, "" if "test_" not in name else ".py") for name in NOT_QUICK.split()]
+    arguments, prepare = TWO_AT_A_TIME + left_out + arguments[1:], None
+sys.exit(bootstrap.run(ROOT, "pytest", arguments, extras=("test",), prepare=prepare))

@@ -1,6 +1,7 @@
 """Every benchmark still runs, and docs/figures.md is what they write."""
 
 import importlib.util
+import json
 import re
 import subprocess
 import sys
@@ -25,21 +26,59 @@ PEERS = ("pinocchio", "numba", "ikpy", "roboticstoolbox", "toppra")
 COMPARING = [name for name in NAMES if "\nimport peers\n" in (HERE / f"{name}.py").read_text(encoding="utf-8")]
 
 
-def report(*arguments, missing=()):
-    """Run the command in a process of its own, as if some libraries were not installed."""
-    code = (
-        "import runpy, sys; "
-        f"sys.modules.update(dict.fromkeys({missing!r})); sys.argv[0] = {str(HERE / 'report.py')!r}; "
-        f"sys.path[0] = {str(HERE)!r}; runpy.run_path(sys.argv[0], run_name='__main__')"
-    )
-    return subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=False)
+SERVING = """
+import contextlib, io, json, sys, traceback
+sys.modules.update(dict.fromkeys({missing!r}))
+sys.path[0] = {here!r}
+import report
+for line in sys.stdin:
+    said = io.StringIO()
+    try:
+        with contextlib.redirect_stdout(said):
+            problem = report.main(["--tiny", line.strip()]) and "refused"
+    except Exception:
+        problem = traceback.format_exc()
+    print(json.dumps([problem, said.getvalue()]), flush=True)
+"""
+"""Runs one benchmark after the other: libraries are imported once, servers shared."""
 
 
-def filled(name, missing=()):
-    """Return the lines of the section after a tiny run."""
-    done = report("--tiny", name, missing=missing)
-    assert done.returncode == 0, done.stderr
-    return done.stdout.splitlines()
+class Serving:
+    """A process that runs tiny benchmarks, as if some libraries were not installed."""
+
+    def __init__(self, missing=()):
+        code = SERVING.format(missing=missing, here=str(HERE))
+        command = [sys.executable, "-c", code, "--tiny"]
+        self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def filled(self, name):
+        """Return the lines of the section after a tiny run."""
+        print(name, file=self._process.stdin, flush=True)
+        answer = self._process.stdout.readline()
+        assert answer, "the process has ended"
+        problem, said = json.loads(answer)
+        assert not problem, problem
+        return said.splitlines()
+
+    def end(self):
+        """End it and its servers."""
+        self._process.stdin.close()
+        self._process.stdout.close()
+        assert self._process.wait() == 0
+
+
+@pytest.fixture(scope="module")
+def serving():
+    process = Serving()
+    yield process
+    process.end()
+
+
+@pytest.fixture(scope="module")
+def without_peers():
+    process = Serving(PEERS)
+    yield process
+    process.end()
 
 
 def tables(lines):
@@ -61,8 +100,8 @@ def skeleton(lines):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_benchmark_fills_its_tables_under_its_title_as_in_the_docs(name):
-    lines = filled(name)
+def test_a_benchmark_fills_its_tables_under_its_title_as_in_the_docs(serving, name):
+    lines = serving.filled(name)
     title = re.search(r'^TITLE = "(.*)"', (HERE / f"{name}.py").read_text(encoding="utf-8"), re.MULTILINE)
     assert lines[0] == f"## {title[1]}"
     assert tables(lines)
@@ -75,8 +114,8 @@ def test_a_benchmark_fills_its_tables_under_its_title_as_in_the_docs(name):
 
 
 @pytest.mark.parametrize("name", COMPARING)
-def test_peers_that_are_not_installed_are_left_out(name):
-    lines = filled(name, PEERS)
+def test_peers_that_are_not_installed_are_left_out(without_peers, name):
+    lines = without_peers.filled(name)
     assert tables(lines)
     assert not any(peer in cell for table in tables(lines) for row in table[2:] for cell in row for peer in PEERS)
 
@@ -109,5 +148,6 @@ def test_a_section_takes_the_place_of_the_one_before():
     ],
 )
 def test_what_cannot_be_measured_is_one_line(arguments, says):
-    done = report(*arguments)
+    command = [sys.executable, str(HERE / "report.py"), *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout, done.stderr) == (2, "", f"benchmarks: {says}\n")

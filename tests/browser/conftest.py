@@ -6,13 +6,13 @@ import pytest
 from playwright.sync_api import Browser
 
 from support.lab import running_lab
-from support.page import COARSE, SMALL, LabPage, chromium
+from support.page import COARSE, SMALL, WITHOUT_A_CARD, LabPage, chromium
 
 
 @pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
     """Only these tests share it: while it is open, Playwright's event loop runs in this thread."""
-    with chromium() as started:
+    with chromium(WITHOUT_A_CARD) as started:
         yield started
 
 

@@ -54,7 +54,7 @@ def test_a_map_draws_in_pieces_and_is_cancelled(visit):
     lab.rest()
     _, rows = drawn_rows(lab)
     assert 0 < rows < 256
-    lab.rest(1.0)
+    lab.still(1.0)
     assert drawn_rows(lab)[1] == rows
 
 

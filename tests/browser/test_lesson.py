@@ -205,7 +205,7 @@ def test_before_a_prediction_the_arm_is_not_there(visit):
     lab.page.reload()  # nor after a reload
     lab.until(lambda: shown(lab, "Predict: your first answer counts."))
     lab.page.wait_for_function("() => document.querySelector('canvas[data-engine]')")
-    lab.rest(2.0)
+    lab.still(2.0)  # what must not come may come late
     lab.dismiss_toasts()
     assert saturated(lab) < 0.02 * before
     lab.type_into("lesson-answer", "1")

@@ -44,7 +44,7 @@ def write(file, text, old="", new=""):
 def test_a_state_becomes_a_lesson_that_is_edited_checked_and_reloaded(folder, visit):
     teacher, file = visit("robot/planar_2r"), folder / "reach_up.md"
     teacher.page.get_by_role("button", name="Right angle").click()
-    teacher.rest(1.0)
+    teacher.rest()
     name, text = saved(teacher, "Reach <b>up</b>")
     assert name == "reach_b_up_b.md"
     write(file, text)

@@ -90,7 +90,7 @@ def test_an_entry_with_a_blank_does_not_make_the_page_anew_without_end(visit):
     lab.page.keyboard.type("0.2 m")
     lab.page.keyboard.press("Tab")
     lab.page.keyboard.type("0.3 m")
-    lab.rest(1.0)
+    lab.still(1.0)
     changes = lab.page.evaluate(
         """async () => {
           let count = 0;
@@ -116,7 +116,7 @@ def test_what_is_typed_stands_where_the_cursor_is_while_the_lab_answers(visit):
     for _ in range(3):
         lab.page.keyboard.press("ArrowLeft")
     lab.page.evaluate("() => { window.held = document.activeElement; }")
-    lab.rest(0.6)  # the answer to the first entry has come
+    lab.rest()  # the answer to the first entry has come
     assert lab.page.evaluate("() => window.held.isConnected && window.held === document.activeElement")
     assert lab.page.evaluate("() => document.activeElement.selectionStart") == 2
     lab.page.keyboard.type("9")

@@ -18,8 +18,9 @@ from armlab.front.limits import Limits
 from armlab.front.page import make_page
 from armlab.front.start import Settings, _listen
 from armlab.front.tokens import Tokens
-from support.lab import running_lab
+from support.lab import open_lab, running_lab
 from support.patience import Patience
+from support.student import run
 from support.web import get
 
 HOST = b"Host: 127.0.0.1\r\n"
@@ -116,14 +117,12 @@ def test_a_link_that_loses_a_part_gains_no_header(url):
 
 
 @pytest.mark.parametrize("path", ["/../../../../etc/passwd", "/..%2f..%2fetc%2fpasswd", "//etc/passwd", "/%2e%2e/x"])
-def test_the_lab_behind_the_front_gives_no_file_either(path, monkeypatch):
-    from armlab.front import start
-
-    labs = []
-    opened = start._open_labs
-    monkeypatch.setattr(start, "_open_labs", lambda *parts: labs.extend(opened(*parts)) or labs)
-    with running_lab() as _:
-        found = answer(f"http://127.0.0.1:{labs[0]}/", b"", asked(path.encode(), b"Connection: close\r\n"))
+def test_the_lab_behind_the_front_gives_no_file_either(path):
+    lab = open_lab()
+    try:
+        found = answer(f"http://127.0.0.1:{lab.lab.port}/", b"", asked(path.encode(), b"Connection: close\r\n"))
+    finally:
+        lab.stop()
     assert found.startswith(b"HTTP/1.1 404"), found
 
 
@@ -239,7 +238,7 @@ def test_the_address_with_most_connections_loses_its_oldest():
             doors.leave(visitor)
 
     doors = Doors(Limits(visitors=3))
-    asyncio.run(story())
+    run(story())
 
 
 def test_of_a_page_that_is_not_taken_only_a_piece_is_held(opened):

@@ -5,10 +5,8 @@ import urllib.request
 
 import pytest
 
-from armlab.content import lessons as lessons_module
 from armlab.content.lessons import library
 from armlab.content.robots import catalogue
-from armlab.front.start import Settings, start
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.shelf import BackToLesson, Shelf, ToSandbox
 from armlab.session.state import State, apply
@@ -37,10 +35,8 @@ def taught(tmp_path):
     """A lab with a teacher's folder of one lesson; yields its address and the file."""
     file = tmp_path / "of_a_teacher.md"
     file.write_text(LESSON.format(text="First words."))
-    lab = start(Settings("127.0.0.1", [0], "puma560", None, lessons=(tmp_path,)))
-    yield f"http://127.0.0.1:{lab.port}/", file
-    lab.stop()
-    lessons_module._library.cache_clear()
+    with running_lab(lessons=tmp_path) as url:
+        yield url, file
 
 
 def test_a_lesson_with_variants_is_reloaded_and_changed_by_its_number(taught):

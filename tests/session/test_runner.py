@@ -11,6 +11,7 @@ from armlab.session.job import Job, Wanted
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.runner import Runner
 from armlab.session.session import Session
+from support.patience import Patience
 
 PATIENCE = 60.0
 
@@ -73,6 +74,28 @@ def student(token="a"):
 
 
 OPEN = frozenset({"made_up"})
+
+
+def test_the_runner_is_idle_when_all_that_is_wanted_is_handed_in(running, desk):
+    go_on = threading.Event()
+
+    def pieces(value):
+        yield value, 1
+        go_on.wait(PATIENCE)
+        yield value, 2
+
+    runner, session = running(pieces), student()
+    assert runner.idle
+    runner.follow(session, OPEN)
+    assert not runner.idle
+    desk.until(lambda: desk.found)
+    assert not runner.idle
+    go_on.set()
+    patience = Patience()
+    while not runner.idle:
+        assert patience.left(), "the runner never comes to rest"
+        time.sleep(0.002)
+    assert [found for _, found in desk.found] == [(0.698, 1), (0.698, 2)]
 
 
 def test_pieces_come_one_after_the_other_and_the_work_is_done_once(running, desk):

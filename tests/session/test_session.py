@@ -226,6 +226,20 @@ def worker():
     assert not worker.is_alive()
 
 
+def test_the_worker_is_idle_when_all_is_applied_and_published(session):
+    busy = []
+    worker = Worker(lambda _session: busy.append(not worker.idle))
+    assert worker.idle
+    worker.post(session, MoveJoint(0, 0.5))
+    assert not worker.idle
+    worker.start()
+    wait_for(lambda: worker.idle)
+    worker.stop()
+    worker.join(2.0)
+    assert busy == [True]
+    assert session.state[Joints].q[0] == 0.5
+
+
 def test_the_worker_applies_what_is_posted(worker, session):
     thread, recorder = worker
     thread.post(session, MoveJoint(0, 0.5))

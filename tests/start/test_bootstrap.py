@@ -2,6 +2,7 @@
 
 import ast
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -93,6 +94,13 @@ def test_an_old_python_is_told(checkout, monkeypatch):
 def test_old_pythons_can_read_it(file):
     """What says that Python is too old must parse there; Python 3.6 is what old machines have."""
     ast.parse((ROOT / file).read_text(), feature_version=(3, 6))
+
+
+def test_what_a_quick_run_leaves_out_is_there():
+    text = (ROOT / "tests" / "__main__.py").read_text()
+    names = re.search(r'NOT_QUICK = """(.*?)"""', text, re.DOTALL)[1].split()
+    assert len(names) > 9
+    assert [name for name in names if not list((ROOT / "tests").glob(f"{name}.py" if "test_" in name else name))] == []
 
 
 def test_a_python_without_venv_is_told(tmp_path, monkeypatch):

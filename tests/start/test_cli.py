@@ -6,11 +6,15 @@ import signal
 import socket
 import urllib.error
 import urllib.request
+from functools import partial
 from pathlib import Path
 
 import pytest
 
+from armlab import cli
 from armlab.cli import main
+from armlab.content import lessons as library_module
+from armlab.content.lessons import Library
 from support.command import MAIN, command
 from support.patience import WAIT
 from support.student import run, student
@@ -37,11 +41,22 @@ def opening_lines(process):
     return lines
 
 
-def finished(*arguments, **variables):
-    """Return exit status, output and complaint of a command that ends by itself."""
-    process = armlab(*arguments, **variables)
-    out, err = process.communicate(timeout=WAIT)
-    return process.returncode, out, err
+@pytest.fixture
+def refused(capsys, monkeypatch):
+    """Return exit status, output and complaint of a command that ends before a lab is open, in this process."""
+
+    def opened(running, _options):
+        running.stop()
+        pytest.fail("a lab was opened")
+
+    monkeypatch.setattr(cli, "_run", opened)
+
+    def run(*arguments):
+        capsys.readouterr()
+        status = main(arguments)
+        return status, *capsys.readouterr()
+
+    return run
 
 
 def end(process, number=signal.SIGINT):
@@ -50,9 +65,9 @@ def end(process, number=signal.SIGINT):
     return process.returncode, out, err
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_it_opens_and_ctrl_c_ends_it_without_a_word(tmp_path, number):
-    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path), lessons=ALL)
+@pytest.mark.parametrize(("number", "lessons"), [(signal.SIGINT, ALL), (signal.SIGTERM, NONE)])
+def test_it_opens_and_ctrl_c_ends_it_without_a_word(tmp_path, number, lessons):
+    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path), lessons=lessons)
     first = process.stdout.readline()
     address = re.fullmatch(r"Armlab is open at (http://127\.0\.0\.1:\d+/)\n", first)
     assert address, first
@@ -96,18 +111,21 @@ def test_a_browser_that_cannot_be_opened_is_said_in_one_line(tmp_path):
 def test_a_port_in_use_is_one_line(tmp_path):
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
-        status, out, err = finished("--no-browser", "--port", str(port), "--state", str(tmp_path))
-    assert (status, out) == (1, "")
+        process = armlab("--no-browser", "--port", str(port), "--state", str(tmp_path))
+        out, err = process.communicate(timeout=WAIT)
+    assert (process.returncode, out) == (1, "")
     assert err == f"armlab: port {port} is in use; choose another with --port\n"
 
 
-@pytest.mark.parametrize("labs", ["0", "2"])
-def test_a_folder_in_use_is_one_line_even_on_another_port(tmp_path, labs):
-    process = armlab("--no-browser", "--port", "0", "--labs", labs, "--state", str(tmp_path))
+def in_use(folder):
+    """Return what is to be seen where another lab has the folder."""
+    return 1, "", f"armlab: {folder} is in use by another lab; stop that one or choose another with --state DIR\n"
+
+
+def test_a_folder_in_use_is_one_line_even_on_another_port(tmp_path, refused):
+    process = armlab("--no-browser", "--port", "0", "--state", str(tmp_path))
     assert process.stdout.readline().startswith("Armlab is open at ")
-    status, out, err = finished("--no-browser", "--port", "0", "--state", str(tmp_path))
-    assert (status, out) == (1, "")
-    assert err == f"armlab: {tmp_path} is in use by another lab; stop that one or choose another with --state DIR\n"
+    assert refused("--no-browser", "--port", "0", "--state", str(tmp_path)) == in_use(tmp_path)
     assert end(process)[0] == 0
 
 
@@ -121,8 +139,8 @@ def test_a_lab_that_was_killed_does_not_keep_its_folder(tmp_path):
     assert end(again)[0] == 0
 
 
-def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path):
-    status, out, err = finished("--no-browser", "--robot", "puma650", "--state", str(tmp_path))
+def test_an_unknown_robot_is_one_line_with_those_there_are(tmp_path, refused):
+    status, out, err = refused("--no-browser", "--robot", "puma650", "--state", str(tmp_path))
     assert (status, out) == (1, "")
     assert err.count("\n") == 1
     assert "puma650" in err
@@ -141,8 +159,9 @@ def test_wrong_options_are_refused(arguments, capsys):
 
 
 def test_help_names_every_option():
-    status, out, _ = finished("--help")
-    assert status == 0
+    process = armlab("--help")
+    out, _ = process.communicate(timeout=WAIT)
+    assert process.returncode == 0
     for option in (
         "--host",
         "--port",
@@ -158,13 +177,14 @@ def test_help_names_every_option():
         assert option in out
 
 
-def test_a_class_has_labs_behind_one_front(tmp_path):
+def test_a_class_has_labs_behind_one_front_and_its_folder_for_itself(tmp_path, refused):
     process = armlab("--no-browser", "--port", "0", "--labs", "2", "--state", str(tmp_path))
     address = process.stdout.readline().split()[-1]
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
     count = len(children.read_text().split()) if children.exists() else 2
     with urllib.request.urlopen(address) as page:
         assert page.status == 200
+    assert refused("--no-browser", "--port", "0", "--state", str(tmp_path)) == in_use(tmp_path)
     assert end(process)[0] == 0
     assert count >= 2
     with pytest.raises(urllib.error.URLError):
@@ -211,20 +231,21 @@ def test_folders_of_lessons_are_there_for_every_student(tmp_path, labs):
 
 
 @pytest.mark.parametrize("labs", ["0", "1"])
-def test_a_folder_of_lessons_that_is_not_there_is_one_line(tmp_path, labs):
+def test_a_folder_of_lessons_that_is_not_there_is_one_line(tmp_path, refused, monkeypatch, labs):
+    monkeypatch.setattr(library_module, "library", partial(Library, []))
     missing = tmp_path / "missing"
     arguments = ("--no-browser", "--port", "0", "--labs", labs, "--state", str(tmp_path / "state"))
-    status, out, err = finished(*arguments, "--lessons", str(tmp_path), "--lessons", str(missing))
+    status, out, err = refused(*arguments, "--lessons", str(tmp_path), "--lessons", str(missing))
     assert (status, out) == (1, "")
     assert err == f"armlab: lessons: expected a folder, got {str(missing)!r}\n"
 
 
 @pytest.mark.parametrize("where", ["", "sessions"])
 @pytest.mark.parametrize("labs", ["0", "1"])
-def test_state_that_cannot_be_kept_is_one_line(tmp_path, where, labs):
+def test_state_that_cannot_be_kept_is_one_line(tmp_path, refused, where, labs):
     file = tmp_path / where if where else tmp_path / "file"
     file.write_text("not a folder")
-    status, out, err = finished("--no-browser", "--labs", labs, "--state", str(tmp_path if where else file))
+    status, out, err = refused("--no-browser", "--labs", labs, "--state", str(tmp_path if where else file))
     assert (status, out) == (1, "")
     assert err.count("\n") == 1
     assert "--state" in err

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
+from copy import copy
 from pathlib import Path
 
 from armlab.content import lessons as lessons_module
 from armlab.front.start import Running, Settings, start
+from support.at_rest import OPEN
 
 
 @contextmanager
@@ -15,17 +17,32 @@ def running_lab(
     folder: Path | None = None, opening: str = "puma560", labs: int = 0, lessons: Path | None = None
 ) -> Iterator[str]:
     """Open a lab on a free port, with a teacher's folder of lessons if one is given; yields its address."""
-    lab = open_lab(folder, opening, labs, lessons=lessons)
+    with nullcontext() if lessons is None else library_for_itself():
+        lab = open_lab(folder, opening, labs, lessons=lessons)
+        try:
+            yield f"http://127.0.0.1:{lab.port}/"
+        finally:
+            lab.stop()
+
+
+@contextmanager
+def library_for_itself() -> Iterator[None]:
+    """Let what is done to the library of this process pass with the end of the block; nothing is read twice for it."""
+    shared = lessons_module._library
+    own = copy(shared())
+    for name in ("_folders", "_entries", "_good", "_variants"):
+        setattr(own, name, copy(getattr(own, name)))
+    lessons_module._library = lambda: own  # type: ignore[assignment]
     try:
-        yield f"http://127.0.0.1:{lab.port}/"
+        yield
     finally:
-        lab.stop()
-        if lessons is not None:
-            lessons_module._library.cache_clear()
+        lessons_module._library = shared
 
 
 def open_lab(
     folder: Path | None = None, opening: str = "puma560", labs: int = 0, port: int = 0, lessons: Path | None = None
 ) -> Running:
     """Open a lab on a free port, or on this one."""
-    return start(Settings("127.0.0.1", [port], opening, folder, labs, (lessons,) if lessons is not None else ()))
+    lab = start(Settings("127.0.0.1", [port], opening, folder, labs, (lessons,) if lessons is not None else ()))
+    OPEN.add(lab)
+    return lab

@@ -7,12 +7,14 @@ import os
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from weakref import WeakSet
 
 import numpy as np
 from PIL import Image
 from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
 from armlab.ui.plugin import pages
+from support.at_rest import Traffic, told
 from support.patience import WAIT, Patience
 
 ARGUMENTS = (
@@ -28,6 +30,9 @@ ARGUMENTS = (
     "--disable-renderer-backgrounding",
     "--disable-backgrounding-occluded-windows",
 )
+WITHOUT_A_CARD = "--disable-gpu-compositing"
+"""Puts the page together without the software that plays graphics card, which takes it most of the time."""
+
 EXPECTED_ERRORS = ("unsafe-eval", "Evaluating a string as JavaScript")
 """At every load viser tries, and under our policy fails, to prepare a splat sorter nobody uses."""
 
@@ -44,13 +49,50 @@ BLIND = """(() => {
 })()"""
 """Lets a page do everything but paint its scene, which takes a software renderer most of the time."""
 
-SEEN = """() => JSON.stringify([
-  Object.values(window.__viserMutable.nodePoseData).map(pose => pose && [pose.position, pose.wxyz]),
-  Object.keys(window.__viserMutable.nodeRefFromName).length,
-  [...document.querySelectorAll('[role=slider]')].map(thumb => thumb.getAttribute('aria-valuenow')),
-  document.body.innerText,
-])"""
-"""What tells whether the page still changes."""
+COUNTED = """(() => {
+  const passed = window.__passed = { up: 0, down: 0, timers: new Set() };
+  window.Worker = class extends Worker {
+    constructor(...rest) {
+      super(...rest);
+      this.addEventListener('message', ({ data }) => {
+        if (data?.type === 'connected') passed.up = passed.down = 0;
+        if (data?.type === 'message_batch') passed.down++;
+      });
+    }
+    postMessage(data, ...rest) {
+      if (data?.type === 'send') passed.up++;
+      super.postMessage(data, ...rest);
+    }
+  };
+  const set = window.setTimeout, clear = window.clearTimeout, soon = 500;
+  window.setTimeout = (call, delay = 0, ...rest) => {
+    if (typeof call !== 'function' || delay > soon) return set(call, delay, ...rest);
+    const timer = set(() => { passed.timers.delete(timer); call(...rest); }, delay);
+    passed.timers.add(timer);
+    return timer;
+  };
+  window.clearTimeout = timer => { passed.timers.delete(timer); clear(timer); };
+})()"""
+"""Counts what a page and its lab say to each other (viser's page speaks through a worker), and the timers that run."""
+
+SEEN = """async () => {
+  for (let k = 0; k < 2; k++) await new Promise(drawn => requestAnimationFrame(drawn));
+  const mutable = window.__viserMutable;
+  const still = mutable.messageQueue.length === 0 && mutable.getRenderRequestState === 'ready'
+    && window.__passed.timers.size === 0
+    && [...document.images].every(image => image.complete)
+    && document.getAnimations().every(one => one.effect.getComputedTiming().endTime === Infinity);
+  return [still, JSON.stringify([
+    Object.values(mutable.nodePoseData).map(pose => pose && [pose.position, pose.wxyz]),
+    Object.keys(mutable.nodeRefFromName).length,
+    [...document.querySelectorAll('[role=slider]')].map(thumb => thumb.getAttribute('aria-valuenow')),
+    document.body.innerText,
+  ])];
+}"""
+"""Whether the page has nothing left to do, and what it shows, once that is drawn."""
+
+OPEN: WeakSet[LabPage] = WeakSet()
+"""The pages that were opened."""
 
 FITTED = """() => {
   const canvas = document.querySelector('canvas').getBoundingClientRect();
@@ -60,6 +102,9 @@ FITTED = """() => {
 }"""
 """Whether picture and panels have followed the window."""
 
+LEAST = QUIET = 0.4
+"""Seconds: after the first a page that has been the same for the second has probably had its answer."""
+
 SETTLING = 10.0
 """Seconds for which a page may still lay itself out anew."""
 
@@ -68,15 +113,22 @@ HANDLE = 0.14
 
 
 @contextmanager
-def chromium() -> Iterator[Browser]:
-    """Start the browser that `tests/find_browser.py` found."""
+def chromium(*more: str) -> Iterator[Browser]:
+    """Start the browser that `tests/find_browser.py` found, with more arguments if any are given."""
     with sync_playwright() as playwright:
         path = os.environ.get("ARMLAB_BROWSER") or None
-        browser = playwright.chromium.launch(executable_path=path, headless=True, args=list(ARGUMENTS))
+        browser = playwright.chromium.launch(executable_path=path, headless=True, args=[*ARGUMENTS, *more])
         try:
             yield browser
         finally:
             browser.close()
+
+
+def traffic() -> Traffic:
+    """Return what all open pages and their labs have said to each other, as the pages count."""
+    pages = [lab.page for lab in OPEN if not lab.page.is_closed()]
+    counts = [page.evaluate("() => [window.__passed.up, window.__passed.down]") for page in pages]
+    return Traffic(sum(up for up, _ in counts), sum(down for _, down in counts))
 
 
 class LabPage:
@@ -101,6 +153,8 @@ class LabPage:
 
     def __init__(self, context: BrowserContext, url: str, size: tuple[int, int] = SMALL, painted: bool = True) -> None:
         self.page = context.new_page()
+        self.page.add_init_script(COUNTED)
+        OPEN.add(self)
         if not painted:
             self.page.add_init_script(BLIND)
         self.page.set_default_timeout(1e3 * WAIT)
@@ -127,7 +181,7 @@ class LabPage:
         bodies = "Object.keys(window.__viserMutable.nodeRefFromName).some(n => n.endsWith('/body'))"
         covered = "document.querySelector('.ask .dim')"
         self.page.wait_for_function(f"() => {bodies} || {covered}")
-        self.rest(0.8)
+        self.rest()
 
     def dismiss_toasts(self) -> None:
         """Close viser's note about software rendering, which is true here."""
@@ -279,15 +333,32 @@ class LabPage:
             count,
         )
 
-    def rest(self, least: float = 0.4, most: float = 15.0) -> None:
-        """Wait for the lab's answer: until nothing in scene and panel has changed for a while."""
-        time.sleep(least)
+    def rest(self, most: float = 15.0) -> None:
+        """Wait for the lab's answer.
+
+        It has come when nothing is left to do in page and lab, nothing is on its way between them, and the page has
+        drawn it. Where that cannot be told, since other programs or processes take part, or where a film plays or long
+        work goes on, it is enough that nothing in scene and panel has changed for a while, all commands being done.
+        """
         patience = Patience(most)
-        before, since = self.page.evaluate(SEEN), time.monotonic()
-        while time.monotonic() < since + 0.4 and patience.left():
-            time.sleep(0.1)
-            if (now := self.page.evaluate(SEEN)) != before:
-                before, since = now, time.monotonic()
+        since, before = time.monotonic() + LEAST, ""
+        quiet: tuple[object, ...] | None = None
+        while patience.left():
+            (still, seen), lab, pages = self.page.evaluate(SEEN), told(), traffic()
+            if seen != before:
+                before, since, quiet = seen, max(since, time.monotonic()), None
+            now = (pages, seen) if still and lab is not None and lab.idle and lab.traffic == pages else None
+            if now is not None and now == quiet:
+                return
+            quiet = now
+            done = lab is None or (lab.answered and lab.traffic.received >= pages.received)
+            if done and time.monotonic() > since + QUIET:
+                return
+
+    def still(self, seconds: float) -> None:
+        """Give what must not come the time to come."""
+        time.sleep(seconds)
+        self.rest()
 
     def until(self, condition: Callable[[], bool]) -> None:
         """Wait for something to come true."""

@@ -11,7 +11,7 @@ from armlab.ui.pace import Pace
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from support.patience import WAIT
-from support.student import run, student
+from support.student import run, settled, student
 
 
 def steps(browser):
@@ -65,6 +65,7 @@ def test_what_was_pressed_for_another_arm_does_not_count(url):
         await browser.press("ur10e")
         await browser.until(lambda: browser.channel("zero") != before)
         await browser.press_on(before, "zero")
+        await settled(browser)  # "m" is made anew for this arm, too
         await browser.press("m")
         await browser.until(lambda: pressed(browser, "m"))
         assert browser.slider(1)["value"] != 0.0

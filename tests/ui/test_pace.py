@@ -6,6 +6,7 @@ import time
 import pytest
 
 from armlab.ui.pace import MEMORY, SHARE, SLOWEST, Pace, Paced
+from support.student import run
 
 
 class Clock:
@@ -84,7 +85,7 @@ def test_a_burst_in_need_is_thinned_out_and_the_last_is_shown():
             await asyncio.sleep(0.004)
         await asyncio.sleep(0.2)
 
-    asyncio.run(burst())
+    run(burst())
     assert seen[0] == 0
     assert seen[-1] == 49
     assert 2 <= len(seen) <= 2 + (time.monotonic() - began) / 0.08
@@ -103,5 +104,5 @@ def test_with_time_enough_nothing_is_held_back_and_a_stopped_one_says_nothing_mo
         paced.stop()
         await asyncio.sleep(0.1)
 
-    asyncio.run(story())
+    run(story())
     assert seen == [0, 1, 2, 3, 4]

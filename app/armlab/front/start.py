@@ -12,6 +12,7 @@ import threading
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from aiohttp import web
 
@@ -26,6 +27,9 @@ from armlab.front.page import make_page
 from armlab.front.processes import LabProcesses
 from armlab.front.room import Room
 from armlab.front.tokens import Tokens, kept_secret
+
+if TYPE_CHECKING:
+    from armlab.ui.lab import Lab
 
 SWITCH_INTERVAL = 0.0005
 """Seconds after which Python's threads take turns. With the default of 5 ms the worker holds up the event loop that
@@ -74,10 +78,17 @@ class Settings:
 
 
 class Running:
-    """A lab that is open."""
+    """A lab that is open.
 
-    def __init__(self, port: int, opened: ExitStack) -> None:
-        self.port = port
+    Attributes
+    ----------
+    port : int
+    lab : Lab or None
+        The lab itself; None where the labs are processes of their own.
+    """
+
+    def __init__(self, port: int, opened: ExitStack, lab: Lab | None = None) -> None:
+        self.port, self.lab = port, lab
         self._opened = opened
 
     def stop(self) -> None:
@@ -104,13 +115,13 @@ def start(settings: Settings) -> Running:
     with ExitStack() as opened:
         kept = _kept_secret(settings.folder, opened)
         secret = secrets.token_urlsafe(24)
-        labs = _open_labs(settings, secret, opened)
+        lab, labs = _open_labs(settings, secret, opened)
         room = Room(settings.code, kept) if settings.code else None
         names = served_names(settings.host) | {name.lower() for name in settings.names}
         front = Front(make_page(), Tokens(kept), secret, labs, names, room=room)
         port = _open_front(front, settings, opened)
         # All is well: what was opened stays open until `Running.stop`.
-        return Running(port, opened.pop_all())
+        return Running(port, opened.pop_all(), lab)
 
 
 def _kept_secret(folder: Path | None, opened: ExitStack) -> bytes:
@@ -134,19 +145,19 @@ def _try_writing(folder: Path) -> None:
         raise OSError(error.errno, error.strerror, str(folder)) from None
 
 
-def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> list[int]:
-    """Open the labs on loopback; return their ports."""
+def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab | None, list[int]]:
+    """Open the labs on loopback; return the one of this process, if there is one, and all ports."""
     sessions = settings.folder / SESSIONS if settings.folder is not None else None
     if settings.labs:
         processes = LabProcesses(settings.labs, settings.opening, sessions, secret, settings.lessons)
         opened.callback(processes.stop)
-        return processes.ports
+        return None, processes.ports
     # Imported here: the front of a class does not need viser in its own process.
     from armlab.ui.lab import Lab
 
     lab = Lab(catalogue()[settings.opening], sessions, secret)
     opened.callback(lab.stop)
-    return [lab.port]
+    return lab, [lab.port]
 
 
 def _open_front(front: Front, settings: Settings, opened: ExitStack) -> int:

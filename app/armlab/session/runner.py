@@ -77,6 +77,12 @@ class Runner(threading.Thread):
         self._tasks: dict[tuple[str, str], Task] = {}
         self._stopping = False
 
+    @property
+    def idle(self) -> bool:
+        """Whether everything that is wanted is done and handed in."""
+        with self._changed:
+            return not any(task.has_work for task in self._tasks.values())
+
     def follow(self, session: Session, panels: frozenset[str]) -> None:
         """Look at what the state of a session wants now; returns at once, from any thread."""
         state = session.state
@@ -151,8 +157,8 @@ class Runner(threading.Thread):
             task.pieces = None
         except Exception:
             log.exception("job %s failed", task.job.key)
-            task.pieces = None
             self._post(task.session, Refuse(f"{task.job.title} has failed inside the lab. The rest works on."))
+            task.pieces = None
         else:
             if found is not None:
                 self._post(task.session, Deliver(task.job, task.begun.inputs, found))

@@ -43,7 +43,14 @@ class Worker(threading.Thread):
         self._publish = publish
         self._lock, self._wake = threading.Lock(), threading.Event()
         self._waiting: dict[str, Session] = {}
+        self._serving = False
         self._stopping = False
+
+    @property
+    def idle(self) -> bool:
+        """Whether every command handed in has been applied and published."""
+        with self._lock:
+            return not self._waiting and not self._serving
 
     def post(self, session: Session, command: Command) -> None:
         """Hand in a command; returns at once, from any thread."""
@@ -69,9 +76,8 @@ class Worker(threading.Thread):
 
     def _next(self) -> Session | None:
         with self._lock:
-            if not self._waiting:
-                return None
-            return self._waiting.pop(next(iter(self._waiting)))
+            self._serving = bool(self._waiting)
+            return self._waiting.pop(next(iter(self._waiting))) if self._waiting else None
 
     def _serve(self, session: Session) -> None:
         end = time.monotonic() + TURN

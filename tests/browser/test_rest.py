@@ -1,0 +1,44 @@
+"""What the other browser tests rest on: a page's rest ends when the answer is there, however late, and not before."""
+
+import threading
+import time
+
+import pytest
+
+from armlab.session.session import Session
+
+pytestmark = pytest.mark.browser
+
+LATE = 2.0
+"""Seconds; longer than a page that says nothing was ever waited for."""
+
+
+@pytest.fixture
+def slow(monkeypatch):
+    """Let every command take its time, while this is set."""
+    apply, is_slow = Session.apply, threading.Event()
+
+    def slowly(session, command, at):
+        if is_slow.is_set():
+            time.sleep(LATE)
+        apply(session, command, at)
+
+    monkeypatch.setattr(Session, "apply", slowly)
+    return is_slow
+
+
+def test_an_answer_that_comes_late_is_waited_for(visit, slow):
+    lab = visit("robot/planar_2r")
+    before = lab.slider_value(1)
+    slow.set()
+    lab.page.get_by_role("button", name="Right angle").click()
+    lab.rest()
+    slow.clear()
+    assert lab.slider_value(1) != before
+
+
+def test_what_the_page_itself_does_later_is_waited_for(visit):
+    lab = visit("robot/planar_2r")
+    lab.page.evaluate("() => { setTimeout(() => { window.done = true; }, 450); }")
+    lab.rest()
+    assert lab.page.evaluate("() => window.done")

@@ -1,0 +1,107 @@
+"""Whether the labs of this process have answered all that their pages said, and said all they have to say."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+from weakref import WeakSet
+
+from websockets.asyncio.server import ServerConnection
+
+from armlab.front.start import Running
+from support.patience import WAIT
+
+SOON = 2.0
+"""Seconds; what a lab means to do later than this is no part of an answer."""
+
+OPEN: WeakSet[Running] = WeakSet()
+"""The labs that were opened in this process."""
+
+
+class Traffic(NamedTuple):
+    """Messages of all connections that are open now: what the labs have received, and what they have sent.
+
+    A page never counts more as sent than its lab as received, nor the other way round. So where the sums of all pages
+    are those of all labs, nothing is on its way between any of them.
+    """
+
+    received: int
+    sent: int
+
+
+_receive, _send = ServerConnection.recv, ServerConnection.send
+
+
+async def _counted_receive(connection: Any, *arguments: Any, **options: Any) -> Any:
+    data = await _receive(connection, *arguments, **options)
+    connection.count_received = getattr(connection, "count_received", 0) + 1
+    return data
+
+
+async def _counted_send(connection: Any, *arguments: Any, **options: Any) -> None:
+    connection.count_sent = getattr(connection, "count_sent", 0) + 1
+    await _send(connection, *arguments, **options)
+
+
+ServerConnection.recv, ServerConnection.send = _counted_receive, _counted_send  # type: ignore[method-assign]
+
+
+class Told(NamedTuple):
+    """How things stand in the labs of this process.
+
+    Attributes
+    ----------
+    answered : bool
+        Whether every command is applied and shown, and nothing waits to be sent.
+    idle : bool
+        Whether, besides, no long work is under way and nothing is to happen soon.
+    """
+
+    traffic: Traffic
+    answered: bool
+    idle: bool
+
+
+def told() -> Told | None:
+    """Ask the labs of this process, each on its own event loop; None where there are none."""
+    labs = [running.lab for running in OPEN if running.lab is not None]
+    found = [_ask(lab) for lab in labs if not lab._stopped.is_set()]
+    if not found:
+        return None
+    traffic = Traffic(sum(each.traffic.received for each in found), sum(each.traffic.sent for each in found))
+    return Told(traffic, all(each.answered for each in found), all(each.idle for each in found))
+
+
+def _ask(lab: Any) -> Told:
+    async def look() -> Told:
+        server = lab.server._websock_server
+        connections = list(server._live_connections.values())
+        traffic = Traffic(_sum("count_received", connections), _sum("count_sent", connections))
+        buffers = [
+            (identifier, buffer)
+            for identifier, state in server._client_state_from_id.items()
+            for buffer in (state.message_buffer, server.get_message_buffer())
+        ]
+        answered = lab.worker.idle and not lab._due and all(itertools.starmap(_is_sent, buffers))
+        making = any(view._making is not None for view in lab._views.values())
+        return Told(traffic, answered, answered and lab.runner.idle and not making and not _is_due_soon(lab.loop))
+
+    return asyncio.run_coroutine_threadsafe(look(), lab.loop).result(WAIT)
+
+
+def _sum(count: str, connections: Iterable[ServerConnection]) -> int:
+    return sum(getattr(connection, count, 0) for connection in connections)
+
+
+def _is_sent(identifier: int, buffer: Any) -> bool:
+    """Return whether all messages for a client have been taken out of a buffer."""
+    return bool(buffer.generator_cursors.get(identifier, -1) == buffer.message_counter - 1)
+
+
+def _is_due_soon(loop: Any) -> bool:
+    """Return whether the lab means to do something soon; what only sleeps, as a connection between pings, does not."""
+    asleep = asyncio.futures._set_result_unless_cancelled  # type: ignore[attr-defined]
+    timers = (each for each in loop._scheduled if not each.cancelled() and each._callback is not asleep)
+    return any(each.when() < loop.time() + SOON for each in timers)
