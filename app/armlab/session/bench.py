@@ -14,7 +14,7 @@ from armlab.session.state import Command, State
 
 @dataclass(frozen=True)
 class Bench:
-    """The constant ``BENCH`` of a module in `armlab.session.benches`.
+    """The constant ``BENCH`` of ``bench.py`` of a page.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ class Wanted(NamedTuple):
 
 @dataclass(frozen=True)
 class Job:
-    """The constant ``JOB`` of a module in `armlab.session.jobs`.
+    """The constant ``JOB`` of ``job.py`` of a bench.
 
     Parameters
     ----------

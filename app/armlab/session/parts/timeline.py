@@ -1,6 +1,6 @@
 """The timeline: which film or run is on, where it stands, and how fast it plays.
 
-What is played is a `Clip`, found by folder in `armlab.session.clips`; the same bar plays them all.
+What is played is a `Clip`, found as ``clip.py`` of a bench; the same bar plays them all.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ SLOWEST, FASTEST = 0.1, 4.0
 
 @dataclass(frozen=True)
 class Clip:
-    """The constant ``CLIP`` of a module in `armlab.session.clips`.
+    """The constant ``CLIP`` of ``clip.py`` of a bench.
 
     Parameters
     ----------
