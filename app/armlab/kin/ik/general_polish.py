@@ -59,23 +59,37 @@ def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbe
     sizes : ndarray, shape (m,)
         Largest entry of the error, and 1 more where the turn is past 90 degrees and its sine falls again.
     """
+    frames, ends = _chain(links, q)
+    turned = (hands[:, :3, :3] @ np.swapaxes(ends[:, :3, :3], 1, 2)).reshape(-1, 9) @ _SINES_AND_TRACE
+    errors = np.empty((len(q), 6), dtype=q.dtype)
+    errors[:, :3] = hands[:, :3, 3] - ends[:, :3, 3]
+    errors[:, 3:] = turned[:, :3]
+    sizes = np.abs(errors).max(axis=1) + (turned[:, 3].real < 1.0)
+    return errors, _columns(frames, ends), sizes
+
+
+def columns_at(links: Floats, q: Numbers) -> Numbers:
+    """Return the Jacobians alone, see `errors_and_columns`."""
+    return _columns(*_chain(links, q))
+
+
+def _chain(links: Floats, q: Numbers) -> tuple[Numbers, Numbers]:
+    """Return the frames before each turn, shape (m, 6, 4, 4), and behind the last, shape (m, 4, 4)."""
     R = turns(q)
     moves = R[:, :5] @ links
     frames = np.empty((len(q), 6, 4, 4), dtype=q.dtype)
     frames[:, 0] = np.eye(4)
     for i in range(5):
         np.matmul(frames[:, i], moves[:, i], out=frames[:, i + 1])
-    ends = frames[:, 5] @ R[:, 5]
-    turned = (hands[:, :3, :3] @ np.swapaxes(ends[:, :3, :3], 1, 2)).reshape(-1, 9) @ _SINES_AND_TRACE
-    errors = np.empty((len(q), 6), dtype=q.dtype)
-    errors[:, :3] = hands[:, :3, 3] - ends[:, :3, 3]
-    errors[:, 3:] = turned[:, :3]
-    sizes = np.abs(errors).max(axis=1) + (turned[:, 3].real < 1.0)
-    columns = np.empty((len(q), 6, 6), dtype=q.dtype)
+    return frames, frames[:, 5] @ R[:, 5]
+
+
+def _columns(frames: Numbers, ends: Numbers) -> Numbers:
+    columns = np.empty((len(frames), 6, 6), dtype=frames.dtype)
     axes, arms = frames[..., :3, 2], ends[:, None, :3, 3] - frames[..., :3, 3]
     columns[..., :3] = crossed(axes, arms)
     columns[..., 3:] = axes
-    return errors, columns, sizes
+    return columns
 
 
 def crossed(a: Numbers, b: Numbers) -> Numbers:
