@@ -42,8 +42,8 @@ WEAK, STAYED = 1e-4, 0.1
 WEAKER, ASIDE = (1e-4, 1e-6, 1e-8), 0.5
 """The same, tried one after the other, for candidates nearer to one another than they are known."""
 
-WAYS = (0.5, 0.25, 0.75)
-"""Where between two candidates the pose is asked: half-way alone may be a third solution."""
+HALF_WAY, BESIDE = (0.5,), (0.25, 0.75)
+"""Where between two candidates the pose is asked: half-way alone there may be a third solution."""
 
 CLOSE = 0.3
 """Radians in all joints together: farther apart two candidates are not one."""
@@ -60,11 +60,18 @@ def merged(links: Floats, q: Floats, hand: Floats) -> Floats:
     apart = np.linalg.norm(wrapped(q[:, None] - q), axis=2)
     first = ~np.tril(apart < IDENTICAL, -1).any(axis=1)
     q, sizes, apart = q[first], sizes[first], apart[np.ix_(first, first)]
-    same = _same(links, q, sizes, apart, hand)
+    pairs = _Pairs(links, hand, q, sizes)
+    one, other = np.nonzero(np.tril(apart < CLOSE, -1))
+    same = np.zeros((len(q), len(q)), dtype=bool)
+    same[one, other] = pairs.joined(one, other, HALF_WAY)
     kept: list[int] = []
-    for k in range(len(q)):
-        if not same[k, kept].any():
-            kept.append(k)
+    rest = np.arange(len(q))
+    while len(rest):
+        # The most exact of those left stands for itself, and for all that are one with it.
+        first, rest = rest[0], rest[1:]
+        kept.append(int(first))
+        alike = rest[same[rest, first]]
+        rest = np.setdiff1d(rest, alike[pairs.joined(alike, np.full(len(alike), first), BESIDE)])
     return q[kept]
 
 
@@ -90,32 +97,33 @@ def _refined(links: Floats, q: Floats, sizes: Floats, hand: Floats) -> tuple[Flo
     return q, sizes
 
 
-def _same(links: Floats, q: Floats, sizes: Floats, apart: Floats, hand: Floats) -> NDArray[np.bool_]:
-    """Return which pairs are one: nowhere between them the error is larger than theirs, or rounding."""
-    one, other = np.nonzero(np.tril(apart < CLOSE, -1))
-    blurs = _blurs(links, q, sizes, hand)
-    blurred = apart[one, other] <= blurs[one] + blurs[other]
-    enough = np.maximum(4.0 * np.maximum(sizes[one], sizes[other]), BETWEEN)
-    joined = np.ones(len(one), dtype=bool)
-    for part in WAYS:
-        for some, weak, stayed in ((~blurred, (WEAK,), STAYED), (blurred, WEAKER, ASIDE)):
-            k = np.flatnonzero(joined & some)
-            way = q[one[k]] + part * wrapped(q[other[k]] - q[one[k]])
-            joined[k] = _is_bottom(links, way, stayed * apart[one[k], other[k]], enough[k], hand, weak)
-    one, other = one[joined], other[joined]
-    same = np.zeros((len(q), len(q)), dtype=bool)
-    same[one, other] = same[other, one] = True
-    return same
+class _Pairs:
+    """Candidates (m, 6), of which two are one where nowhere between them the error is larger than theirs or rounding.
 
-
-def _blurs(links: Floats, q: Floats, sizes: Floats, hand: Floats) -> Floats:
-    """Return how exactly candidates (m, 6) are known, in radians: twice the error by the least singular value.
-
-    A Newton step, which is half the way to a double root, is about as long; and rounding is an error, too.
+    A candidate is known up to twice its error over its least singular value: a Newton step, which is half the way to a
+    double root, is about as long, and rounding is an error, too.
     """
-    columns = errors_and_columns(links, q, np.broadcast_to(hand, (len(q), 4, 4)))[1]
-    least = np.linalg.svd(columns, compute_uv=False)[:, -1]
-    return np.asarray(2.0 * np.maximum(sizes, REFINED) / np.maximum(least, CUTOFF))
+
+    def __init__(self, links: Floats, hand: Floats, q: Floats, sizes: Floats) -> None:
+        self.links, self.hand, self.q, self.sizes = links, hand, q, sizes
+        columns = errors_and_columns(links, q, np.broadcast_to(hand, (len(q), 4, 4)))[1]
+        least = np.linalg.svd(columns, compute_uv=False)[:, -1]
+        self.blurs = 2.0 * np.maximum(sizes, REFINED) / np.maximum(least, CUTOFF)
+
+    def joined(self, one: NDArray[np.intp], other: NDArray[np.intp], parts: tuple[float, ...]) -> NDArray[np.bool_]:
+        """Return which pairs, by their rows (k,), are one as far as some parts of the way between them tell."""
+        ways = wrapped(self.q[other] - self.q[one])
+        apart = np.linalg.norm(ways, axis=1)
+        enough = np.maximum(4.0 * np.maximum(self.sizes[one], self.sizes[other]), BETWEEN)
+        blurred = apart <= self.blurs[one] + self.blurs[other]
+        joined = np.ones(len(one), dtype=bool)
+        for part in parts:
+            for some, weak, stayed in ((~blurred, (WEAK,), STAYED), (blurred, WEAKER, ASIDE)):
+                k = np.flatnonzero(joined & some)
+                if len(k):
+                    there = self.q[one[k]] + part * ways[k]
+                    joined[k] = _is_bottom(self.links, there, stayed * apart[k], enough[k], self.hand, weak)
+        return joined
 
 
 def _is_bottom(
