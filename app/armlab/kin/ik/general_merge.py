@@ -138,7 +138,7 @@ def _is_bottom(
         rest = np.flatnonzero(~found)
         if not len(rest):
             break
-        bottom, left = nearest(links, q[rest], np.broadcast_to(hand, (len(rest), 4, 4)), cutoff, exact=REFINED)
+        bottom, left, _ = nearest(links, q[rest], np.broadcast_to(hand, (len(rest), 4, 4)), cutoff, exact=REFINED)
         found[rest] = (np.linalg.norm(bottom - q[rest], axis=1) < aside[rest]) & (left <= enough[rest])
     return found
 

@@ -144,8 +144,8 @@ def polish(
 
 def nearest(
     links: Floats, q: Floats, hands: Floats, weak: float, steps: int = NEAREST, exact: float = EXACT
-) -> tuple[Floats, Floats]:
-    """Return the nearest configurations to hands, and their errors, without moving along weak directions.
+) -> tuple[Floats, Floats, Floats]:
+    """Return the nearest configurations to hands, their errors and Jacobians, without moving along weak directions.
 
     Parameters
     ----------
@@ -159,17 +159,19 @@ def nearest(
         Error below which all may stay where they are.
     """
     found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
+    there = np.zeros((len(q), 6, 6))
     for step in range(steps):
         errors, columns, sizes = errors_and_columns(links, q, hands)
         # Steps make the sum of squares least, and may make the largest entry grow.
         squares = (errors * errors).sum(axis=1) + (sizes >= 1.0)
         still, better = squares > 0.5 * least, squares < least
         found[better], best[better], least[better] = q[better], sizes[better], squares[better]
+        there[better] = columns[better]
         # They converge quadratically to what is nearest, and then stand still.
         if ((best <= exact) | (still & (step >= SETTLED))).all():
             break
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
-    return found, best
+    return found, best, there
 
 
 def damped_steps(errors: Floats, columns: Floats) -> Floats:
