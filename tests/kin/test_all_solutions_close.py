@@ -11,7 +11,7 @@ from armlab.kin.ik.general_6r import search_of
 from armlab.kin.ik.general_merge import merged
 from armlab.kin.ik.problem import REACHED_M
 from armlab.kin.ik.solve_all import solve_all
-from support.solutions import no_duplicates, worst_error
+from support.solutions import contains, no_duplicates, worst_error
 
 H = math.pi / 2
 
@@ -106,3 +106,43 @@ def test_two_candidates_with_a_third_solution_half_way_are_two():
         [3.14159265238727, 3.1415926624783945, H, -3.0071208636563798, 3.1415926625593693, 0.13447178993341363],
     ])  # fmt: skip
     assert len(merged(loop.links, some, hand)) == 2
+
+
+THREE_IN_A_ROW = {
+    # Structured arms, moved by 1e-8 and 1e-5; joint values of a pose; and of its solutions one that is hidden.
+    "1e-4 apart": (
+        [
+            (0.8020572059690918, 4.713138215271331e-09, 0.4283634411315882),
+            (-6.169758244493151e-10, 1.5707963175004878, -1.5649373700454805e-09),
+            (-0.9088501023787844, 7.3673677994096475e-09, 0.7382492860929672),
+            (9.640885849807528e-09, -1.5707963186001221, -8.533565809689871e-09),
+            (8.146931355520496e-09, 1.5707963299709353, 0.9593285867747068),
+            (1.321580418116386e-09, -4.936756842742214e-09, 7.120658004758296e-09),
+        ],
+        [math.pi, -H, math.pi, 0.0, 0.0, math.pi],
+        [math.pi, -H, math.pi, 0.0, 0.0, math.pi],
+    ),
+    "5e-5 apart": (
+        [
+            (0.8020540926074092, 9.129529178228187e-06, 0.4283573111627934),
+            (-9.037063895202582e-06, 1.5707991748243322, 4.295491813450408e-06),
+            (-0.9088493135888012, 3.554797658628717e-07, 0.7382401986201755),
+            (1.4928574537549167e-06, -1.5708058305855264, -7.032942867416987e-06),
+            (5.780121466087256e-06, 1.5707942472985714, 0.9593254362813863),
+            (9.802911489391445e-06, -7.559101487726237e-06, 6.277583351833824e-06),
+        ],
+        [-H, -H, H, -H, math.pi, math.pi],
+        [-1.5707954880341726, -1.5707967367234201, 1.5709518091589691, -1.5708048789543112, 3.1415922258484454,
+         -3.1414457233822874],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", THREE_IN_A_ROW)
+def test_of_three_solutions_in_a_row_the_middle_one_is_listed(case):
+    """All three are ends of roots: two of them listed are not all. Known to rounding over singular values of 5e-9."""
+    numbers, q, hidden = THREE_IN_A_ROW[case]
+    arm = of_table(numbers)
+    found = solve_all(arm, arm.fk(q))
+    assert found.completeness == "complete"
+    assert contains(arm, found.q, np.array(hidden), 1e-6)
