@@ -102,7 +102,7 @@ class _Normals:
         if len(kept) < 4 or not self._turns[kept].all():
             return True
         pairs = (self.between(j, k, self.frames[j, :3, 3]) for j, k in pairwise(kept))
-        return sum(min(abs(np.sin(pair.alpha)), pair.a / self.scale) < NEARLY for pair in pairs) >= 2
+        return sum(bool(min(abs(np.sin(pair.alpha)), pair.a / self.scale) < NEARLY) for pair in pairs) >= 2
 
     def between(self, j: int, k: int, place: NDArray[np.float64]) -> CommonNormal:
         """Return the common normal of two axes (0-based), at a place on the first where they are parallel."""
