@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
-from armlab.kin.lines import Line, common_normal
+from armlab.kin.lines import CommonNormal, Line, common_normal
 
 SAMPLES = 8
 """Random configurations, one seed, that stand for the generic one."""
@@ -21,6 +21,9 @@ RANK_TOLERANCE = 1e-9
 
 MOST_SETS = 28
 """Sets of joints that are tried."""
+
+NEARLY = 1e-6
+"""Sine, or length over the length scale: axes that are not parallel or meet within this are so by no tolerance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,17 +48,22 @@ class Spare:
         """n minus the rank of the task Jacobian in a generic configuration."""
         return self.arm.n - _rank(self.jacobians)
 
-    def with_fixed(self) -> Iterator[tuple[tuple[int, ...], Arm]]:
+    def with_fixed(self, special: bool = False) -> Iterator[tuple[tuple[int, ...], Arm]]:
         """Yield sets of joints (1-based) that may be fixed, the last joints first, and the axes that are left.
+
+        With ``special``, four turns and more are left out where fewer than two pairs of neighbouring axes are parallel
+        or meet: no three of them then meet in a point or are parallel.
 
         Such a set takes nothing from what the task can do. The arm that is left has the standard convention and the
         axes of a generic configuration; its frame 0, tool and limits are of no account.
         """
-        n, free = self.arm.n, self.free
+        n, free, normals = self.arm.n, self.free, _Normals(self.arm, self.samples[0])
         for fixed in islice(combinations(range(n, 0, -1), free), MOST_SETS):
             kept = [k for k in range(n) if k + 1 not in fixed]
+            if special and not normals.are_special(kept):
+                continue
             if kept and _rank(self.jacobians[:, :, kept]) == len(kept):
-                yield tuple(sorted(fixed)), _of_axes(self.arm, self.samples[0], kept)
+                yield tuple(sorted(fixed)), _of_axes(self.arm, normals, kept)
 
 
 def spare_joints(arm: Arm) -> Spare:
@@ -78,15 +86,42 @@ def task_jacobian(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.vstack([linear[arm.task.coordinates], rotation[arm.task.rotation] @ angular])
 
 
-def _of_axes(arm: Arm, q: NDArray[np.float64], kept: list[int]) -> Arm:
+class _Normals:
+    """The axes of an arm's joints in one configuration, in the axes of the world, and their common normals."""
+
+    def __init__(self, arm: Arm, q: NDArray[np.float64]) -> None:
+        whole = np.asarray(arm.frames(q), dtype=np.float64)
+        self.frames = whole[:-1] if arm.convention == "standard" else whole[1:]
+        self.scale = arm.length_scale
+        self._lines = [Line(frame[:3, 3], frame[:3, 2]) for frame in self.frames]
+        self._skew: dict[tuple[int, int], CommonNormal] = {}
+        self._turns = arm.revolute
+
+    def are_special(self, kept: list[int]) -> bool:
+        """Return whether a slide is among some axes (0-based), or two pairs of neighbours are parallel or meet."""
+        if len(kept) < 4 or not self._turns[kept].all():
+            return True
+        pairs = (self.between(j, k, self.frames[j, :3, 3]) for j, k in pairwise(kept))
+        return sum(bool(min(abs(np.sin(pair.alpha)), pair.a / self.scale) < NEARLY) for pair in pairs) >= 2
+
+    def between(self, j: int, k: int, place: NDArray[np.float64]) -> CommonNormal:
+        """Return the common normal of two axes (0-based), at a place on the first where they are parallel."""
+        found = self._skew.get((j, k))
+        if found is None:
+            first = Line(place, self._lines[j].direction)
+            found = common_normal(first, self._lines[k], scale=self.scale)
+            if found.kind in ("skew", "intersecting"):
+                self._skew[j, k] = found
+        return found
+
+
+def _of_axes(arm: Arm, normals: _Normals, kept: list[int]) -> Arm:
     """Return an arm of some of the joints (0-based), its table read off their axes in one configuration."""
-    whole = np.asarray(arm.frames(q), dtype=np.float64)
-    frames = whole[:-1] if arm.convention == "standard" else whole[1:]
-    rows: list[Row] = []
+    frames, rows = normals.frames, list[Row]()
     x, place = frames[kept[0], :3, 0], frames[kept[0], :3, 3]
     for j, k in pairwise(kept):
         z = frames[j, :3, 2]
-        normal = common_normal(Line(place, z), Line(frames[k, :3, 3], frames[k, :3, 2]), scale=arm.length_scale)
+        normal = normals.between(j, k, place)
         d, theta = float((normal.foot1 - place) @ z), _turn(x, normal.normal, z)
         rows.append(Row(arm.rows[j].kind, normal.a, normal.alpha, d, theta))
         x, place = normal.normal, normal.foot2
@@ -97,4 +132,4 @@ def _of_axes(arm: Arm, q: NDArray[np.float64], kept: list[int]) -> Arm:
 
 def _turn(x: NDArray[np.float64], to: NDArray[np.float64], z: NDArray[np.float64]) -> float:
     """Return the angle about z from one direction to another."""
-    return float(np.arctan2(np.cross(x, to) @ z, x @ to))
+    return float(np.arctan2(np.linalg.det(np.array([x, to, z])), x @ to))

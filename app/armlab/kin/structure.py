@@ -98,7 +98,7 @@ def structure_of(arm: Arm) -> Structure:
     )
     sentences, closed = [found.why, family], found.closed_form
     if not closed:
-        rests = ((fixed, _found(Axes(left))) for fixed, left in spare.with_fixed())
+        rests = ((fixed, _found(Axes(left))) for fixed, left in spare.with_fixed(special=True))
         known = next(((fixed, rest) for fixed, rest in rests if rest.closed_form), None)
         closed = known is not None
         general = found.key in ("general", "general_6r")

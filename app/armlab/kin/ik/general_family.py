@@ -135,38 +135,54 @@ def self_motion(links: Floats, q: Floats, hand: Floats, reached: float) -> Float
 
 def _can_move(links: Floats, q: Floats, hand: Floats, reached: float) -> bool:
     along = _null_vector(links, q, hand)
-    return any(_next(links, q, hand, way, reached) is not None for way in (along, -along))
+    return any(_next(links, q, hand, way, np.zeros(6), reached) is not None for way in (along, -along))
 
 
 def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: float) -> tuple[Floats, bool]:
     """Go along a curve; return its points (s, 6) and whether it closed."""
-    points = [start]
+    points, bend = [start], np.zeros(6)
     for _ in range(MOST_STEPS):
-        found = _next(links, points[-1], hand, along, reached)
-        if found is None:
+        step = _next(links, points[-1], hand, along, bend, reached)
+        if step is None:
             break
+        found, turn = step
         if len(points) > 2 and _distances(start[None], found)[0] < 0.75 * STEP:
             return np.array(points), True
         points.append(found)
-        turn = _null_vector(links, found, hand)
-        along = turn if turn @ (points[-1] - points[-2]) > 0.0 else -turn
+        before, along = along, turn if turn @ (points[-1] - points[-2]) > 0.0 else -turn
+        bend = along - before
     return np.array(points), False
 
 
-def _next(links: Floats, q: Floats, hand: Floats, along: Floats, reached: float) -> Floats | None:
-    """Return the solution a step ahead; None where there is none.
+def _next(
+    links: Floats, q: Floats, hand: Floats, along: Floats, bend: Floats, reached: float
+) -> tuple[Floats, Floats] | None:
+    """Return the solution a step ahead and the null vector there; None where there is none.
 
     Half a step ahead there has to be one as well, and each near where it is looked for: beside a curve of solutions,
-    not another isolated one.
+    not another isolated one. The curve is taken to bend on as it did in the last step.
     """
-    ahead = q + STEP * np.array([1.0, 0.5])[:, None] * along
-    found, sizes = newton.nearest(links, ahead, np.broadcast_to(hand, (2, 4, 4)), WEAK, MOST_CORRECTIONS)
-    aside = np.linalg.norm(found - ahead, axis=1)
-    return found[0] if sizes.max() < reached and aside[0] < STEP / 2.0 and aside[1] < STEP / 4.0 else None
+    parts = np.array([1.0, 0.5])[:, None]
+    straight = q + STEP * parts * along
+    found, sizes, columns = newton.nearest(
+        links,
+        straight + 0.5 * STEP * parts**2 * bend,
+        np.broadcast_to(hand, (2, 4, 4)),
+        WEAK,
+        MOST_CORRECTIONS,
+    )
+    aside = np.linalg.norm(found - straight, axis=1)
+    if sizes.max() >= reached or aside[0] >= STEP / 2.0 or aside[1] >= STEP / 4.0:
+        return None
+    return found[0], _weakest(columns[0])
 
 
 def _null_vector(links: Floats, q: Floats, hand: Floats) -> Floats:
-    columns = newton.errors_and_columns(links, q[None], hand[None])[1][0]
+    return _weakest(newton.errors_and_columns(links, q[None], hand[None])[1][0])
+
+
+def _weakest(columns: Floats) -> Floats:
+    """Return the direction (6,) of the joints that moves the tool least, of a Jacobian by columns (6, 6)."""
     return np.asarray(np.linalg.svd(columns)[0][:, -1])
 
 

@@ -30,7 +30,7 @@ def nearly(links: Floats, roots: Roots, solutions: Floats, hand: Floats) -> Floa
     kept = list(solutions)
     starts = roots.q[rows].real
     hands = np.broadcast_to(hand, (len(starts), 4, 4))
-    (one, left), (other, less) = (nearest(links, starts, hands, weak) for weak in WEAK)
+    (one, left, _), (other, less, _) = (nearest(links, starts, hands, weak) for weak in WEAK)
     for best in np.where((less < left)[:, None], other, one):
         if not kept or np.abs(wrapped(best - np.array(kept))).max(axis=1).min() > APART:
             kept.append(best)

@@ -59,23 +59,37 @@ def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbe
     sizes : ndarray, shape (m,)
         Largest entry of the error, and 1 more where the turn is past 90 degrees and its sine falls again.
     """
+    frames, ends = _chain(links, q)
+    turned = (hands[:, :3, :3] @ np.swapaxes(ends[:, :3, :3], 1, 2)).reshape(-1, 9) @ _SINES_AND_TRACE
+    errors = np.empty((len(q), 6), dtype=q.dtype)
+    errors[:, :3] = hands[:, :3, 3] - ends[:, :3, 3]
+    errors[:, 3:] = turned[:, :3]
+    sizes = np.abs(errors).max(axis=1) + (turned[:, 3].real < 1.0)
+    return errors, _columns(frames, ends), sizes
+
+
+def columns_at(links: Floats, q: Numbers) -> Numbers:
+    """Return the Jacobians alone, see `errors_and_columns`."""
+    return _columns(*_chain(links, q))
+
+
+def _chain(links: Floats, q: Numbers) -> tuple[Numbers, Numbers]:
+    """Return the frames before each turn, shape (m, 6, 4, 4), and behind the last, shape (m, 4, 4)."""
     R = turns(q)
     moves = R[:, :5] @ links
     frames = np.empty((len(q), 6, 4, 4), dtype=q.dtype)
     frames[:, 0] = np.eye(4)
     for i in range(5):
         np.matmul(frames[:, i], moves[:, i], out=frames[:, i + 1])
-    ends = frames[:, 5] @ R[:, 5]
-    turned = (hands[:, :3, :3] @ np.swapaxes(ends[:, :3, :3], 1, 2)).reshape(-1, 9) @ _SINES_AND_TRACE
-    errors = np.empty((len(q), 6), dtype=q.dtype)
-    errors[:, :3] = hands[:, :3, 3] - ends[:, :3, 3]
-    errors[:, 3:] = turned[:, :3]
-    sizes = np.abs(errors).max(axis=1) + (turned[:, 3].real < 1.0)
-    columns = np.empty((len(q), 6, 6), dtype=q.dtype)
+    return frames, frames[:, 5] @ R[:, 5]
+
+
+def _columns(frames: Numbers, ends: Numbers) -> Numbers:
+    columns = np.empty((len(frames), 6, 6), dtype=frames.dtype)
     axes, arms = frames[..., :3, 2], ends[:, None, :3, 3] - frames[..., :3, 3]
     columns[..., :3] = crossed(axes, arms)
     columns[..., 3:] = axes
-    return errors, columns, sizes
+    return columns
 
 
 def crossed(a: Numbers, b: Numbers) -> Numbers:
@@ -130,8 +144,8 @@ def polish(
 
 def nearest(
     links: Floats, q: Floats, hands: Floats, weak: float, steps: int = NEAREST, exact: float = EXACT
-) -> tuple[Floats, Floats]:
-    """Return the nearest configurations to hands, and their errors, without moving along weak directions.
+) -> tuple[Floats, Floats, Floats]:
+    """Return the nearest configurations to hands, their errors and Jacobians, without moving along weak directions.
 
     Parameters
     ----------
@@ -145,17 +159,19 @@ def nearest(
         Error below which all may stay where they are.
     """
     found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
+    there = np.zeros((len(q), 6, 6))
     for step in range(steps):
         errors, columns, sizes = errors_and_columns(links, q, hands)
         # Steps make the sum of squares least, and may make the largest entry grow.
         squares = (errors * errors).sum(axis=1) + (sizes >= 1.0)
         still, better = squares > 0.5 * least, squares < least
         found[better], best[better], least[better] = q[better], sizes[better], squares[better]
+        there[better] = columns[better]
         # They converge quadratically to what is nearest, and then stand still.
         if ((best <= exact) | (still & (step >= SETTLED))).all():
             break
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
-    return found, best
+    return found, best, there
 
 
 def damped_steps(errors: Floats, columns: Floats) -> Floats:

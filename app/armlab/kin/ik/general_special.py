@@ -36,6 +36,11 @@ MULTIPLE = 12.0
 STRAY = 1e-6
 """Radians an end is from a real solution at most, beside that."""
 
+CLUSTER, MOST_PAIRS = 1e-2, 24
+"""Radians in all joints between solutions among which others are looked for; and pairs of them at most."""
+
+AMONG = np.array([-1.0, -0.5, 0.5, 1.5, 2.0])
+"""Where on the line through two of them."""
 
 MOST_LOOSE = 8
 """Where an arm has only nearly fewer than six freedoms, the pose is reached along families, but exactly nowhere that
@@ -91,6 +96,8 @@ def resolve(search: Search, hand: Floats, roots: Roots, known: Floats) -> Resolv
         regular, rest = _reached(search, ends, hand)
         roots = joined(roots, regular)
         q = merged(links, np.concatenate([q, _starts(roots.q), _starts(ends.q)]), hand)
+        among = _among(q)
+        q = merged(links, np.concatenate([q, among]), hand) if len(among) else q
         parts = _parted(search, q, hand)
         # Of roots that two ways lead to, one has lost its own.
         lost = len(beside) - len(rest.q) - len(regular.q)
@@ -138,6 +145,14 @@ def _is_known(q: Floats, end: Complex, speed: float) -> bool:
         return False
     apart = np.hypot(wrapped(end.real - q), end.imag).max(axis=1)
     return bool(apart.min() <= MULTIPLE * speed + STRAY)
+
+
+def _among(q: Floats) -> Floats:
+    """Return starts between and beside solutions (k, 6) that are close: of three in a row the ends may hide one."""
+    one, other = np.nonzero(np.tril(np.abs(wrapped(q[:, None] - q)).max(axis=2) < CLUSTER, -1))
+    one, other = one[:MOST_PAIRS], other[:MOST_PAIRS]
+    ways = wrapped(q[other] - q[one])
+    return np.asarray((q[one][:, None] + AMONG[:, None] * ways[:, None]).reshape(-1, 6))
 
 
 def _starts(q: Complex) -> Floats:

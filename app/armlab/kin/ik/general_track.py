@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.ik.general_complex import OUTERMOST, blurred, inverted
 from armlab.kin.ik.general_loop import Complex, Floats, Numbers
-from armlab.kin.ik.general_polish import crossed, errors_and_columns
+from armlab.kin.ik.general_polish import columns_at, crossed, errors_and_columns
 
 FIRST, LONGEST = 0.1, 0.25
 """Steps of u."""
@@ -44,7 +44,7 @@ NEAR, CONVERGED = 1e-2, 1e-8
 EASY = 5e-4
 """A first Newton step below it lets the next step be twice as long."""
 
-MOST_STEPS = 80
+MOST_STEPS = 60
 
 
 class Ends(NamedTuple):
@@ -128,7 +128,7 @@ def follow(links: Floats, way: Way, q: Complex) -> Ends:
     """Return where the roots q (m, 6) of the pose at the start of a way arrive."""
     q, u, speed = q.astype(np.complex128), np.ones(len(q)), np.full(len(q), np.nan)
     steps, factors, late = np.full(len(q), FIRST), np.full(len(q), FACTOR), np.zeros(len(q), dtype=bool)
-    going = np.ones(len(q), dtype=bool)
+    going, slopes = np.ones(len(q), dtype=bool), _slopes(links, q, way.at(u)[1])
     for _ in range(MOST_STEPS):
         rows = np.flatnonzero(going)
         if not len(rows):
@@ -136,11 +136,11 @@ def follow(links: Floats, way: Way, q: Complex) -> Ends:
         log, before = late[rows], u[rows]
         after = np.where(log, before * factors[rows], before - steps[rows])
         after[after < ROUNDING] = 0.0
-        there, first, last, k = _step(links, way, q[rows], before, after, log)
-        speed[rows[log]] = k[log]
+        there, slope, first, last = _step(links, way, q[rows], slopes[rows], before, after, log)
+        speed[rows[log]] = np.abs(slopes[rows[log]]).max(axis=1) * before[log]
         good = (first < NEAR) & (last < CONVERGED * blurred(there))
         done = rows[good]
-        q[done], u[done] = there[good], after[good]
+        q[done], u[done], slopes[done] = there[good], after[good], slope[good]
         easy = first[good] < EASY
         steps[done[easy]] = np.minimum(2.0 * steps[done[easy]], LONGEST)
         factors[done[easy]] = np.maximum(factors[done[easy]] ** 2, FACTOR)
@@ -154,33 +154,36 @@ def follow(links: Floats, way: Way, q: Complex) -> Ends:
 
 
 def _step(
-    links: Floats, way: Way, q: Complex, u: Floats, to: Floats, log: NDArray[np.bool_]
-) -> tuple[Complex, Floats, Floats, Floats]:
-    """Make one step by Runge and Kutta, in u or in log u, and Newton's method; with the sizes of its steps.
+    links: Floats, way: Way, q: Complex, slopes: Complex, u: Floats, to: Floats, log: NDArray[np.bool_]
+) -> tuple[Complex, Complex, Floats, Floats]:
+    """Make one step by Runge and Kutta, in u or in log u, and Newton's method; with its first and last step's size.
 
-    The last number is the speed by log u at the start.
+    ``slopes`` (m, 6) are the derivatives by u at the start; those at the end, but for the last step, are returned.
     """
     with np.errstate(all="ignore"):
         middle = np.where(log, np.sqrt(u * to), 0.5 * (u + to))
         length = np.where(log, np.log(np.where(log, to / u, 1.0)), to - u)[:, None]
-
-        def rate(values: Complex, poses: Complex, twists: Complex, by: Floats) -> Complex:
-            columns = errors_and_columns(links, values, poses)[1]
-            return np.asarray((twists[:, None] @ inverted(columns))[:, 0] * by[:, None])
-
-        at_middle, at_end = way.at(middle), way.at(to)
-        k1 = rate(q, *way.at(u), np.where(log, u, 1.0))
-        k2 = rate(q + 0.5 * length * k1, *at_middle, np.where(log, middle, 1.0))
-        k3 = rate(q + 0.5 * length * k2, *at_middle, np.where(log, middle, 1.0))
-        k4 = rate(q + length * k3, *at_end, np.where(log, to, 1.0))
+        poses, twists = way.at(np.concatenate([middle, to]))
+        poses, (at_middle, at_end) = poses[len(q) :], twists.reshape(2, len(q), 6)
+        by_middle, by_end = (np.where(log, there, 1.0)[:, None] for there in (middle, to))
+        k1 = slopes * np.where(log, u, 1.0)[:, None]
+        k2 = _slopes(links, q + 0.5 * length * k1, at_middle) * by_middle
+        k3 = _slopes(links, q + 0.5 * length * k2, at_middle) * by_middle
+        k4 = _slopes(links, q + length * k3, at_end) * by_end
         q = q + length / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
-        poses = at_end[0]
         first = last = np.zeros(len(q))
         for k in range(3):
             errors, columns, _ = errors_and_columns(links, q, poses)
-            step = (errors[:, None] @ inverted(columns))[:, 0]
+            inverses = inverted(columns)
+            step = (errors[:, None] @ inverses)[:, 0]
             q, last = q + step, np.abs(step).max(axis=1)
             first = last if k == 0 else first
             if (last < CONVERGED).all():
                 break
-    return q, first, last, np.abs(k1).max(axis=1)
+        return q, (at_end[:, None] @ inverses)[:, 0], first, last
+
+
+def _slopes(links: Floats, q: Complex, twists: Complex) -> Complex:
+    """Return the derivatives of roots (m, 6) where the tool moves by twists (m, 6)."""
+    with np.errstate(all="ignore"):
+        return np.asarray((twists[:, None] @ inverted(columns_at(links, q)))[:, 0])

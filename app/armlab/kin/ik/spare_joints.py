@@ -37,7 +37,7 @@ PROBED = 3
 """Singular solutions whose dimension is looked for, where they belong to families of more than one."""
 
 REPRESENTATIVES = 8
-"""Configurations that stand for each of them."""
+"""Configurations that stand for each of them, and so many at least are looked for inside the limits."""
 
 _SEARCHED = f"Looked for from {FAMILY_STARTS + STARTS} random starts; a search proves nothing."
 
@@ -48,7 +48,7 @@ def with_spare_joints(arm: Arm, T: Vector, seed: int) -> Answer:
     if is_beyond(arm, T):
         return Answer([], "none", BEYOND, "self_motion", why)
     spare = known_structure(arm).free
-    found = _found(arm, T, seed, 1 if spare == 1 else SURFACE)
+    found = _found(arm, T, seed, 1 if spare == 1 else REPRESENTATIVES)
     if not found:
         return Answer([], "at least", _SEARCHED, "self_motion", why)
     if spare == 1:

@@ -21,10 +21,15 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.closed._plane import families_of, plane_of, solve_plane
 from armlab.kin.ik.closed._turning import RIGHT, STRAIGHT
 from armlab.kin.ik.closed_form import FREE_ANGLES, ClosedForm, Found, known_structure
+from armlab.kin.ik.problem import REACHED_RAD
 from armlab.kin.ik.screws import Screws, Vector, across, angle_about, cross, screws_of
 from armlab.kin.ik.trig import Angles, sine_cosine
 from armlab.kin.lines import Line, common_normal
 from armlab.kin.transforms import inverse
+
+NEARLY_STRAIGHT = 2.0 * REACHED_RAD
+"""Sine between axis 6 and the parallel ones up to which any value of joint 6 may reach the target, though one is best
+and the planar 3R may not follow it."""
 
 
 def fits(arm: Arm) -> str | None:
@@ -104,10 +109,11 @@ def _hand(s: Screws, n: Vector, R: Vector) -> Iterator[tuple[float, float, bool]
     right = abs(z5 @ n) < RIGHT and abs(z5 @ z6) < RIGHT
     for q5, free5 in _each(sine_cosine(a, b, c, 1.0, (sine if sine > STRAIGHT else 0.0) if right else None)):
         moved = s.turn(4, q5).T @ n
-        if across(z6, moved) <= STRAIGHT or sine <= STRAIGHT:
-            yield from ((q5, q6, True) for q6 in FREE_ANGLES)
-        else:
+        along = min(across(z6, moved), sine)
+        if along > STRAIGHT:
             yield q5, angle_about(z6, seen, moved), free5
+        if along <= NEARLY_STRAIGHT:
+            yield from ((q5, q6, True) for q6 in FREE_ANGLES)
 
 
 def _each(angles: Angles) -> Iterator[tuple[float, bool]]:
