@@ -20,9 +20,6 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
-FIRST_ROWS = 4096
-"""Coarse cells for which there is room at first; it is doubled as it is needed."""
-
 MOST_ARCS = 4
 """Separate intervals of s at one place that are kept; of more the smallest gaps are missing, but for their size."""
 
@@ -40,7 +37,7 @@ class Around(Met):
 
     def __init__(self, grid: Grid) -> None:
         joint = grid.joint
-        super().__init__(joint, (-math.pi, math.pi) if joint.revolute else _span(grid), FIRST_ROWS)
+        super().__init__(joint, (-math.pi, math.pi) if joint.revolute else _span(grid))
         self.grid = grid
         self.width = grid.coarser
         self.shape = tuple(-(-n // self.width) for n in grid.shape)
@@ -58,7 +55,6 @@ class Around(Met):
         fresh = np.unique(coarse[self.row[coarse] < 0])
         self.row[fresh] = self.known + np.arange(len(fresh))
         self.known += len(fresh)
-        self.make_room(self.known)
         self.put(self.row[coarse], s, q)
 
     def arcs(self) -> Arcs:

@@ -69,7 +69,7 @@ class Crossings:
         low, high = np.zeros(len(a)), np.ones(len(a))
         q, kept = filling.at(reached), filling.row[reached]
         others = [(filling.at(beyond), filling.filled[beyond])]
-        others += [(filling.spare[k, kept], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
+        others += [(filling.spare[k][kept], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             targets = a + middle[:, None] * (b - a)

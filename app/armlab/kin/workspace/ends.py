@@ -80,11 +80,10 @@ class Ends:
         self.row = self.around.row[self.cells]
         span = self.around.span
         if not self.joint.revolute:
-            found = self.around.found
-            span = float(self.around.least[found].min()), float(self.around.most[found].max()) + THERE
+            span = self.around.ends[0], self.around.ends[1] + THERE
         stroke = self.joint.high - self.joint.low
         bins = int(np.clip((span[1] - span[0]) / max(stroke, 1e-9), BINS, MOST_BINS))
-        self.met = Met(self.joint, span, len(self.cells), bins)
+        self.met = Met(self.joint, span, bins)
         # Where (u, v) leave single values of s, nothing is met between two of them.
         self.closed = 0.0 if self.single else (span[1] - span[0]) / BINS
         self.gap = max(stroke, self.closed)
@@ -113,11 +112,11 @@ class Ends:
         """Find what is met at some places from what fills their cells, and onward from there."""
         at_home = self.filling.at(self.fine[rows])
         yield from self._try(at_home, rows)
-        missed = ~self.met.found[rows].any(axis=1)
+        missed = ~self.met.found(rows).any(axis=1)
         # The place stays where the configuration is that fills the cell.
         self.places[rows[missed]] = self.joint.split(self.joint.arm.position(at_home[missed]))[:, :2]
         self._count(at_home[missed], rows[missed])
-        source = self.around.found[self.row[rows]]
+        source = self.around.found(self.row[rows])
         first = _stones(self.around.least[self.row[rows]], self.around.most[self.row[rows]], self.joint, HOP * self.gap)
         yield
         yield from self._try_bins(rows, first)
@@ -132,7 +131,7 @@ class Ends:
         i, b = np.nonzero(which)
         for first in range(0, len(i), PULLED):
             some = slice(first, first + PULLED)
-            starts = self.around.q[self.row[rows[i[some]]], b[some]].astype(np.float64)
+            starts = self.around.q.at(self.row[rows[i[some]]], b[some]).astype(np.float64)
             yield from self._try(starts, rows[i[some]])
 
     def _try(self, starts: Floats, of: Indices) -> Iterator[None]:
@@ -162,7 +161,7 @@ class Ends:
     def _in_gaps(self, rows: Indices) -> Bools:
         """Return which bins of what surrounds some places lie in gaps that joint 1 does not close, (k, BINS)."""
         around = self.row[rows]
-        s = np.where(self.around.found[around], self.around.least[around], 0.0)
+        s = np.where(self.around.found(around), self.around.least[around], 0.0)
         return self._in_gap(np.repeat(rows[:, None], s.shape[1], axis=1), s, 0.0)
 
     def _in_gap(self, rows: Indices, s: Floats, deep: float) -> Bools:
@@ -192,10 +191,10 @@ class Ends:
         """Return configurations where gaps end and begin at some places, whose they are, and the way into the gap."""
         gaps = self._gaps(rows)
         i, b = np.nonzero(gaps > 0.0)
-        last = last_found(self.met.found[rows])
+        last = last_found(self.met.found(rows))
         previous = np.where(b > 0, last[i, np.maximum(b - 1, 0)], -1)
         previous = np.where(previous >= 0, previous, last[i, -1])
-        q = np.concatenate([self.met.q[rows[i], b], self.met.q[rows[i], previous]]).astype(np.float64)
+        q = np.concatenate([self.met.q.at(rows[i], b), self.met.q.at(rows[i], previous)]).astype(np.float64)
         return q, np.tile(rows[i], 2), np.repeat([-1.0, 1.0], len(i))
 
     def _onward(self, q: Floats, of: Indices, sign: Floats) -> Iterator[None]:
@@ -234,10 +233,10 @@ class Ends:
         at = np.minimum(np.searchsorted(self.cells, beside), len(self.cells) - 1)
         there = self.cells[at] == beside
         gaping, at = gaping[there], at[there]
-        k, b = np.nonzero(self.met.found[at])
-        s = self.met.least[at[k], b]
+        k, b = np.nonzero(self.met.found(at))
+        s = self.met.least.at(at[k], b)
         some = self._in_gap(gaping[k], s, BESIDE)
-        mine, q = gaping[k[some]], self.met.q[at[k[some]], b[some]].astype(np.float64)
+        mine, q = gaping[k[some]], self.met.q.at(at[k[some]], b[some]).astype(np.float64)
         yield
         yield from self._try(q, mine)
         if not self.single:
