@@ -31,15 +31,16 @@ class Crossings:
     inside : ndarray, shape (Nu, Nv)
         Whether the centre of a cell is reached.
     along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
-        Where the boundary is between a centre and the next, 0 to 1; half where it is not between them.
+        Where the boundary is between a centre and the next, 0 to 1; 0 where it is not between them.
     """
 
     def __init__(self, filling: Filling) -> None:
         rows, columns = filling.grid.shape
         self.filling = filling
         self.inside = filling.centred.reshape(rows, columns).copy()
-        self.along_u = np.full((max(rows - 1, 0), columns), 0.5)
-        self.along_v = np.full((rows, max(columns - 1, 0)), 0.5)
+        # Zeros are there at once, however many: of a large grid others would take a tenth of a second.
+        self.along_u = np.zeros((max(rows - 1, 0), columns))
+        self.along_v = np.zeros((rows, max(columns - 1, 0)))
 
     def find(self) -> Iterator[None]:
         """Find all, a piece at a time."""

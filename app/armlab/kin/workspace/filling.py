@@ -6,7 +6,7 @@ its centre as well it is centred, and the boundary runs between centred cells an
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -125,7 +125,7 @@ class Filling:
     def flood(self) -> Iterator[None]:
         """Fill cells next to filled ones until none can be filled, a piece at a time."""
         while True:
-            cells, starts = self._untried()
+            cells, starts = yield from self._untried()
             if not cells.size:
                 return
             yield from self._pull(cells, starts)
@@ -144,6 +144,7 @@ class Filling:
                 start = self.spare[k][self.row[neighbours]]
                 found.append(cells)
                 starts.append(self._shaken(start, rng) if k == SPARE - 1 else start)
+                yield
             yield from self._pull(np.concatenate(found), np.concatenate(starts))
 
     def _shaken(self, q: Floats, rng: np.random.Generator) -> Floats:
@@ -180,8 +181,8 @@ class Filling:
         some = of[cells]
         return cells[some], neighbours[some]
 
-    def _untried(self) -> tuple[Indices, Floats]:
-        """Return empty cells and configurations of neighbours, each pair once, a few neighbours of a cell at a time."""
+    def _untried(self) -> Generator[None, None, tuple[Indices, Floats]]:
+        """Return, after pieces of work, empty cells and configurations of neighbours, each pair once, a few neighbours of a cell at a time."""
         tries = np.zeros(len(self.filled), dtype=np.int8)
         cells_found, starts = [], []
         for k, shift in enumerate(SHIFTS):
@@ -192,4 +193,5 @@ class Filling:
             tries[cells] += 1
             cells_found.append(cells)
             starts.append(self.at(neighbours))
+            yield
         return np.concatenate(cells_found), np.concatenate(starts)

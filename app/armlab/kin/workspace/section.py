@@ -198,7 +198,15 @@ def _sought(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -
             if not found.finished:
                 yield found
         yield (known := replace(found, finished=False))
-        if not is_thin(found, resolution, wanted):
+        judging = is_thin(found, resolution, wanted)
+        while True:
+            try:
+                next(judging)
+            except StopIteration as judged:
+                thin = judged.value
+                break
+            yield known
+        if not thin:
             yield found
             return
         cells *= 2
