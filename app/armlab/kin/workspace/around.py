@@ -103,10 +103,10 @@ class Arcs:
         return np.where(after >= 0.0, after, np.inf)
 
 
-def nothing_covered(cells: int, joint: FirstJoint) -> Arcs:
-    """Return no interval for each of so many cells."""
+def all_zero(cells: int, joint: FirstJoint) -> Arcs:
+    """Return arcs of so many cells with zeros everywhere, which are there at once, however many."""
     period = math.tau if joint.revolute else math.inf
-    return Arcs(np.zeros((cells, MOST_ARCS)), np.full((cells, MOST_ARCS), -1.0), np.zeros(cells), period)
+    return Arcs(np.zeros((cells, MOST_ARCS)), np.zeros((cells, MOST_ARCS)), np.zeros(cells), period)
 
 
 def arcs_of(least: Floats, most: Floats, joint: FirstJoint, closed: float = 0.0) -> Arcs:
@@ -123,7 +123,8 @@ def arcs_of(least: Floats, most: Floats, joint: FirstJoint, closed: float = 0.0)
     found = np.asarray(most >= least)
     any_found = np.asarray(found.any(axis=1))
     if joint.full:
-        whole = nothing_covered(len(least), joint)
+        whole = all_zero(len(least), joint)
+        whole.length[:] = -1.0
         whole.length[any_found, 0] = whole.covered[any_found] = math.tau
         return whole
     stroke = joint.high - joint.low

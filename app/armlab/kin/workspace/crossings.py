@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.workspace.filling import PULLED, Filling
-from armlab.kin.workspace.pull import pull
+from armlab.kin.workspace.pull import pieces, pull
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -48,20 +48,22 @@ class Crossings:
             first, second = (
                 (self.inside[:-1], self.inside[1:]) if axis == 0 else (self.inside[:, :-1], self.inside[:, 1:])
             )
-            i, j = np.nonzero(first != second)
+            yield
+            i, j = np.divmod(np.flatnonzero(first != second), first.shape[1])
+            yield
             forward = first[i, j]
             columns = self.inside.shape[1]
             low = i * columns + j
             high = low + (columns if axis == 0 else 1)
             reached = np.where(forward, low, high)
             beyond = np.where(forward, high, low)
-            for begin in range(0, len(i), PULLED):
-                some = slice(begin, begin + PULLED)
+            for some in pieces(self.filling.joint, len(i), PULLED):
                 for part in self._part(reached[some], beyond[some]):
                     if part is None:
                         yield
                         continue
                     where[i[some], j[some]] = np.where(forward[some], part, 1.0 - part)
+        yield
 
     def _part(self, reached: Indices, beyond: Indices) -> Iterator[Floats | None]:
         """Yield None a piece of work, then how far from reached centres towards others one can go, (k,) of 0 to 1."""

@@ -12,11 +12,11 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.workspace.around import Arcs, Around, arcs_of, nothing_covered
+from armlab.kin.workspace.around import Arcs, Around, all_zero, arcs_of
 from armlab.kin.workspace.filling import Filling
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.met import BINS, Met, gaps_before, last_found
-from armlab.kin.workspace.pull import least_squares, pull, section_rates
+from armlab.kin.workspace.pull import least_squares, pieces, pull, section_rates
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -25,8 +25,14 @@ Indices = NDArray[np.intp]
 PULLED = 512
 """Configurations pulled in a piece of work."""
 
+HOPPING = 256
+"""Configurations pulled along s in a piece of work: that takes more iterations."""
+
 TOGETHER = 1024
 """Places that are looked at together."""
+
+EMPTIED = 1 << 17
+"""Coarse cells that are marked as not reached in a piece of work."""
 
 MOST_BINS = 4 * BINS
 """Of s at a place, where the stroke of joint 1 is so short that there are to be more than `BINS`."""
@@ -87,10 +93,13 @@ class Ends:
         # Where (u, v) leave single values of s, nothing is met between two of them.
         self.closed = 0.0 if self.single else (span[1] - span[0]) / BINS
         self.gap = max(stroke, self.closed)
-        self._arcs = nothing_covered(self.around.shape[0] * self.around.shape[1], self.joint)
+        self._arcs = all_zero(self.around.shape[0] * self.around.shape[1], self.joint)
 
     def find(self) -> Iterator[None]:
         """Find what is met at the places, a piece at a time."""
+        for first in range(0, len(self._arcs.length), EMPTIED):
+            self._arcs.length[first : first + EMPTIED] = -1.0
+            yield
         for rows in self._blocks():
             yield from self._look(rows)
         for rows in self._blocks():
@@ -129,8 +138,7 @@ class Ends:
     def _try_bins(self, rows: Indices, which: Bools) -> Iterator[None]:
         """Pull what was met somewhere in a cell, bins (len(rows), BINS), to its place."""
         i, b = np.nonzero(which)
-        for first in range(0, len(i), PULLED):
-            some = slice(first, first + PULLED)
+        for some in pieces(self.joint, len(i), PULLED):
             starts = self.around.q.at(self.row[rows[i[some]]], b[some]).astype(np.float64)
             yield from self._try(starts, rows[i[some]])
 
@@ -138,8 +146,7 @@ class Ends:
         """Pull configurations (k, n) to places, and count what arrives."""
         limits = self.joint.arm.limits
         tolerance = THERE * self.filling.grid.step
-        for first in range(0, len(starts), PULLED):
-            some = slice(first, first + PULLED)
+        for some in pieces(self.joint, len(starts), PULLED):
             q = starts[some].copy()
             q[:, 1:] = np.clip(q[:, 1:], limits[1:, 0], limits[1:, 1])
             q, error = pull(self.joint, q, self.places[of[some]], tolerance, iterations=HOME)
@@ -199,8 +206,7 @@ class Ends:
 
     def _onward(self, q: Floats, of: Indices, sign: Floats) -> Iterator[None]:
         """Pull configurations at places on into gaps, as far as they go, by hops that joint 1 closes."""
-        for first in range(0, len(q), PULLED):
-            some = slice(first, first + PULLED)
+        for some in pieces(self.joint, len(q), HOPPING):
             # Asked for much it goes farthest; by hops it meets what lies between.
             yield from self._hopping(q[some], of[some], sign[some], AHEAD)
             if HOP * self.gap < AHEAD:
@@ -211,6 +217,7 @@ class Ends:
         for _ in range(HOPS):
             s = self._s(q)
             far = along(self.joint, q, self.places[of], s + sign * hop)
+            yield
             far, error = pull(self.joint, far, self.places[of], tolerance, iterations=HOME)
             self._count(far[error <= tolerance], of[error <= tolerance])
             moved = self._s(far) - s

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.kin.workspace.around import Around
 from armlab.kin.workspace.first_joint import FirstJoint
-from armlab.kin.workspace.pull import pull
+from armlab.kin.workspace.pull import pieces, pull
 from armlab.kin.workspace.rows import ROOM, Rows
 from armlab.kin.workspace.section_grid import Grid, random_configurations
 
@@ -26,7 +26,7 @@ SAMPLED = 16384
 """Samples in a piece of work."""
 
 PULLED = 1024
-"""Configurations pulled in a piece of work: at most 30 ms."""
+"""Configurations pulled in a piece of work: some 20 ms."""
 
 SPARE = 3
 """Further configurations kept of each cell: other branches may go on where the first one ends."""
@@ -104,6 +104,10 @@ class Filling:
             self._copies = self.filled.copy(), self.row.copy(), self.q.first(self.count)
         return self._copies
 
+    def finished(self) -> tuple[Bools, Indices32, Floats]:
+        """Return the same where nothing will be added any more: the first two are no copies."""
+        return self.filled, self.row, self.q.first(self.count)
+
     def _give_rows(self, fresh: Indices) -> None:
         """Give rows to cells that were not filled before."""
         self.filled[fresh] = True
@@ -133,6 +137,7 @@ class Filling:
     def centre(self) -> Iterator[None]:
         """Pull what fills cells to their centres."""
         cells = np.flatnonzero(self.filled & ~self.centred)
+        yield
         yield from self._pull(cells, self.at(cells))
 
     def sweep(self, rng: np.random.Generator) -> Iterator[None]:
@@ -157,8 +162,7 @@ class Filling:
         return shaken
 
     def _pull(self, cells: Indices, starts: Floats) -> Iterator[None]:
-        for first in range(0, len(cells), PULLED):
-            some = slice(first, first + PULLED)
+        for some in pieces(self.joint, len(cells), PULLED):
             waiting = ~self.centred[cells[some]]
             target = cells[some][waiting]
             q, error = pull(self.joint, starts[some][waiting], self.grid.centres(target), AT_CENTRE * self.grid.step)

@@ -104,7 +104,9 @@ def sizing(section: Section) -> Generator[None, None, Size]:
     yield
     pieces = _pieces(section, section.outline)
     yield
-    value = pieces.times(section.covered)
+    covered = section.covered
+    yield
+    value = pieces.times(covered)
     yield
     _ = section.contours
     yield
@@ -163,6 +165,7 @@ def reaching(section: Section) -> Generator[None, None, Reach]:
     i, j = np.nonzero(section.filled)
     q = section.at(i, j)
     uv = section.joint.split(section.joint.arm.position(q))[:, :2]
+    yield
     ends, found = section.grid.extremes, []
     for side, sign in ((0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0)):
         yield
@@ -298,9 +301,9 @@ def _edges(section: Section) -> float:
 
 def _alone(section: Section) -> float:
     """Return the size of filled cells none of whose neighbours has a centre inside."""
-    path = section.joint.measure(section.u)[:, None] * section.covered
+    i, j = np.nonzero(lonely(section.filled, section.outline.inside))
     cell = section.step if section.grid.flat else section.step**2
-    return float((path * lonely(section.filled, section.outline.inside)).sum() * cell)
+    return float((section.joint.measure(section.u)[i] * section.covered[i, j]).sum() * cell)
 
 
 def _turning(section: Section, pieces: _Pieces, value: float) -> Generator[None, None, float]:
