@@ -9,18 +9,23 @@ from numpy.typing import NDArray
 
 from armlab.kin.workspace.filling import PULLED, Filling
 from armlab.kin.workspace.pull import pieces, pull
+from armlab.kin.workspace.section_grid import Grid
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-HALVINGS = 6
-"""Of a line between two centres, in search of the boundary."""
+HALVINGS = {False: 6, True: 12}
+"""Of a line between two centres, in search of the boundary, by whether the grid is flat: then crossings are few, and
+nothing but they makes the error."""
 
-FINE = 0.5**HALVINGS
-"""Of a cell: what a crossing may be off."""
+REACHED = 1.0 / 64.0
+"""Of what a crossing may be off: as near to a point as that is there. What is nearly reached lies outside: it is to
+move no crossing."""
 
-REACHED = FINE / 64
-"""Of a cell: as near to a point as that is there. What is nearly reached lies outside: it is to move no crossing."""
+
+def fineness(grid: Grid) -> float:
+    """Return what a crossing may be off, of a cell."""
+    return float(0.5 ** HALVINGS[grid.flat])
 
 
 class Crossings:
@@ -73,7 +78,8 @@ class Crossings:
         q, kept = filling.at(reached), filling.row[reached]
         others = [(filling.at(beyond), filling.filled[beyond])]
         others += [(filling.spare[k][kept], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
-        for _ in range(HALVINGS):
+        tolerance = REACHED * fineness(filling.grid) * filling.grid.step
+        for _ in range(HALVINGS[filling.grid.flat]):
             middle = 0.5 * (low + high)
             targets = a + middle[:, None] * (b - a)
             there = np.zeros(len(a), dtype=bool)
@@ -81,8 +87,8 @@ class Crossings:
                 rows = np.flatnonzero(exist & ~there)
                 if not rows.size:
                     continue
-                found, error = pull(filling.joint, starts[rows], targets[rows], REACHED * filling.grid.step)
-                good = error <= REACHED * filling.grid.step
+                found, error = pull(filling.joint, starts[rows], targets[rows], tolerance)
+                good = error <= tolerance
                 q[rows[good]] = found[good]
                 there[rows[good]] = True
                 yield None

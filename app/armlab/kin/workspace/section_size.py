@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.workspace.boundary import lonely, with_axis
-from armlab.kin.workspace.crossings import FINE
+from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.extremes import Objective, climbed
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
@@ -28,8 +28,8 @@ STARTS = 2
 """Cells from which the way to an extreme is begun."""
 
 LOOKED_AT = 256
-FINEST = 1e-3
-"""Of the size: no smaller error is stated but of one number alone; none could be verified."""
+FINEST, FINEST_OF_ONE = 1e-3, 5e-6
+"""Of the size, and of one that follows from one number alone: no smaller error is stated; none could be verified."""
 
 SAFETY = 1.0
 """Of what changes when three of four places are left out: counted as an error."""
@@ -117,8 +117,8 @@ def sizing(section: Section) -> Generator[None, None, Size]:
     error += yield from _outlined(section, value)
     if section.arcs is not None:
         error += yield from _turning(section, pieces, value)
-    if not grid.flat or section.arcs is not None:
-        error = max(error, FINEST * value)
+    one = grid.flat and section.arcs is None
+    error = max(error, (FINEST_OF_ONE if one else FINEST) * value)
     return Size(value, error, unit)
 
 
@@ -296,7 +296,7 @@ def _edges(section: Section) -> float:
     u = 0.5 * (a[:, 0] + b[:, 0]) if section.joint.revolute else np.ones(len(a))
     length = np.ones(len(a)) if section.grid.flat else np.linalg.norm(b - a, axis=1)
     covered = 2.0 * np.pi if section.arcs is None else section.arcs.covered[section.boundary.edge_cells]
-    return float((u * length * covered).sum() * 0.5 * FINE * section.step)
+    return float((u * length * covered).sum() * 0.5 * fineness(section.grid) * section.step)
 
 
 def _alone(section: Section) -> float:
