@@ -73,6 +73,13 @@ def test_sizes_with_a_closed_form_are_right_within_a_percent_and_within_the_stat
     assert found.error <= 0.01 * exact
 
 
+@pytest.mark.parametrize("lengths", [[1.0, 0.37], [0.83, 0.21, 0.29], [1.0, 0.31, 0.17, 0.13]])
+def test_the_area_of_a_ring_is_found_to_a_millionth(lengths):
+    """Its two ends are found to 1/8192 of one of some 500 cells, of the largest radius: so much twice, of r²."""
+    inner = 2 * lengths[0] - sum(lengths)
+    assert size(of(planar(lengths))).value == pytest.approx(math.pi * (sum(lengths) ** 2 - inner**2), rel=1e-6)
+
+
 def test_both_sides_of_a_limited_elbow_count_where_joint_1_carries_them():
     """Elbow up and elbow down reach a radius at two angles, 2 delta apart: their arcs overlap or not."""
     turn = 1.0
