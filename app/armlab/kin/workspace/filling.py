@@ -186,7 +186,7 @@ class Filling:
         return cells[some], neighbours[some]
 
     def _untried(self) -> Generator[None, None, tuple[Indices, Floats]]:
-        """Return, after pieces of work, empty cells and configurations of neighbours, each pair once, a few neighbours of a cell at a time."""
+        """Return, after pieces of work, empty cells and configurations of neighbours: each pair once, few of a cell."""
         tries = np.zeros(len(self.filled), dtype=np.int8)
         cells_found, starts = [], []
         for k, shift in enumerate(SHIFTS):

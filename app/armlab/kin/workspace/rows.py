@@ -52,9 +52,7 @@ class Rows:
         """Return a copy of so many rows."""
         return np.asarray(self[np.arange(count)])
 
-    def parts(
-        self, rows: Indices
-    ) -> Iterator[tuple[NDArray[np.floating], Indices, NDArray[np.bool_] | EllipsisType]]:
+    def parts(self, rows: Indices) -> Iterator[tuple[NDArray[np.floating], Indices, NDArray[np.bool_] | EllipsisType]]:
         """Yield each block in which some of the rows lie, their rows in it, and which of them they are."""
         if not rows.size:
             return

@@ -159,8 +159,10 @@ def sections(
 ) -> Iterator[Section]:
     """Yield the section of an arm, better and better; the last one is finished.
 
-    Between two of them lie at most some 30 ms of work. The same arguments give the same sections; of an arm that was
-    finished of late only the last is yielded, at once (arms are compared by identity).
+    Between two of them lie at most some 30 ms of work. How many there are depends on the cells that are filled and on
+    those at the boundary, each of which is tried a few dozen times; `is_thin` bounds both: an ordinary arm takes a few
+    seconds, one that is thin, and so is given the most cells, some twenty. The same arguments give the same sections;
+    of an arm that was finished of late only the last is yielded, at once (arms are compared by identity).
 
     Parameters
     ----------

@@ -91,6 +91,8 @@ def size(section: Section) -> Size:
     second centre alone, and s at every second place, for all such choices, which is some three times what one expects;
     what the crossings of the boundary may be off; and filled cells that lie too much by themselves to be counted. It
     says nothing of parts that no search came upon. ``python3 benchmarks volume`` holds it against a judge.
+
+    The time it takes grows with the cells of the grid, filled or not; `MOST_CELLS` bounds them.
     """
     return _last(sizing(section))
 
@@ -132,7 +134,9 @@ def _last(work: Generator[None, None, Result]) -> Result:
 
 
 def is_thin(section: Section, resolution: int, wanted: float) -> Generator[None, None, bool]:
-    """Return, after pieces of work, whether cells of half the side would make the error smaller, which is too large, and are few enough.
+    """Return, after pieces of work, whether cells of half the side are wanted, and few enough.
+
+    They would make the error smaller, which is too large.
 
     Of a sliver few cells are filled, so that it has as much as an ordinary arm only with smaller ones. What that costs
     is bounded by numbers of cells: where they are reached, the larger error stays what `size` states.
