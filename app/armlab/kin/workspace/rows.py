@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from types import EllipsisType
+from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-Indices = NDArray[np.intp]
+Indices = NDArray[np.signedinteger[Any]]
 
 ROOM = 1 << 18
 """Numbers in a block of which rows are counted: 2 MiB, which are there in a few milliseconds."""
@@ -29,30 +30,30 @@ class Rows:
 
     def __init__(self, shape: tuple[int, ...], size: int, fill: float = 0.0, dtype: DTypeLike = np.float64) -> None:
         self.shape, self.size, self.fill, self.dtype = shape, size, fill, np.dtype(dtype)
-        self.blocks: list[NDArray[np.floating]] = []
+        self.blocks: list[NDArray[Any]] = []
 
-    def __getitem__(self, rows: Indices) -> NDArray[np.floating]:
+    def __getitem__(self, rows: Indices) -> NDArray[Any]:
         found = np.empty((*rows.shape, *self.shape), self.dtype)
         for block, within, here in self.parts(rows):
             found[here] = block[within]
         return found
 
-    def __setitem__(self, rows: Indices, values: NDArray[np.floating]) -> None:
+    def __setitem__(self, rows: Indices, values: NDArray[Any]) -> None:
         for block, within, here in self.parts(rows):
             block[within] = values[here]
 
-    def at(self, rows: Indices, columns: Indices) -> NDArray[np.floating]:
+    def at(self, rows: Indices, columns: Indices) -> NDArray[Any]:
         """Return the entries (k, ...) of rows (k,) in columns (k,)."""
         found = np.empty((len(rows), *self.shape[1:]), self.dtype)
         for block, within, here in self.parts(rows):
             found[here] = block[within, columns[here]]
         return found
 
-    def first(self, count: int) -> NDArray[np.floating]:
+    def first(self, count: int) -> NDArray[Any]:
         """Return a copy of so many rows."""
         return np.asarray(self[np.arange(count)])
 
-    def parts(self, rows: Indices) -> Iterator[tuple[NDArray[np.floating], Indices, NDArray[np.bool_] | EllipsisType]]:
+    def parts(self, rows: Indices) -> Iterator[tuple[NDArray[Any], Indices, NDArray[np.bool_] | EllipsisType]]:
         """Yield each block in which some of the rows lie, their rows in it, and which of them they are."""
         if not rows.size:
             return

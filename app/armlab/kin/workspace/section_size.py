@@ -130,7 +130,8 @@ def _last(work: Generator[None, None, Result]) -> Result:
         try:
             next(work)
         except StopIteration as done:
-            return done.value
+            result: Result = done.value
+            return result
 
 
 def is_thin(section: Section, resolution: int, wanted: float) -> Generator[None, None, bool]:
