@@ -19,8 +19,8 @@ TITLE = "Volume and area of random arms: stated errors against a judge"
 ARMS = sized(200, 4)
 EFFORT, CELLS = sized((0.3, RESOLUTION), (0.02, 32))
 
-HARDER = sized(6.0, 1.0)
-"""Times as much effort where the first answer is not clear."""
+HARDER, ASKED = sized(6.0, 1.0), sized(3, 2)
+"""Times as much effort where the answer is not clear, and how often it is asked for at most."""
 
 
 class Trial(NamedTuple):
@@ -63,10 +63,12 @@ def measured(arms: Iterable[int], effort: float = 0.3, resolution: int = RESOLUT
     for index in arms:
         kind = kinds[index % len(kinds)]
         found = section(drawn(kind, index // len(kinds)), resolution)
-        trial = Trial(kind, size(found), judged(found, effort, index))
-        if trial.verdict != "inside":
+        said = size(found)
+        for asked in range(ASKED):
             # Asked again, with points enough to tell: of other points, so that nobody is asked until it fits.
-            trial = Trial(kind, trial.said, judged(found, HARDER * effort, index + ARMS))
+            trial = Trial(kind, said, judged(found, HARDER**asked * effort, index + asked * ARMS))
+            if trial.verdict == "inside" or (asked and trial.verdict == "outside"):
+                break
         yield trial
 
 

@@ -51,3 +51,19 @@ def test_a_few_arms_pass_through_the_whole_trial(trial):
 def test_a_verdict_gives_the_doubt_of_the_judge_a_name(trial, said, verdict):
     volume, judged_volume = trial
     assert volume.Trial("3R", Size(said, 0.01, "m³"), judged_volume.Judged(1.0, 0.01)).verdict == verdict
+
+
+def test_what_stays_unclear_is_asked_a_third_time_with_more_effort(trial, monkeypatch):
+    volume, judged_volume = trial
+    asked = []
+
+    def judged(found, effort, seed):
+        asked.append((effort, seed))
+        exact = volume.size(found).value
+        return judged_volume.Judged(1.002 * exact, (0.1, 0.02, 1e-4)[len(asked) - 1] * exact)
+
+    monkeypatch.setattr(volume, "judged", judged)
+    (found,) = volume.measured([0], effort=0.5, resolution=16)
+    assert [effort for effort, _ in asked] == [0.5 * volume.HARDER**k for k in range(3)]
+    assert len({seed for _, seed in asked}) == 3
+    assert found.verdict == "outside"

@@ -73,6 +73,13 @@ def test_sizes_with_a_closed_form_are_right_within_a_percent_and_within_the_stat
     assert found.error <= 0.01 * exact
 
 
+@pytest.mark.parametrize("lengths", [[1.0, 0.37], [0.83, 0.21, 0.29], [1.0, 0.31, 0.17, 0.13]])
+def test_the_area_of_a_ring_is_found_to_a_millionth(lengths):
+    """Its two ends are found to 1/8192 of one of some 500 cells, of the largest radius: so much twice, of r²."""
+    inner = 2 * lengths[0] - sum(lengths)
+    assert size(of(planar(lengths))).value == pytest.approx(math.pi * (sum(lengths) ** 2 - inner**2), rel=1e-6)
+
+
 def test_both_sides_of_a_limited_elbow_count_where_joint_1_carries_them():
     """Elbow up and elbow down reach a radius at two angles, 2 delta apart: their arcs overlap or not."""
     turn = 1.0
@@ -84,41 +91,20 @@ def test_both_sides_of_a_limited_elbow_count_where_joint_1_carries_them():
     assert abs(found.value - exact) <= found.error <= 0.02 * exact
 
 
-def covered_of_3r(arm, resolution=2000):
-    """Return the area of a planar 3R with limits, from the s of a fine grid of q2 and q3 in rings of u.
-
-    Each ring counts the union of s + [low, high] of what falls into it; so it is too large by what s spreads in a ring,
-    which is in proportion to its width: twice as wide rings tell how much, and it is taken off.
-    """
-    joint, stroke = first_joint(arm), np.ptp(arm.limits[0])
-    q = np.stack(np.meshgrid([0.0], *(np.linspace(*limits, resolution) for limits in arm.limits[1:])), axis=-1)
-    u, _, s = joint.split(arm.position(q.reshape(-1, 3))).T
-    narrow, wide = (in_rings(u, s, stroke, width) for width in (2e-3, 4e-3))
-    return 2.0 * narrow - wide
-
-
-def in_rings(u, s, stroke, width):
-    """Return the area of the rings, each as wide, of which what falls into them covers some part."""
-    order = np.lexsort((s, (u / width).astype(int)))
-    ring, s = (u[order] / width).astype(int), s[order]
-    begin = np.flatnonzero(np.diff(ring, prepend=-1))
-    end = np.append(begin[1:], len(ring))
-    total = 0.0
-    for a, b in zip(begin, end, strict=True):
-        gaps = np.diff(s[a:b], append=s[a] + 2 * math.pi)
-        total += (ring[a] + 0.5) * width**2 * (2 * math.pi - np.maximum(gaps - stroke, 0.0).sum())
-    return total
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_areas_of_arms_with_a_limited_joint_1_are_within_their_stated_error_and_that_below_a_percent(seed):
+@pytest.mark.parametrize(
+    ("seed", "reference", "unsure"),
+    [(0, 0.88257, 0.00019), (1, 4.8191, 0.0023), (2, 1.4562, 0.0006), (3, 1.8606, 0.0011)],
+)
+def test_areas_of_arms_with_a_limited_joint_1_are_within_their_stated_error_and_that_below_a_percent(
+    seed, reference, unsure
+):
+    """References in m² from ``judged(of(arm, 128), 1.0, 77)`` of ``benchmarks/judged_volume.py``: two deviations."""
     rng = np.random.default_rng(seed)
     span, middle = rng.uniform([0.5, 0.5, 0.5], [3.0, 4.0, 4.0]), rng.uniform(-3, 3, 3)
     arm = planar(rng.uniform(0.3, 1.0, 3), limits=np.stack([middle - span / 2, middle + span / 2], axis=1))
-    found, exact = size(of(arm, 128)), covered_of_3r(arm)
-    assert found.error <= 0.01 * exact
-    # The judge's rings are 2 mm wide: a few thousandths more.
-    assert abs(found.value - exact) <= found.error + 0.003 * exact
+    found = size(of(arm, 128))
+    assert found.error <= 0.01 * reference
+    assert abs(found.value - reference) <= found.error + unsure
 
 
 @pytest.mark.parametrize("limits", [[-0.3, 0.4], [0.2, 1.5], [-2.0, 2.5]])

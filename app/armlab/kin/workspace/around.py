@@ -20,9 +20,6 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
-FIRST_ROWS = 4096
-"""Coarse cells for which there is room at first; it is doubled as it is needed."""
-
 MOST_ARCS = 4
 """Separate intervals of s at one place that are kept; of more the smallest gaps are missing, but for their size."""
 
@@ -40,7 +37,7 @@ class Around(Met):
 
     def __init__(self, grid: Grid) -> None:
         joint = grid.joint
-        super().__init__(joint, (-math.pi, math.pi) if joint.revolute else _span(grid), FIRST_ROWS)
+        super().__init__(joint, (-math.pi, math.pi) if joint.revolute else _span(grid))
         self.grid = grid
         self.width = grid.coarser
         self.shape = tuple(-(-n // self.width) for n in grid.shape)
@@ -58,7 +55,6 @@ class Around(Met):
         fresh = np.unique(coarse[self.row[coarse] < 0])
         self.row[fresh] = self.known + np.arange(len(fresh))
         self.known += len(fresh)
-        self.make_room(self.known)
         self.put(self.row[coarse], s, q)
 
     def arcs(self) -> Arcs:
@@ -107,10 +103,10 @@ class Arcs:
         return np.where(after >= 0.0, after, np.inf)
 
 
-def nothing_covered(cells: int, joint: FirstJoint) -> Arcs:
-    """Return no interval for each of so many cells."""
+def all_zero(cells: int, joint: FirstJoint) -> Arcs:
+    """Return arcs of so many cells with zeros everywhere, which are there at once, however many."""
     period = math.tau if joint.revolute else math.inf
-    return Arcs(np.zeros((cells, MOST_ARCS)), np.full((cells, MOST_ARCS), -1.0), np.zeros(cells), period)
+    return Arcs(np.zeros((cells, MOST_ARCS)), np.zeros((cells, MOST_ARCS)), np.zeros(cells), period)
 
 
 def arcs_of(least: Floats, most: Floats, joint: FirstJoint, closed: float = 0.0) -> Arcs:
@@ -127,7 +123,8 @@ def arcs_of(least: Floats, most: Floats, joint: FirstJoint, closed: float = 0.0)
     found = np.asarray(most >= least)
     any_found = np.asarray(found.any(axis=1))
     if joint.full:
-        whole = nothing_covered(len(least), joint)
+        whole = all_zero(len(least), joint)
+        whole.length[:] = -1.0
         whole.length[any_found, 0] = whole.covered[any_found] = math.tau
         return whole
     stroke = joint.high - joint.low

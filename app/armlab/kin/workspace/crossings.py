@@ -8,19 +8,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.workspace.filling import PULLED, Filling
-from armlab.kin.workspace.pull import pull
+from armlab.kin.workspace.pull import pieces, pull
+from armlab.kin.workspace.section_grid import Grid
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-HALVINGS = 6
-"""Of a line between two centres, in search of the boundary."""
+HALVINGS = {False: 6, True: 12}
+"""Of a line between two centres, in search of the boundary, by whether the grid is flat: then crossings are few, and
+nothing but they makes the error."""
 
-FINE = 0.5**HALVINGS
-"""Of a cell: what a crossing may be off."""
+REACHED = 1.0 / 64.0
+"""Of what a crossing may be off: as near to a point as that is there. What is nearly reached lies outside: it is to
+move no crossing."""
 
-REACHED = FINE / 64
-"""Of a cell: as near to a point as that is there. What is nearly reached lies outside: it is to move no crossing."""
+
+def fineness(grid: Grid) -> float:
+    """Return what a crossing may be off, of a cell."""
+    return float(0.5 ** HALVINGS[grid.flat])
 
 
 class Crossings:
@@ -31,15 +36,16 @@ class Crossings:
     inside : ndarray, shape (Nu, Nv)
         Whether the centre of a cell is reached.
     along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
-        Where the boundary is between a centre and the next, 0 to 1; half where it is not between them.
+        Where the boundary is between a centre and the next, 0 to 1; 0 where it is not between them.
     """
 
     def __init__(self, filling: Filling) -> None:
         rows, columns = filling.grid.shape
         self.filling = filling
         self.inside = filling.centred.reshape(rows, columns).copy()
-        self.along_u = np.full((max(rows - 1, 0), columns), 0.5)
-        self.along_v = np.full((rows, max(columns - 1, 0)), 0.5)
+        # Zeros are there at once, however many: of a large grid others would take a tenth of a second.
+        self.along_u = np.zeros((max(rows - 1, 0), columns))
+        self.along_v = np.zeros((rows, max(columns - 1, 0)))
 
     def find(self) -> Iterator[None]:
         """Find all, a piece at a time."""
@@ -47,20 +53,22 @@ class Crossings:
             first, second = (
                 (self.inside[:-1], self.inside[1:]) if axis == 0 else (self.inside[:, :-1], self.inside[:, 1:])
             )
-            i, j = np.nonzero(first != second)
+            yield
+            i, j = np.divmod(np.flatnonzero(first != second), first.shape[1])
+            yield
             forward = first[i, j]
             columns = self.inside.shape[1]
             low = i * columns + j
             high = low + (columns if axis == 0 else 1)
             reached = np.where(forward, low, high)
             beyond = np.where(forward, high, low)
-            for begin in range(0, len(i), PULLED):
-                some = slice(begin, begin + PULLED)
+            for some in pieces(self.filling.joint, len(i), PULLED):
                 for part in self._part(reached[some], beyond[some]):
                     if part is None:
                         yield
                         continue
                     where[i[some], j[some]] = np.where(forward[some], part, 1.0 - part)
+        yield
 
     def _part(self, reached: Indices, beyond: Indices) -> Iterator[Floats | None]:
         """Yield None a piece of work, then how far from reached centres towards others one can go, (k,) of 0 to 1."""
@@ -69,8 +77,9 @@ class Crossings:
         low, high = np.zeros(len(a)), np.ones(len(a))
         q, kept = filling.at(reached), filling.row[reached]
         others = [(filling.at(beyond), filling.filled[beyond])]
-        others += [(filling.spare[k, kept], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
-        for _ in range(HALVINGS):
+        others += [(filling.spare[k][kept], filling.has_spare[k, reached]) for k in range(len(filling.spare))]
+        tolerance = REACHED * fineness(filling.grid) * filling.grid.step
+        for _ in range(HALVINGS[filling.grid.flat]):
             middle = 0.5 * (low + high)
             targets = a + middle[:, None] * (b - a)
             there = np.zeros(len(a), dtype=bool)
@@ -78,8 +87,8 @@ class Crossings:
                 rows = np.flatnonzero(exist & ~there)
                 if not rows.size:
                     continue
-                found, error = pull(filling.joint, starts[rows], targets[rows], REACHED * filling.grid.step)
-                good = error <= REACHED * filling.grid.step
+                found, error = pull(filling.joint, starts[rows], targets[rows], tolerance)
+                good = error <= tolerance
                 q[rows[good]] = found[good]
                 there[rows[good]] = True
                 yield None

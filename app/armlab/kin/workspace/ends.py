@@ -12,11 +12,11 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.workspace.around import Arcs, Around, arcs_of, nothing_covered
+from armlab.kin.workspace.around import Arcs, Around, all_zero, arcs_of
 from armlab.kin.workspace.filling import Filling
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.met import BINS, Met, gaps_before, last_found
-from armlab.kin.workspace.pull import least_squares, pull, section_rates
+from armlab.kin.workspace.pull import least_squares, pieces, pull, section_rates
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -25,8 +25,14 @@ Indices = NDArray[np.intp]
 PULLED = 512
 """Configurations pulled in a piece of work."""
 
+HOPPING = 256
+"""Configurations pulled along s in a piece of work: that takes more iterations."""
+
 TOGETHER = 1024
 """Places that are looked at together."""
+
+EMPTIED = 1 << 17
+"""Coarse cells that are marked as not reached in a piece of work."""
 
 MOST_BINS = 4 * BINS
 """Of s at a place, where the stroke of joint 1 is so short that there are to be more than `BINS`."""
@@ -80,18 +86,20 @@ class Ends:
         self.row = self.around.row[self.cells]
         span = self.around.span
         if not self.joint.revolute:
-            found = self.around.found
-            span = float(self.around.least[found].min()), float(self.around.most[found].max()) + THERE
+            span = self.around.ends[0], self.around.ends[1] + THERE
         stroke = self.joint.high - self.joint.low
         bins = int(np.clip((span[1] - span[0]) / max(stroke, 1e-9), BINS, MOST_BINS))
-        self.met = Met(self.joint, span, len(self.cells), bins)
+        self.met = Met(self.joint, span, bins)
         # Where (u, v) leave single values of s, nothing is met between two of them.
         self.closed = 0.0 if self.single else (span[1] - span[0]) / BINS
         self.gap = max(stroke, self.closed)
-        self._arcs = nothing_covered(self.around.shape[0] * self.around.shape[1], self.joint)
+        self._arcs = all_zero(self.around.shape[0] * self.around.shape[1], self.joint)
 
     def find(self) -> Iterator[None]:
         """Find what is met at the places, a piece at a time."""
+        for first in range(0, len(self._arcs.length), EMPTIED):
+            self._arcs.length[first : first + EMPTIED] = -1.0
+            yield
         for rows in self._blocks():
             yield from self._look(rows)
         for rows in self._blocks():
@@ -113,11 +121,11 @@ class Ends:
         """Find what is met at some places from what fills their cells, and onward from there."""
         at_home = self.filling.at(self.fine[rows])
         yield from self._try(at_home, rows)
-        missed = ~self.met.found[rows].any(axis=1)
+        missed = ~self.met.found(rows).any(axis=1)
         # The place stays where the configuration is that fills the cell.
         self.places[rows[missed]] = self.joint.split(self.joint.arm.position(at_home[missed]))[:, :2]
         self._count(at_home[missed], rows[missed])
-        source = self.around.found[self.row[rows]]
+        source = self.around.found(self.row[rows])
         first = _stones(self.around.least[self.row[rows]], self.around.most[self.row[rows]], self.joint, HOP * self.gap)
         yield
         yield from self._try_bins(rows, first)
@@ -130,17 +138,15 @@ class Ends:
     def _try_bins(self, rows: Indices, which: Bools) -> Iterator[None]:
         """Pull what was met somewhere in a cell, bins (len(rows), BINS), to its place."""
         i, b = np.nonzero(which)
-        for first in range(0, len(i), PULLED):
-            some = slice(first, first + PULLED)
-            starts = self.around.q[self.row[rows[i[some]]], b[some]].astype(np.float64)
+        for some in pieces(self.joint, len(i), PULLED):
+            starts = self.around.q.at(self.row[rows[i[some]]], b[some]).astype(np.float64)
             yield from self._try(starts, rows[i[some]])
 
     def _try(self, starts: Floats, of: Indices) -> Iterator[None]:
         """Pull configurations (k, n) to places, and count what arrives."""
         limits = self.joint.arm.limits
         tolerance = THERE * self.filling.grid.step
-        for first in range(0, len(starts), PULLED):
-            some = slice(first, first + PULLED)
+        for some in pieces(self.joint, len(starts), PULLED):
             q = starts[some].copy()
             q[:, 1:] = np.clip(q[:, 1:], limits[1:, 0], limits[1:, 1])
             q, error = pull(self.joint, q, self.places[of[some]], tolerance, iterations=HOME)
@@ -162,7 +168,7 @@ class Ends:
     def _in_gaps(self, rows: Indices) -> Bools:
         """Return which bins of what surrounds some places lie in gaps that joint 1 does not close, (k, BINS)."""
         around = self.row[rows]
-        s = np.where(self.around.found[around], self.around.least[around], 0.0)
+        s = np.where(self.around.found(around), self.around.least[around], 0.0)
         return self._in_gap(np.repeat(rows[:, None], s.shape[1], axis=1), s, 0.0)
 
     def _in_gap(self, rows: Indices, s: Floats, deep: float) -> Bools:
@@ -192,16 +198,15 @@ class Ends:
         """Return configurations where gaps end and begin at some places, whose they are, and the way into the gap."""
         gaps = self._gaps(rows)
         i, b = np.nonzero(gaps > 0.0)
-        last = last_found(self.met.found[rows])
+        last = last_found(self.met.found(rows))
         previous = np.where(b > 0, last[i, np.maximum(b - 1, 0)], -1)
         previous = np.where(previous >= 0, previous, last[i, -1])
-        q = np.concatenate([self.met.q[rows[i], b], self.met.q[rows[i], previous]]).astype(np.float64)
+        q = np.concatenate([self.met.q.at(rows[i], b), self.met.q.at(rows[i], previous)]).astype(np.float64)
         return q, np.tile(rows[i], 2), np.repeat([-1.0, 1.0], len(i))
 
     def _onward(self, q: Floats, of: Indices, sign: Floats) -> Iterator[None]:
         """Pull configurations at places on into gaps, as far as they go, by hops that joint 1 closes."""
-        for first in range(0, len(q), PULLED):
-            some = slice(first, first + PULLED)
+        for some in pieces(self.joint, len(q), HOPPING):
             # Asked for much it goes farthest; by hops it meets what lies between.
             yield from self._hopping(q[some], of[some], sign[some], AHEAD)
             if HOP * self.gap < AHEAD:
@@ -212,6 +217,7 @@ class Ends:
         for _ in range(HOPS):
             s = self._s(q)
             far = along(self.joint, q, self.places[of], s + sign * hop)
+            yield
             far, error = pull(self.joint, far, self.places[of], tolerance, iterations=HOME)
             self._count(far[error <= tolerance], of[error <= tolerance])
             moved = self._s(far) - s
@@ -234,10 +240,10 @@ class Ends:
         at = np.minimum(np.searchsorted(self.cells, beside), len(self.cells) - 1)
         there = self.cells[at] == beside
         gaping, at = gaping[there], at[there]
-        k, b = np.nonzero(self.met.found[at])
-        s = self.met.least[at[k], b]
+        k, b = np.nonzero(self.met.found(at))
+        s = self.met.least.at(at[k], b)
         some = self._in_gap(gaping[k], s, BESIDE)
-        mine, q = gaping[k[some]], self.met.q[at[k[some]], b[some]].astype(np.float64)
+        mine, q = gaping[k[some]], self.met.q.at(at[k[some]], b[some]).astype(np.float64)
         yield
         yield from self._try(q, mine)
         if not self.single:

@@ -6,14 +6,15 @@ its centre as well it is centred, and the boundary runs between centred cells an
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.workspace.around import Around
 from armlab.kin.workspace.first_joint import FirstJoint
-from armlab.kin.workspace.pull import pull
+from armlab.kin.workspace.pull import pieces, pull
+from armlab.kin.workspace.rows import ROOM, Rows
 from armlab.kin.workspace.section_grid import Grid, random_configurations
 
 Floats = NDArray[np.float64]
@@ -21,14 +22,11 @@ Indices = NDArray[np.intp]
 Indices32 = NDArray[np.int32]
 Bools = NDArray[np.bool_]
 
-FIRST_ROWS = 4096
-"""Filled cells for which there is room at first."""
-
 SAMPLED = 16384
 """Samples in a piece of work."""
 
 PULLED = 1024
-"""Configurations pulled in a piece of work: at most 30 ms."""
+"""Configurations pulled in a piece of work: some 20 ms."""
 
 SPARE = 3
 """Further configurations kept of each cell: other branches may go on where the first one ends."""
@@ -54,8 +52,10 @@ class Filling:
     filled, centred : ndarray, shape (cells,)
     row : ndarray, shape (cells,)
         Where in the following a filled cell is; -1 for another. Of a sliver few cells are filled among many.
-    q : ndarray, shape (rows, n)
-        A configuration of each filled cell with q_1 = 0, rad and m; and room for more.
+    q : Rows of shape (n,)
+        A configuration of each filled cell with q_1 = 0, rad and m.
+    spare : list of Rows of shape (n,)
+        Further ones.
     has_spare : ndarray, shape (SPARE, cells)
         Whether further configurations are kept of a cell.
     around : Around or None
@@ -70,8 +70,8 @@ class Filling:
         self.centred: Bools = np.zeros(cells, dtype=bool)
         self.row = np.full(cells, -1, dtype=np.int32)
         self.count = 0
-        self.q: Floats = np.zeros((FIRST_ROWS, n))
-        self.spare: Floats = np.zeros((SPARE, FIRST_ROWS, n))
+        self.q = Rows((n,), ROOM // n)
+        self.spare = [Rows((n,), ROOM // n) for _ in range(SPARE)]
         self.has_spare: Bools = np.zeros((SPARE, cells), dtype=bool)
         self.around = None if grid.joint.full else Around(grid)
         self._tried: Bools = np.zeros((len(SHIFTS), cells), dtype=bool)
@@ -80,7 +80,7 @@ class Filling:
 
     def at(self, cells: Indices) -> Floats:
         """Return the configurations that fill cells (k,), shape (k, n); anything for one that is not filled."""
-        return self.q[self.row[cells]]
+        return np.asarray(self.q[self.row[cells]])
 
     def add(self, q: Floats) -> None:
         """Take configurations (k, n) into account, whichever cells they fall in."""
@@ -91,28 +91,28 @@ class Filling:
         if self.around is not None:
             self.around.add(cells, s, q)
         fresh = ~self.filled[cells]
-        self._make_room(np.unique(cells[fresh]))
+        self._give_rows(np.unique(cells[fresh]))
         rows = self.row[cells]
         turn = self._turn = (self._turn + 1) % SPARE
-        self.spare[turn, rows] = q
+        self.spare[turn][rows] = q
         self.has_spare[turn, cells] = True
         self.q[rows[fresh]] = q[fresh]
 
     def copies(self) -> tuple[Bools, Indices32, Floats]:
         """Return copies of ``filled``, ``row`` and ``q`` that stay as they are; the same until something is added."""
         if self._copies is None:
-            self._copies = self.filled.copy(), self.row.copy(), self.q[: self.count].copy()
+            self._copies = self.filled.copy(), self.row.copy(), self.q.first(self.count)
         return self._copies
 
-    def _make_room(self, fresh: Indices) -> None:
-        """Give rows to cells that were not filled before; twice as many as there were where they are too few."""
+    def finished(self) -> tuple[Bools, Indices32, Floats]:
+        """Return the same where nothing will be added any more: the first two are no copies."""
+        return self.filled, self.row, self.q.first(self.count)
+
+    def _give_rows(self, fresh: Indices) -> None:
+        """Give rows to cells that were not filled before."""
         self.filled[fresh] = True
         self.row[fresh] = self.count + np.arange(len(fresh), dtype=np.int32)
         self.count += len(fresh)
-        more = max(self.count, 2 * len(self.q)) - len(self.q)
-        if self.count > len(self.q):
-            self.q = np.concatenate([self.q, np.zeros((more, self.q.shape[1]))])
-            self.spare = np.concatenate([self.spare, np.zeros((SPARE, more, self.q.shape[1]))], axis=1)
 
     def take(self, q: Floats) -> Iterator[None]:
         """Take configurations (k, n) into account, a piece at a time."""
@@ -129,7 +129,7 @@ class Filling:
     def flood(self) -> Iterator[None]:
         """Fill cells next to filled ones until none can be filled, a piece at a time."""
         while True:
-            cells, starts = self._untried()
+            cells, starts = yield from self._untried()
             if not cells.size:
                 return
             yield from self._pull(cells, starts)
@@ -137,6 +137,7 @@ class Filling:
     def centre(self) -> Iterator[None]:
         """Pull what fills cells to their centres."""
         cells = np.flatnonzero(self.filled & ~self.centred)
+        yield
         yield from self._pull(cells, self.at(cells))
 
     def sweep(self, rng: np.random.Generator) -> Iterator[None]:
@@ -145,9 +146,10 @@ class Filling:
             found, starts = [], []
             for k in range(SPARE):
                 cells, neighbours = self._neighbours(shift, ~self.centred, self.has_spare[k])
-                start = self.spare[k, self.row[neighbours]]
+                start = self.spare[k][self.row[neighbours]]
                 found.append(cells)
                 starts.append(self._shaken(start, rng) if k == SPARE - 1 else start)
+                yield
             yield from self._pull(np.concatenate(found), np.concatenate(starts))
 
     def _shaken(self, q: Floats, rng: np.random.Generator) -> Floats:
@@ -160,8 +162,7 @@ class Filling:
         return shaken
 
     def _pull(self, cells: Indices, starts: Floats) -> Iterator[None]:
-        for first in range(0, len(cells), PULLED):
-            some = slice(first, first + PULLED)
+        for some in pieces(self.joint, len(cells), PULLED):
             waiting = ~self.centred[cells[some]]
             target = cells[some][waiting]
             q, error = pull(self.joint, starts[some][waiting], self.grid.centres(target), AT_CENTRE * self.grid.step)
@@ -184,8 +185,8 @@ class Filling:
         some = of[cells]
         return cells[some], neighbours[some]
 
-    def _untried(self) -> tuple[Indices, Floats]:
-        """Return empty cells and configurations of neighbours, each pair once, a few neighbours of a cell at a time."""
+    def _untried(self) -> Generator[None, None, tuple[Indices, Floats]]:
+        """Return, after pieces of work, empty cells and configurations of neighbours: each pair once, few of a cell."""
         tries = np.zeros(len(self.filled), dtype=np.int8)
         cells_found, starts = [], []
         for k, shift in enumerate(SHIFTS):
@@ -196,4 +197,5 @@ class Filling:
             tries[cells] += 1
             cells_found.append(cells)
             starts.append(self.at(neighbours))
+            yield
         return np.concatenate(cells_found), np.concatenate(starts)

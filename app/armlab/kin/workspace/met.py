@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.workspace.first_joint import FirstJoint
+from armlab.kin.workspace.rows import ROOM, Rows
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -18,28 +19,36 @@ BINS = 72
 
 
 class Met:
-    """Rows of bins over s.
+    """Rows of bins over s, as many as are written.
 
     Attributes
     ----------
     span : (float, float)
         Of s, rad or m, over which the bins lie; what is beyond counts to the last ones.
-    least, most : ndarray, shape (rows, bins)
+    least, most : Rows of shape (bins,)
         Of the s met in a bin, rad or m; (inf, -inf) in one without.
-    q : ndarray, shape (rows, bins, n)
-        A configuration of each, rad and m.
+    q : Rows of shape (bins, n)
+        A configuration of each, rad and m, in single precision.
+    ends : (float, float)
+        Of all s that were met, rad or m; (inf, -inf) before any was.
     """
 
-    def __init__(self, joint: FirstJoint, span: tuple[float, float], rows: int, bins: int = BINS) -> None:
+    def __init__(self, joint: FirstJoint, span: tuple[float, float], bins: int = BINS) -> None:
         self.joint, self.span, self.bins = joint, span, bins
-        self.least = np.full((rows, bins), np.inf)
-        self.most = np.full((rows, bins), -np.inf)
-        self.q = np.zeros((rows, bins, joint.arm.n), dtype=np.float32)
+        size = max(ROOM // bins, 1)
+        self.least = Rows((bins,), size, np.inf)
+        self.most = Rows((bins,), size, -np.inf)
+        self.q = Rows((bins, joint.arm.n), size, dtype=np.float32)
+        self.ends = (math.inf, -math.inf)
 
-    @property
-    def found(self) -> Bools:
-        """Bins in which something was met, (rows, bins)."""
-        return np.asarray(self.most >= self.least)
+    def found(self, rows: Indices) -> Bools:
+        """Return in which bins of rows (k,) something was met, (k, bins)."""
+        return np.asarray(self.most[rows] >= self.least[rows])
+
+    def everything(self) -> NDArray[np.floating]:
+        """Return the configurations of all bins of all rows, (k, n)."""
+        blocks = zip(self.least.blocks, self.most.blocks, self.q.blocks, strict=True)
+        return np.concatenate([q[most >= least] for least, most, q in blocks])
 
     def bin_of(self, s: Floats) -> Indices:
         """Return the bins in which values of s lie, any shape."""
@@ -48,18 +57,16 @@ class Met:
 
     def put(self, rows: Indices, s: Floats, q: NDArray[np.floating]) -> None:
         """Count values of s (k,) of configurations (k, n) with q_1 = 0 to rows (k,)."""
-        flat = rows * self.bins + self.bin_of(s)
-        np.minimum.at(self.least.reshape(-1), flat, s)
-        np.maximum.at(self.most.reshape(-1), flat, s)
-        self.q.reshape(-1, q.shape[1])[flat] = q
-
-    def make_room(self, rows: int) -> None:
-        """Have at least so many rows; twice as many as before where they are too few."""
-        more = max(rows, 2 * len(self.least)) - len(self.least)
-        if rows > len(self.least):
-            self.least = np.concatenate([self.least, np.full((more, self.bins), np.inf)])
-            self.most = np.concatenate([self.most, np.full((more, self.bins), -np.inf)])
-            self.q = np.concatenate([self.q, np.zeros((more, *self.q.shape[1:]), dtype=np.float32)])
+        if not len(s):
+            return
+        bins = self.bin_of(s)
+        for least, within, here in self.least.parts(rows):
+            np.minimum.at(least.reshape(-1), within * self.bins + bins[here], s[here])
+        for most, within, here in self.most.parts(rows):
+            np.maximum.at(most.reshape(-1), within * self.bins + bins[here], s[here])
+        for known, within, here in self.q.parts(rows):
+            known[within, bins[here]] = q[here]
+        self.ends = (min(self.ends[0], float(s.min())), max(self.ends[1], float(s.max())))
 
 
 def gaps_before(least: Floats, most: Floats, joint: FirstJoint) -> Floats:

@@ -62,9 +62,8 @@ def _starts(section: Section, point: Floats) -> Floats:
     if around is None:
         return starts
     rows = around.row[np.unique(around.coarse(i[nearest] * grid.shape[1] + j[nearest]))]
-    found = around.most[rows] >= around.least[rows]
-    others = np.clip(around.q[rows][found].astype(np.float64), *joint.arm.limits.T)
-    everywhere = np.clip(around.q[around.most >= around.least].astype(np.float64), *joint.arm.limits.T)
+    others = np.clip(around.q[rows][around.found(rows)].astype(np.float64), *joint.arm.limits.T)
+    everywhere = np.clip(around.everything().astype(np.float64), *joint.arm.limits.T)
     brought = np.linalg.norm(joint.arm.position(with_first(joint, everywhere, point)) - point, axis=1)
     best = np.argpartition(brought, min(FAR_CELLS, len(brought) - 1))[:FAR_CELLS]
     return np.concatenate([starts, others, everywhere[best]])

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-Name = tuple[int, int, int]
 
 
 class Pieces(NamedTuple):
@@ -116,18 +115,29 @@ class Outline:
     @cached_property
     def contours(self) -> tuple[Floats, ...]:
         """Closed polylines (k, 2) along the boundary, first point again at the end; the region on the left."""
-        onward: dict[Name, list[Name]] = {}
-        where: dict[Name, Floats] = {}
         squares, places, used = self.corners
-        for (i, j), place, use in zip(squares.tolist(), places, used.tolist(), strict=True):
-            names = _names(i, j)
+        edges = self._edges_of(squares)
+        steps = []
+        for k in (1, 3, 5, 7):
             # Round the square the region begins at a cut that an inside corner follows, and ends at the next cut.
-            for k in (1, 3, 5, 7):
-                if use[k] and use[(k + 1) % 8]:
-                    end = next(m % 8 for m in range(k + 2, k + 10, 2) if use[m % 8])
-                    onward.setdefault(names[end], []).append(names[k])
-                    where[names[end]], where[names[k]] = place[end], place[k]
-        return tuple(np.array([where[name] for name in line]) for line in _closed(onward))
+            rows = np.flatnonzero(used[:, k] & used[:, (k + 1) % 8])
+            end = np.full(len(rows), k)
+            for m in range(k + 8, k + 1, -2):
+                end = np.where(used[rows, m % 8], m % 8, end)
+            steps.append(np.stack([8 * rows + k, 8 * rows + end, edges[rows, end // 2], edges[rows, k // 2]], axis=1))
+        # The boundary leaves each cut once: it enters one of the two squares there, and comes out of the other.
+        in_turn = np.concatenate(steps)
+        _, cut, begin, end = in_turn[np.argsort(in_turn[:, 0])].T
+        by_number, where = np.argsort(begin), places.reshape(-1, 2)[cut]
+        onward = dict(zip(begin.tolist(), end.tolist(), strict=True))
+        return tuple(where[by_number[np.searchsorted(begin[by_number], line)]] for line in _closed(onward))
+
+    def _edges_of(self, squares: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return numbers of the four edges of squares (k, 2), in turn: the same in both squares that share one."""
+        i, j = squares.T
+        columns, across = self.inside.shape[1], self.inside.size
+        along_u, along_v = i * columns + j, across + i * columns + j
+        return np.stack([along_u, along_v + columns, along_u + 1, along_v], axis=1)
 
     def coarser(self) -> Outline:
         """Return the same region known at every second centre."""
@@ -149,20 +159,12 @@ def _joined(inside: Bools, along: Floats) -> Floats:
     return np.where(in_first, first / 2.0, (1.0 + second) / 2.0)
 
 
-def _names(i: int, j: int) -> dict[int, Name]:
-    """Return the names of the four edges of a square: the same in both squares that share one."""
-    return {1: (0, i, j), 3: (1, i + 1, j), 5: (0, i, j + 1), 7: (1, i, j)}
-
-
-def _closed(onward: dict[Name, list[Name]]) -> list[list[Name]]:
-    """Return the closed lines of which each step is one of those given, each step used once."""
+def _closed(onward: dict[int, int]) -> list[list[int]]:
+    """Return the closed lines of which each step is one of those given."""
     lines = []
     while onward:
         line = [next(iter(onward))]
         while len(line) == 1 or line[-1] != line[0]:
-            following = onward[line[-1]]
-            line.append(following.pop())
-            if not following:
-                del onward[line[-2]]
+            line.append(onward.pop(line[-1]))
         lines.append(line)
     return lines

@@ -5,7 +5,7 @@ Levenberg's method. A step is taken only when it comes nearer; joints at a limit
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ Rates = Callable[[Floats, NDArray[np.intp]], Floats]
 ITERATIONS = 14
 """Enough for targets within a few cells; what has not arrived then is tried from elsewhere."""
 
+USUAL_JOINTS = 6
+"""Of an arm with more of them fewer configurations are pulled in a piece of work."""
+
 LONGEST = 0.5
 """Radians, or length scales, of one step of a joint."""
 
@@ -27,6 +30,13 @@ FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-9, 1e3
 
 HARDER, EASIER = 8.0, 0.15
 """What damping is multiplied by after a step that led away, and one that came nearer."""
+
+
+def pieces(joint: FirstJoint, count: int, most: int) -> Iterator[slice]:
+    """Yield slices of ``count`` configurations that are pulled in a piece of work: at most ``most`` of them."""
+    size = most * USUAL_JOINTS // max(joint.arm.n, USUAL_JOINTS)
+    for first in range(0, count, size):
+        yield slice(first, first + size)
 
 
 def pull(

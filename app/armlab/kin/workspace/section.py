@@ -8,7 +8,7 @@ as out of reach: a part that no sample hit and that hangs together with nothing 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
@@ -159,8 +159,10 @@ def sections(
 ) -> Iterator[Section]:
     """Yield the section of an arm, better and better; the last one is finished.
 
-    Between two of them lie at most some 30 ms of work. The same arguments give the same sections; of an arm that was
-    finished of late only the last is yielded, at once (arms are compared by identity).
+    Between two of them lie at most some 30 ms of work. How many there are depends on the cells that are filled and on
+    those at the boundary, each of which is tried a few dozen times; `is_thin` bounds both: an ordinary arm takes a few
+    seconds, one that is thin, and so is given the most cells, some twenty. The same arguments give the same sections;
+    of an arm that was finished of late only the last is yielded, at once (arms are compared by identity).
 
     Parameters
     ----------
@@ -198,17 +200,31 @@ def _sought(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -
             if not found.finished:
                 yield found
         yield (known := replace(found, finished=False))
-        if not is_thin(found, resolution, wanted):
+        if not (yield from _showing(known, is_thin(found, resolution, wanted))):
             yield found
             return
         cells *= 2
+
+
+def _showing(known: Section, work: Generator[None, None, bool]) -> Generator[Section, None, bool]:
+    """Yield what is known after each piece of work, and return what it returns."""
+    while True:
+        try:
+            next(work)
+        except StopIteration as done:
+            return bool(done.value)
+        yield known
 
 
 def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Section | None) -> Iterator[Section]:
     """Yield sections with so many cells, the last one finished; begun from one with fewer where there is one."""
     rng = np.random.default_rng(seed)
     grid, first = grid_for(joint, resolution, rng)
+    if known is not None:
+        yield known
     filling = Filling(grid)
+    if known is not None:
+        yield known
     filling.add(first)
     # What is there already is better than what is begun anew, and copies of many cells take their time.
     yield known or _section(filling, None)
@@ -258,7 +274,8 @@ def _filled(filling: Filling, samples: int, rng: np.random.Generator) -> Iterato
 
 def _section(filling: Filling, crossings: Crossings | None, arcs: Arcs | None = None) -> Section:
     grid = filling.grid
-    filled, row, q = filling.copies()
+    # When it is finished nothing is added any more.
+    filled, row, q = filling.copies() if crossings is None else filling.finished()
     filled, row = filled.reshape(grid.shape), row.reshape(grid.shape)
     inside = filled if crossings is None else crossings.inside
     rows, columns = grid.shape

@@ -13,7 +13,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.workspace.measures import measure_named
 from armlab.kin.workspace.section import Section, sections
 from armlab.kin.workspace.section_grid import random_configurations
-from armlab.kin.workspace.section_size import Reach, Size, reach, size
+from armlab.kin.workspace.section_size import Reach, Size, reaching, sizing
 
 Floats = NDArray[np.float64]
 
@@ -104,6 +104,7 @@ def finding(question: Question) -> Iterator[Found | None]:
 def _sought(arm: Arm) -> Iterator[Found | None]:
     # The formulas of an arm are made when they are first used.
     arm.jacobian(np.zeros((1, arm.n)))
+    yield None
     arm.position(np.zeros((1, arm.n)))
     yield None
     for piece, section in enumerate(sections(arm)):
@@ -113,9 +114,8 @@ def _sought(arm: Arm) -> Iterator[Found | None]:
         _ = section.contours  # kept: what shows them must not compute them in the time of everybody
         yield None
         if section.finished:
-            volume = size(section)
-            yield None
-            yield Found(arm, section, 1.0, volume, reach(section))
+            volume = yield from sizing(section)
+            yield Found(arm, section, 1.0, volume, (yield from reaching(section)))
         else:
             yield Found(arm, section, min(piece / USUAL, 0.98))
 

@@ -239,5 +239,5 @@ def _span(joint: FirstJoint, section: Section) -> Floats:
         return np.linspace(-math.pi, math.pi, ROUND + 1)
     if section.around is None:
         return np.array([joint.low, joint.high])
-    found = section.around.most >= section.around.least
-    return np.array([section.around.least[found].min() + joint.low, section.around.most[found].max() + joint.high])
+    low, high = section.around.ends
+    return np.array([low + joint.low, high + joint.high])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -13,7 +13,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.workspace.cloud import Samples, samples
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.section import Section, sections
-from armlab.kin.workspace.section_size import Reach, Size, reach, size
+from armlab.kin.workspace.section_size import Reach, Size, reaching, sizing
 
 Mask = NDArray[np.bool_]
 
@@ -182,9 +182,19 @@ def _looking(arm: Arm, known: _Known) -> Iterator[None]:
     """Work until there are rough figures, and on until they are refined."""
     if known.refined is not None:
         return
+    # The formulas of an arm are made when they are first used.
+    arm.jacobian(np.zeros((1, arm.n)))
+    yield
     for k, found in enumerate(sections(arm, RESOLUTION, SECTION_SAMPLES, SEED, WANTED)):
         yield
         if k == ROUGH and not found.finished:
             seen = found if found.around is None else replace(found, arcs=found.around.arcs())
-            known.rough = Figures(reach(seen), size(seen), False)
-    known.section, known.refined = found, Figures(reach(found), size(found), True)
+            known.rough = yield from _figures(seen, False)
+    known.refined = yield from _figures(found, True)
+    known.section = found
+
+
+def _figures(found: Section, refined: bool) -> Generator[None, None, Figures]:
+    """Return, after pieces of work, the figures of a section."""
+    far = yield from reaching(found)
+    return Figures(far, (yield from sizing(found)), refined)
