@@ -47,6 +47,9 @@ BUILDING = 1.0 / 3.0
 """Part of the event loop's time in which pages may be built while others are open: a class that opens the lab, or a
 stranger who comes again and again, is not to hold up the arms of those who are there."""
 
+SELDOM = 30
+"""Small collections of garbage to a whole one: pages that have closed may wait for it, hands that drag should not."""
+
 PIECE = 0.002
 """Seconds of the building of a page after which others have their turn."""
 
@@ -270,6 +273,8 @@ def _set_aside() -> None:
     if not gc.get_freeze_count():
         gc.collect()
         gc.freeze()
+        first, second, _ = gc.get_threshold()
+        gc.set_threshold(first, second, SELDOM)
 
 
 __all__ = ["Lab"]
