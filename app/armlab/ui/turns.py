@@ -51,5 +51,5 @@ class Turns:
         self._at = now
 
     async def come(self) -> None:
-        """Wait for the next turn: those who have sent less come first, and of many messages sent together one a turn."""
+        """Wait for the next turn: one each time the loop goes round, also for many messages sent together."""
         await asyncio.sleep(self.pause)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 
 import numpy as np
 import viser
@@ -95,7 +95,7 @@ class View:
         self._front = session.front if session.front in panels() else FIRST_TAB
         self._seen: frozenset[str] = frozenset((panels()[self._front].tab or self._front,))
 
-    def build(self) -> Iterator[None]:
+    def build(self) -> Generator[None, None, None]:
         """Build the page, a piece of a millisecond or two at a time; the browser gets it when it is whole."""
         with self.client.atomic():
             self._theme(self.session.state)

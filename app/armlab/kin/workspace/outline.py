@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-Name = tuple[int, int, int]
 
 
 class Pieces(NamedTuple):
@@ -116,18 +115,27 @@ class Outline:
     @cached_property
     def contours(self) -> tuple[Floats, ...]:
         """Closed polylines (k, 2) along the boundary, first point again at the end; the region on the left."""
-        onward: dict[Name, list[Name]] = {}
-        where: dict[Name, Floats] = {}
         squares, places, used = self.corners
-        for (i, j), place, use in zip(squares.tolist(), places, used.tolist(), strict=True):
-            names = _names(i, j)
-            # Round the square the region begins at a cut that an inside corner follows, and ends at the next cut.
-            for k in (1, 3, 5, 7):
-                if use[k] and use[(k + 1) % 8]:
-                    end = next(m % 8 for m in range(k + 2, k + 10, 2) if use[m % 8])
-                    onward.setdefault(names[end], []).append(names[k])
-                    where[names[end]], where[names[k]] = place[end], place[k]
-        return tuple(np.array([where[name] for name in line]) for line in _closed(onward))
+        names = self._edges(squares)
+        # Round a square the region begins at a cut that an inside corner follows, and ends at the next cut.
+        cut = used[:, 1::2]
+        square, begin = np.nonzero(cut & used[:, [2, 4, 6, 0]])
+        around = (begin[:, None] + np.arange(1, 5)) % 4
+        end = around[np.arange(len(begin)), np.argmax(cut[square[:, None], around], axis=1)]
+        first, last = names[square, end].tolist(), names[square, begin].tolist()
+        onward: dict[int, list[int]] = {}
+        for name, following in zip(first, last, strict=True):
+            onward.setdefault(name, []).append(following)
+        where = np.concatenate([places[square, 2 * end + 1], places[square, 2 * begin + 1]])
+        row = dict(zip([*first, *last], range(len(where)), strict=True))
+        return tuple(where[[row[name] for name in line]] for line in _closed(onward))
+
+    def _edges(self, squares: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return numbers (k, 4) of the edges of squares, in turn: the same in both squares that share one."""
+        i, j = squares.T
+        columns = len(self.v)
+        along_u, along_v = 2 * (i * columns + j), 2 * (i * columns + j) + 1
+        return np.stack([along_u, along_v + 2 * columns, along_u + 2, along_v], axis=1)
 
     def coarser(self) -> Outline:
         """Return the same region known at every second centre."""
@@ -149,12 +157,7 @@ def _joined(inside: Bools, along: Floats) -> Floats:
     return np.where(in_first, first / 2.0, (1.0 + second) / 2.0)
 
 
-def _names(i: int, j: int) -> dict[int, Name]:
-    """Return the names of the four edges of a square: the same in both squares that share one."""
-    return {1: (0, i, j), 3: (1, i + 1, j), 5: (0, i, j + 1), 7: (1, i, j)}
-
-
-def _closed(onward: dict[Name, list[Name]]) -> list[list[Name]]:
+def _closed(onward: dict[int, list[int]]) -> list[list[int]]:
     """Return the closed lines of which each step is one of those given, each step used once."""
     lines = []
     while onward:
