@@ -79,7 +79,10 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
         socket.close_timeout, socket.recv = CLOSING, _in_turn(socket.recv, turns)
 
     async def guarded(client_id: Any, message: Any) -> None:
-        turns.begin()
+        # With the first message of the camera viser waits until the page is built, in the time of all.
+        counted = not isinstance(message, _messages.ViewerCameraMessage)
+        if counted:
+            turns.begin()
         try:
             if gate.passes(type(message).__name__, vars(message), _value_now(server, client_id, message)):
                 await handle(client_id, message)
@@ -87,7 +90,8 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
             # Callbacks of ours never raise (see `on_event`): viser could not make sense of it.
             gate.drop(f"{type(message).__name__} led to {error!r}")
         finally:
-            turns.end()
+            if counted:
+                turns.end()
 
     connection._handle_incoming_message = guarded
 
