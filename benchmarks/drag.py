@@ -123,14 +123,29 @@ def is_open(browser: FakeBrowser) -> bool:
     return "/target" in browser.nodes and any(name.endswith(("/arm/1", "/arm/0")) for name in browser.nodes)
 
 
-async def one_student(browser: FakeBrowser, points: np.ndarray, reader: Reader, phase: float) -> list[float]:
-    """Drag along the points; an event is answered by the first pose that is its own or a later one's."""
+async def one_student(
+    browser: FakeBrowser,
+    points: np.ndarray,
+    reader: Reader,
+    phase: float,
+    clock: Callable[[], float] | None = None,
+    between: list[float] | None = None,
+) -> list[float]:
+    """Drag along the points; an event is answered by the first pose that is its own or a later one's.
+
+    Where there is another clock, ``between`` gets what passed on it from each event to its answer.
+    """
     sent, latencies = [], []
+    also = []
 
     def note(message: Message, at: float) -> None:
         answered = reader(message)
         if answered is not None:
-            latencies.extend(at - sent[k] for k in range(len(latencies), min(answered + 1, len(sent))))
+            new = range(len(latencies), min(answered + 1, len(sent)))
+            latencies.extend(at - sent[k] for k in new)
+            if clock is not None and between is not None:
+                now = clock()
+                between.extend(now - also[k] for k in new)
 
     await asyncio.sleep(phase)
     await browser.drag("start")
@@ -138,6 +153,8 @@ async def one_student(browser: FakeBrowser, points: np.ndarray, reader: Reader, 
     start = time.perf_counter()
     for k, point in enumerate(points):
         sent.append(time.perf_counter())
+        if clock is not None:
+            also.append(clock())
         await browser.drag("update", point, (1.0, 0.0, 0.0, 0.0))
         await asyncio.sleep(max(0.0, start + (k + 1) / RATE - time.perf_counter()))
     await browser.drag("end")

@@ -21,17 +21,31 @@ REQUESTS = sized(10_000, 20)
 STRANGERS = sized(4, 2)
 
 
+Drags = tuple[list[float], list[float]]
+"""Seconds from each event of the handle to its pose: of the clock, and of the lab's processor time."""
+
+
 def measure() -> Iterator[str]:
-    yield "| frames | requests | lab lives | tracebacks | lines of the log | p95 ÷ p95 alone | student's arm |"
+    yield "| frames | requests | lab lives | tracebacks | lines of the log | student's arm | memory |"
     yield "| --- | --- | --- | --- | --- | --- | --- |"
     with tempfile.TemporaryFile("w+") as said, lab(said) as server:
-        alone, beside, sent, requests, kept = asyncio.run(story(server))
+        drags, sent, requests, kept, memory = asyncio.run(story(server))
         alive = Path(f"/proc/{server.pids[0]}").exists()
         said.seek(0)
         log = said.read()
-    ratio = quantile(beside, 0.95) / quantile(alone, 0.95)
     traces, lines = log.count("Traceback"), len(log.splitlines())
-    yield f"| {sent} | {requests} | {'yes' if alive else 'no'} | {traces} | {lines} | {ratio:.1f} | {kept} |"
+    counted = f"| {sent} | {requests} | {'yes' if alive else 'no'} | {traces} | {lines} | {kept} "
+    yield f"{counted}| {memory[0] / 1e6:.0f} MB, then {memory[1] / 1e6:.0f} MB |"
+    yield ""
+    yield "| the student drags | p50 | p95 | ÷ alone | processor time of the lab meanwhile, p50 | p95 | ÷ alone |"
+    yield "| --- | --- | --- | --- | --- | --- | --- |"
+    alone = [quantile(drags["alone before"][k] + drags["alone after"][k], 0.95) for k in (0, 1)]
+    for name, found in drags.items():
+        cells = []
+        for seconds, usual in zip(found, alone, strict=True):
+            p50, p95 = quantile(seconds, 0.5), quantile(seconds, 0.95)
+            cells += [f"{p50 * 1e3:.1f} ms", f"{p95 * 1e3:.1f} ms", f"{p95 / usual:.1f}"]
+        yield f"| {name} | {' | '.join(cells)} |"
     if os.environ.get("ARMLAB_FUZZ_LOG"):
         Path(os.environ["ARMLAB_FUZZ_LOG"]).write_text(log)
 
@@ -53,25 +67,35 @@ def lab(said) -> Iterator[servers.Server]:
         process.communicate(timeout=60.0)
 
 
-async def story(server: servers.Server) -> tuple[list[float], list[float], int, int, str]:
-    """Drag alone, then beside strangers; return both latencies, what was sent, and whether the arm is where it was."""
+async def story(server: servers.Server) -> tuple[dict[str, Drags], int, int, str, tuple[int, int]]:
+    """Drag alone, beside strangers, and alone again: the machine may not be as quiet as it was.
+
+    Returns the times, what was sent, how much was answered, whether the arm is where it was, and the memory.
+    """
     points, angles = drag.script()
     student = server.browser()
     await student.connect()
     await student.until(lambda: drag.is_open(student))
     await asyncio.sleep(drag.SETTLING)
-    reader = drag.by_first_joint(student, angles)
-    alone = await drag.one_student(student, points, reader, 0.0)
+    drags: dict[str, Drags] = {name: ([], []) for name in ("alone before", "beside strangers", "alone after")}
+
+    async def once(name: str) -> None:
+        reader, (seconds, used) = drag.by_first_joint(student, angles), drags[name]
+        seconds += await drag.one_student(student, points, reader, 0.0, server.used, used)
+
+    await once("alone before")
+    before = server.memory()
     script = str(servers.HERE / "strangers.py")
     numbers = map(str, (FRAMES, REQUESTS, STRANGERS))
     strangers = await asyncio.create_subprocess_exec(
         sys.executable, script, server.url, *numbers, stdout=subprocess.PIPE
     )
     told = asyncio.create_task(strangers.communicate())
-    beside: list[float] = []
-    while not beside or not told.done():
-        beside += await drag.one_student(student, points, reader, 0.0)
+    while not drags["beside strangers"][0] or not told.done():
+        await once("beside strangers")
     sent, answered = json.loads((await told)[0])
+    memory = before, server.memory()
+    await once("alone after")
     shown = student.slider(1)["value"]
     again = FakeBrowser(server.url, student.cookie)
     await again.connect()
@@ -79,4 +103,4 @@ async def story(server: servers.Server) -> tuple[list[float], list[float], int, 
     kept = "kept" if again.slider(1)["value"] == shown else "lost"
     await again.close()
     await student.close()
-    return alone, beside, sent, answered, kept
+    return drags, sent, answered, kept, memory

@@ -4,6 +4,7 @@ import atexit
 import os
 import subprocess
 import sys
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -40,6 +41,11 @@ class Server:
         """Return the seconds of processor time used so far."""
         fields = [Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split() for pid in self.pids]
         return sum(int(f[11]) + int(f[12]) for f in fields) / os.sysconf("SC_CLK_TCK")
+
+    def used(self) -> float:
+        """Return the seconds of processor time of the first process, to the microsecond; on Linux only."""
+        # The number of the clock of another process, as clock_getcpuclockid(3) makes it.
+        return time.clock_gettime((~self.pids[0] << 3) | 2)
 
     def memory(self) -> int:
         """Return the bytes of memory in use."""

@@ -3,8 +3,11 @@
 import json
 import os
 import time
+from dataclasses import replace
 
 import pytest
+from armlab.session.jobs.section import found_section
+from armlab.session.parts.section import SectionView
 
 from armlab.content.robots import catalogue
 from armlab.session import store as module
@@ -14,7 +17,8 @@ from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import DragTarget, Target, target_pose
 from armlab.session.session import Session
 from armlab.session.state import State
-from armlab.session.store import IDLE, MOST_IDLE, Store
+from armlab.session.store import IDLE, MOST_IDLE, OPENING, Store
+from armlab.session.weight import weight
 
 PUMA = catalogue()["puma560"]
 
@@ -156,6 +160,24 @@ def test_sessions_nobody_watches_are_let_go_of_and_come_back_from_their_files(tm
     back = store.get("student 5")
     assert not back.history.past
     assert back.state[Joints].q[0] == pytest.approx(0.006)
+
+
+def test_what_was_found_for_students_without_a_page_is_bounded_together(tmp_path, monkeypatch):
+    store, found = Store(tmp_path, PUMA), found_section(State.initial(catalogue()["planar_2r"]))
+    for k in range(4):
+        store.get(f"student {k}").state = found.replace(replace(found[SectionView], turn=0.1 * k))
+    each = weight(store.get("student 3").state)
+    assert each > 100_000
+    monkeypatch.setattr(module, "MOST_UNSEEN", int(2.5 * each))
+    later = time.monotonic() + 2.0 * OPENING
+    store.let_go((), later)
+    assert len(store._live) == 4, "what is not saved is held"
+    store.save()
+    store.let_go((), time.monotonic())
+    assert len(store._live) == 4, "whose page may still be built is held"
+    store.let_go({"student 0"}, later)
+    assert sorted(store._live) == ["student 0", "student 2", "student 3"], "those with a page, and who came last"
+    assert store.get("student 1").state[SectionView].turn == pytest.approx(0.1), "and they come back"
 
 
 def test_without_a_folder_only_so_many_idle_sessions_are_held():

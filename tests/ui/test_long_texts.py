@@ -1,20 +1,22 @@
 """Texts that nobody types: fields hand on no more than their reader takes, and hold nothing of it."""
 
 import json
+import time
 
 import pytest
 
 from armlab.benches.motion.files.table import MOST_BYTES
 from armlab.benches.workspace.cloud.ui.page import commands
-from armlab.content import table_grid
+from armlab.content import table_grid, tables
 from armlab.content.arithmetic import LONGEST
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.edits import MOST_TEXT
+from armlab.kin.motion.law_types import law_type
+from armlab.session.edits import MOST_TEXT, PasteTable
 from armlab.session.hand_in import MOST
 from armlab.session.lesson_progress import MOST_TYPED
 from armlab.session.state import State
-from armlab.ui import adapter
+from armlab.ui import adapter, option_form
 from armlab.ui.units import units_of
 from armlab.ui.widgets import LONGEST_CELL, LONGEST_TYPED, Fields
 from support.bare import Bare
@@ -102,6 +104,36 @@ def test_a_file_that_is_none_is_a_sentence_at_its_field(url, cell, text, says):
         await browser.close()
 
     run(main())
+
+
+def test_digits_without_end_take_a_table_no_longer_than_letters():
+    def seconds(text):
+        began = time.process_time()
+        with pytest.raises(InputError):
+            PasteTable(text).apply(state)
+        return time.process_time() - began
+
+    state = State.initial(PUMA)
+    seconds("x" * LONGEST_TYPED)
+    # A reader that looks on from each digit takes a thousand times as long.
+    assert seconds("9" * LONGEST_TYPED) < 100.0 * seconds("x" * LONGEST_TYPED)
+
+
+def test_a_table_of_ten_thousand_columns_is_a_sentence_before_any_is_read(monkeypatch):
+    monkeypatch.setattr(tables, "read_header", lambda line: read.append(line))
+    read = []
+    with pytest.raises(InputError, match=r"^the table: expected at most 60 columns, got 10000$"):
+        PasteTable("1 " * 10_000).apply(State.initial(PUMA))
+    assert not read
+
+
+def test_of_ten_thousand_numbers_in_the_field_of_one_none_is_worked_out(monkeypatch):
+    monkeypatch.setattr(option_form, "evaluate", lambda text: worked_out.append(text))
+    worked_out = []
+    one = next(field for field in law_type("trapezoidal").fields if field.kind == "number")
+    with pytest.raises(InputError, match="expected one number"):
+        option_form.option_value(one, "1 " * 10_000)
+    assert not worked_out
 
 
 def test_a_seed_of_many_digits_is_a_sentence():

@@ -1,27 +1,37 @@
 """Many who open the lab at once: their pages are built one after the other, with time for others in between."""
 
 import asyncio
+import gc
+import itertools
+import threading
 import time
-from itertools import pairwise
 
-from armlab.ui import lab as module
-from armlab.ui.lab import BUILDING, Lab
+from armlab.ui.lab import BUILDING
+from armlab.ui.view import View
 from support.fake_browser import FakeBrowser, cookie_of
+from support.patience import Patience
 from support.student import is_open, run, student
 
 CLASS = 5
+END = object()
 
 
-def test_pages_are_built_in_turn_and_others_have_most_of_the_time(url, monkeypatch):
-    built = []
-    build = Lab._open
+def test_pages_are_built_in_turn_in_pieces_and_others_have_most_of_the_time(url, monkeypatch):
+    pieces = []
+    build = View.build
 
-    def noted(*parts):
-        began = time.perf_counter()
-        build(*parts)
-        built.append((began, time.perf_counter()))
+    def noted(view):
+        page, parts = next(numbers), build(view)
+        while True:
+            began = time.perf_counter()
+            more = next(parts, END) is not END
+            pieces.append((page, began, time.perf_counter()))
+            if not more:
+                return
+            yield
 
-    monkeypatch.setattr(Lab, "_open", noted)
+    monkeypatch.setattr(View, "build", noted)
+    numbers = itertools.count()
 
     async def main():
         first = await student(url)
@@ -34,22 +44,28 @@ def test_pages_are_built_in_turn_and_others_have_most_of_the_time(url, monkeypat
             await browser.close()
 
     run(main())
-    assert len(built) == CLASS + 1
-    for (began, ended), (following, _) in pairwise(built):
-        # The clocks of the loop and of this test are read at slightly different moments.
-        assert following - ended >= 0.9 * (ended - began) * (1.0 / BUILDING - 1.0)
+    pages = [page for page, _, _ in pieces]
+    assert pages == sorted(pages), "one page after the other"
+    assert len(set(pages)) == CLASS + 1
+    assert min(pages.count(page) for page in set(pages)) > 20
+    # Beside the first: from the beginning of each to the beginning of the next, whose own first piece is not in it yet.
+    for page in range(1, CLASS):
+        mine = [(began, ended) for one, began, ended in pieces if one == page]
+        following = next(began for one, began, _ in pieces if one == page + 1)
+        worked = sum(ended - began for began, ended in mine)
+        assert following - mine[0][0] >= 0.9 * worked / BUILDING
 
 
 def test_a_page_that_cannot_be_built_does_not_keep_others_out(url, monkeypatch):
-    build, failed = Lab._open, []
+    build, failed = View.build, []
 
-    def failing(*parts):
+    def failing(view):
         if not failed:
-            failed.append(parts)
+            failed.append(view)
             raise RuntimeError("this page cannot be built")
-        build(*parts)
+        yield from build(view)
 
-    monkeypatch.setattr(module.Lab, "_open", failing)
+    monkeypatch.setattr(View, "build", failing)
 
     async def main():
         unlucky = FakeBrowser(url, cookie_of(url))
@@ -60,3 +76,41 @@ def test_a_page_that_cannot_be_built_does_not_keep_others_out(url, monkeypatch):
         await unlucky.close()
 
     run(main())
+
+
+def test_a_page_that_goes_while_it_is_built_is_not_shown_anything(url, monkeypatch):
+    build, half, gone = View.build, threading.Event(), threading.Event()
+
+    def slow(view):
+        pieces = build(view)
+        next(pieces)
+        views.append(view)
+        half.set()
+        while not gone.is_set():
+            yield
+        yield from pieces
+
+    views = []
+    monkeypatch.setattr(View, "build", slow)
+
+    async def main():
+        leaving = FakeBrowser(url, cookie_of(url))
+        await leaving.connect()
+        await leaving.until(half.is_set)
+        await leaving.close()
+        patience = Patience()
+        while not views[0]._closed and patience.left():
+            await asyncio.sleep(0.01)
+        gone.set()
+        assert views[0]._closed
+        other = await student(url)
+        await other.close()
+
+    run(main())
+
+
+def test_what_is_there_from_the_start_is_not_looked_at_by_the_collector_of_garbage(url):
+    patience = Patience()
+    while not gc.get_freeze_count() and patience.left():
+        time.sleep(0.01)
+    assert gc.get_freeze_count() > 50_000

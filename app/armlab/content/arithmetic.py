@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 
@@ -12,6 +13,9 @@ from armlab.errors import InputError
 
 LONGEST = 120
 """Characters of one expression; more is a mistake in splitting a table, or mischief."""
+
+_PLAIN = re.compile("-?[0-9]{1,15}(?:[.][0-9]{0,20})?")
+"""Most numbers that are typed or pasted; of these nothing is to be worked out."""
 
 
 def evaluate(text: str) -> float:
@@ -29,6 +33,8 @@ def evaluate(text: str) -> float:
     >>> evaluate("-pi/2") == -math.pi / 2, evaluate("2 sqrt(2)") == 2 * math.sqrt(2)
     (True, True)
     """
+    if _PLAIN.fullmatch(text):
+        return float(text)
     # A long text is refused before it is looked at: looking takes the square of its length.
     source = plain_symbols(text) if len(text.strip()) <= LONGEST else ""
     if not source or len(source.strip()) > LONGEST or "°" in source:

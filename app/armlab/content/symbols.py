@@ -22,7 +22,8 @@ _SYMBOLS = str.maketrans(
 )
 
 # What follows would run together with a digit before it when its characters are folded: 1½ to 11/2, 3² to 32.
-_MIXED = re.compile(r"(?:(\d+(?:\.\d*)?)\s*)?([¼½¾⅐-⅞↉])")
+# A number begins where no digit stands before it: to look from each digit on would take the square of their count.
+_MIXED = re.compile(r"(?:(?<!\d)(\d+(?:\.\d*)?)\s*)?([¼½¾⅐-⅞↉])")
 _POWER = re.compile("(?<![ⁱʲᵏⁿᵐ⁰¹²³⁴-⁻])([⁺⁻]?[⁰¹²³⁴-⁹]+)")
 _ROOT = re.compile(r"√\s*(\d+(?:\.\d*)?|\.\d+|π)")
 _RUN_TOGETHER = re.compile(r"(?<=\d)(?=[₀-₉⅟])")

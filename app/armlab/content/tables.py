@@ -15,6 +15,9 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import MAX_JOINTS
 from armlab.kin.dh import CONVENTIONS, Convention, Row
 
+MOST_COLUMNS = 60
+"""Cells of a line; a table with the limits of each joint has a dozen."""
+
 MOST_TITLES = 4
 """Lines among which the header is looked for: some tables have a name and a number above it."""
 
@@ -77,6 +80,9 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     grid = read_grid(text)
     if not grid.lines:
         raise InputError("the table: expected one row for each joint, got none")
+    widest = max(map(len, grid.lines))
+    if widest > MOST_COLUMNS:
+        raise InputError(f"the table: expected at most {MOST_COLUMNS} columns, got {widest}")
     notes = [f"Not read: {grid.left_out}."] if grid.left_out else []
     at, columns = next(
         ((i, found) for i, line in enumerate(grid.lines[:MOST_TITLES]) if (found := read_header(line))), (0, None)

@@ -16,6 +16,7 @@ from armlab.content.robots import Robot
 from armlab.session.session import Session
 from armlab.session.share import state_of_parts
 from armlab.session.state import Json, State
+from armlab.session.weight import weight
 
 log = logging.getLogger(__name__)
 
@@ -24,11 +25,18 @@ FORMAT = 1
 IDLE = 120.0
 """Seconds after the last visit of a student before their session may be let go of."""
 
+OPENING = 30.0
+"""Seconds after the last visit in which the page of a student may still be built."""
+
 MOST_IDLE = 200
 """Sessions without a page that are held; others are read again from their files."""
 
 MOST_HELD = 256 << 20
 """Bytes that the steps of undo of all students may hold together."""
+
+MOST_UNSEEN = 64 << 20
+"""Bytes that the present states of students without a page may hold together: what was found for them by long work is
+large, and is found again."""
 
 MOST_FILES = 20_000
 """Students whose work is kept, those who came last; by their number and not by a date, for a clock may be wrong."""
@@ -50,6 +58,7 @@ class Store:
         self._live: dict[str, Session] = {}
         self._visited: dict[str, float] = {}  # longest ago first
         self._saved: dict[str, State] = {}
+        self._weights: dict[str, tuple[State, int]] = {}
         self._failing: dict[str, str] = {}
         self._lock, self._saving = threading.Lock(), threading.Lock()
         if folder is not None:
@@ -75,15 +84,36 @@ class Store:
         now : float
             Seconds of the monotonic clock.
         """
+        heavy = self._heavy(watched)
         with self._lock:
             idle = [token for token, at in self._visited.items() if token not in watched and now - at > IDLE]
-            for token in idle[: max(0, len(idle) - MOST_IDLE)]:
+            # Without a folder nothing comes back.
+            least = IDLE if self._folder is None else OPENING
+            too_heavy = [token for token in heavy if now - self._visited[token] > least]
+            for token in dict.fromkeys((*idle[: max(0, len(idle) - MOST_IDLE)], *too_heavy)):
                 if self._folder is None or self._saved.get(token) is self._live[token].state:
                     del self._live[token], self._visited[token]
                     self._saved.pop(token, None)
             histories = [session.history for session in self._live.values()]
         while sum(history.held for history in histories) > MOST_HELD:
             max(histories, key=lambda history: history.held).forget_half()
+
+    def _heavy(self, watched: Collection[str]) -> list[str]:
+        """Return who has to go so that the states of students without a page hold no more than they may together."""
+        with self._lock:
+            states = {token: self._live[token].state for token in self._visited if token not in watched}
+        known, self._weights = self._weights, {}
+        for token, state in states.items():
+            before = known.get(token)
+            self._weights[token] = before if before and before[0] is state else (state, weight(state))
+        over = sum(held for _, held in self._weights.values()) - MOST_UNSEEN
+        going = []
+        for token, (_, held) in self._weights.items():
+            if over <= 0:
+                break
+            going.append(token)
+            over -= held
+        return going
 
     def save(self) -> int:
         """Write the sessions whose state has changed since the last time; return how many were written.

@@ -10,16 +10,20 @@ import contextlib
 import io
 import logging
 import warnings
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Awaitable, Callable, MutableMapping
+from functools import cache
+from typing import Any, get_type_hints
+from weakref import WeakValueDictionary
 
 import numpy as np
 import viser
 from numpy.typing import NDArray
 from viser import _messages
+from viser._assignable_props_api import AssignablePropsBase
 
 from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.gate import Gate
+from armlab.ui.turns import Turns
 
 log = logging.getLogger(__name__)
 
@@ -27,6 +31,22 @@ TOKEN_HEADER = "X-Armlab-Token"
 WISH_HEADER = "X-Armlab-Wish"
 SECRET_HEADER = "X-Armlab-Secret"
 ORIGIN_HEADER = "X-Armlab-Origin"
+
+CLOSING = 0.5
+"""Seconds for the polite end of a connection to the front, which is on this machine. What a page has sent that cannot
+be read would else keep it, with all that was sent behind it, for 10 s."""
+
+
+@cache
+def hints_of(props: type) -> dict[str, Any]:
+    """Return the types of the properties of a kind of node or control.
+
+    viser finds them anew for every single one, a quarter of the time that a page takes, and keeps them with each.
+    """
+    return get_type_hints(props)
+
+
+AssignablePropsBase._prop_hints = property(lambda handle: hints_of(type(handle._impl.props)))  # type: ignore[assignment]
 
 
 def make_server(port: int) -> viser.ViserServer:
@@ -44,24 +64,46 @@ def make_server(port: int) -> viser.ViserServer:
     with contextlib.redirect_stdout(io.StringIO()):
         server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
     server._websock_server._incoming_handlers.clear()
-    server._websock_server.on_client_connect(lambda connection: _guard(server, connection))
+    turns: WeakValueDictionary[str, Turns] = WeakValueDictionary()
+    server._websock_server.on_client_connect(lambda connection: _guard(server, connection, turns))
     return server
 
 
-def _guard(server: viser.ViserServer, connection: Any) -> None:
-    """Put a gate before everything a connection sends."""
-    gate, handle = Gate(), connection._handle_incoming_message
+def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns]) -> None:
+    """Put a gate before everything a connection sends, and have its messages wait for their turn."""
+    gate, handle, turns = Gate(), connection._handle_incoming_message, Turns()
+    socket = server._websock_server._live_connections.get(connection.client_id)
+    if socket is not None:
+        token = socket.request.headers.get(TOKEN_HEADER, "")
+        turns = of_browsers.setdefault(token, turns)
+        socket.close_timeout, socket.recv = CLOSING, _in_turn(socket.recv, turns)
 
     async def guarded(client_id: Any, message: Any) -> None:
-        if not gate.passes(type(message).__name__, vars(message), _value_now(server, client_id, message)):
-            return
+        # With the first message of the camera viser waits until the page is built, in the time of all.
+        counted = not isinstance(message, _messages.ViewerCameraMessage)
+        if counted:
+            turns.begin()
         try:
-            await handle(client_id, message)
+            if gate.passes(type(message).__name__, vars(message), _value_now(server, client_id, message)):
+                await handle(client_id, message)
         except Exception as error:
             # Callbacks of ours never raise (see `on_event`): viser could not make sense of it.
             gate.drop(f"{type(message).__name__} led to {error!r}")
+        finally:
+            if counted:
+                turns.end()
 
     connection._handle_incoming_message = guarded
+
+
+def _in_turn(receive: Callable[[], Awaitable[bytes]], turns: Turns) -> Callable[[], Awaitable[bytes]]:
+    """Return what receives the messages of a connection one a turn: what waits, waits in the front and the browser."""
+
+    async def received() -> bytes:
+        await turns.come()
+        return await receive()
+
+    return received
 
 
 def _value_now(server: viser.ViserServer, client_id: Any, message: Any) -> Any:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import logging
 import threading
 import time
+from itertools import chain
 from pathlib import Path
 
 import viser
@@ -42,8 +44,14 @@ SAVE_INTERVAL = 0.75
 """Seconds between savings; with the time of one a crash loses at most a second."""
 
 BUILDING = 1.0 / 3.0
-"""Part of the event loop's time in which pages may be built while others wait to be: a class that opens the lab, or a
+"""Part of the event loop's time in which pages may be built while others are open: a class that opens the lab, or a
 stranger who comes again and again, is not to hold up the arms of those who are there."""
+
+SELDOM = 30
+"""Small collections of garbage to a whole one: pages that have closed may wait for it, hands that drag should not."""
+
+PIECE = 0.002
+"""Seconds of the building of a page after which others have their turn."""
 
 LOOK_INTERVAL = 1.0
 """Seconds between looks at the files of lessons: a teacher sees at once what was written."""
@@ -91,11 +99,11 @@ class Lab:
         self.worker.start()
         self.runner.start()
         threading.Thread(target=self._keep_saving, daemon=True, name="armlab-saver").start()
-        self._looking = threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons")
-        self._looking.start()
         # The others are made when somebody first asks for them: 0.2 s once, and no work beside that of a class.
         self._figure = threading.Thread(target=self.gallery.make, args=(opening.arm,), name="armlab-figure")
         self._figure.start()
+        self._looking = threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons")
+        self._looking.start()
 
     @property
     def port(self) -> int:
@@ -127,18 +135,11 @@ class Lab:
         await self.loop.run_in_executor(None, lessons)
         session = self.store.get(token)
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
-        await self._building.acquire()
-        began = time.perf_counter()
-        try:
-            if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
-                self._open(client, session)
-        finally:
-            pause = (time.perf_counter() - began) * (1.0 / BUILDING - 1.0)
-            self.loop.call_later(pause, self._building.release)
+        async with self._building:
+            await self._open(client, session)
 
-    def _open(self, client: viser.ClientHandle, session: Session) -> None:
-        """Build the page of a browser."""
-        token = session.token
+    async def _open(self, client: viser.ClientHandle, session: Session) -> None:
+        """Build the page of a browser in small pieces, with time for others after each."""
         view = View(
             client,
             session,
@@ -147,6 +148,22 @@ class Lab:
             self.pace,
             lambda: self._follow_jobs(session),
         )
+        pieces, went_on = view.build(), time.perf_counter()
+        for more in chain((True for _ in pieces), (False,)):
+            if adapter.request_headers(self.server, client) is None:  # gone in the meantime
+                pieces.close()
+                view.close()
+                return
+            if not more:
+                self._take_in(client, view)
+            took = time.perf_counter() - went_on
+            if took > PIECE or not more:
+                await asyncio.sleep(took * (1.0 / BUILDING - 1.0) if len(self._views) > 1 else 0.0)
+                went_on = time.perf_counter()
+
+    def _take_in(self, client: viser.ClientHandle, view: View) -> None:
+        """Show the session to a browser from now on."""
+        session, token = view.session, view.session.token
         self._views[client.client_id] = view
         self._of_session.setdefault(token, set()).add(view)
         self._follow_jobs(session)
@@ -219,6 +236,8 @@ class Lab:
 
     def _keep_looking(self) -> None:
         said, known = "", lessons()
+        self._figure.join()
+        _set_aside()
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
                 # What `changed` returns is told once a process, and there may be other labs in this one.
@@ -244,6 +263,19 @@ class Lab:
                 self.worker.post(session, ReloadLesson(key))
             for view in views:
                 view.show()
+
+
+def _set_aside() -> None:
+    """Have the collector of garbage pass over what is there from the start, once a process.
+
+    These are 140 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
+    time, during which no arm moves.
+    """
+    if not gc.get_freeze_count():
+        gc.collect()
+        gc.freeze()
+        first, second, _ = gc.get_threshold()
+        gc.set_threshold(first, second, SELDOM)
 
 
 __all__ = ["Lab"]

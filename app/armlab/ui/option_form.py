@@ -170,11 +170,11 @@ def option_value(kind: Field, text: str, now: Any = None, scales: Sequence[Scale
         return None
     if kind.kind == "rows":
         return [_read(kind, row, scales) for row in text.replace("\n", ";").split(";") if row.strip()]
+    if kind.kind not in ("vector", "list") and len(_cells(text)) != 1:
+        raise InputError(f"{kind.title}: expected one number, got {text.strip()[:40]!r}")
     numbers = _read(kind, text, scales)
     if kind.kind in ("vector", "list"):
         return numbers
-    if len(numbers) != 1:
-        raise InputError(f"{kind.title}: expected one number, got {text.strip()[:40]!r}")
     if kind.kind == "whole":
         if numbers[0] != round(numbers[0]):
             raise InputError(f"{kind.title}: expected a whole number, got {text.strip()[:40]!r}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Generator, Iterator
 
 import numpy as np
 import viser
@@ -58,7 +58,7 @@ ELSEWHERE = 3.0
 
 
 class View:
-    """One browser.
+    """One browser; to be shown anything it has to be built.
 
     Attributes
     ----------
@@ -93,30 +93,40 @@ class View:
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._closed = False
-        first = session.front if session.front in pages() else FIRST_TAB
-        self._seen: frozenset[str] = frozenset((pages()[first].tab or first,))
-        with client.atomic():
-            self._theme(session.state)
-            self._overlay = Overlay(client, self.post, self._tabs_seen)
-            self._timeline = TimelineBar(client, self.post)
-            self._dock()
-            self._lesson = LessonDock(client, self._gui, self.post)
+        self._front = session.front if session.front in pages() else FIRST_TAB
+        self._seen: frozenset[str] = frozenset((pages()[self._front].tab or self._front,))
+
+    def build(self) -> Generator[None, None, None]:
+        """Build the page, a piece of a millisecond or two at a time; the browser gets it when it is whole."""
+        with self.client.atomic():
+            self._theme(self.session.state)
+            self._overlay = Overlay(self.client, self.post, self._tabs_seen)
+            self._timeline = TimelineBar(self.client, self.post)
+            yield
+            yield from self._dock()
+            self._lesson = LessonDock(self.client, self._gui, self.post)
             commands.register(self)
-        (seen,) = self._seen
-        self._tabs[seen].turn_to(first)
-        self._overlay.open_tab(pages()[seen].title)
-        self.show()
+            yield
+            (seen,) = self._seen
+            self._tabs[seen].turn_to(self._front)
+            self._overlay.open_tab(pages()[seen].title)
+            state = self.session.state
+            drawn = self._gallery.ready(state[RobotPart].robot.arm)
+            if drawn is not None:
+                yield from self._draw(state, drawn)
+            self.show()
 
     def post(self, command: Command) -> None:
         """Pass on what the person at this page wants."""
         self._acted = self._loop.time()
         self._post(command)
 
-    def _dock(self) -> None:
+    def _dock(self) -> Iterator[None]:
         dock = self.client.gui.add_panel()
         for key, of_tab in tabs().items():
             tab = dock.add_tab(of_tab[0].title, getattr(viser.Icon, of_tab[0].icon))
             self._tabs[key] = Tab(of_tab, tab, self._gui, self.post, self._panels_changed)
+            yield
         dock.dock_right()
         dock.set_width(DOCK_WIDTH)
 
@@ -248,11 +258,16 @@ class View:
     def _show_layers(self, state: State) -> None:
         if self._robot is None or state[RobotPart].robot is not self._robot.robot:
             return  # the picture of another arm is being made
+        for _ in self._layer_by_layer(state):
+            pass
+
+    def _layer_by_layer(self, state: State) -> Iterator[None]:
         open_panels = self.open_panels
         bare = SKELETON.on(state) or any(panel(key).see_through for key in open_panels)
         hidden = self._hidden(state)
         for drawing in self._drawings:
             drawing.show(state, open_panels, bare, hidden)
+            yield
 
     def _change_robot(self, state: State) -> None:
         """Draw another arm; a figure that is new is made outside the event loop, and the present one stays so long."""
@@ -264,13 +279,20 @@ class View:
                 making = self._loop.run_in_executor(None, self._gallery.make, arm)
                 making.add_done_callback(lambda future: self._figure_made(arm, future.exception()))
             return
+        for _ in self._draw(state, drawn):
+            pass
+
+    def _draw(self, state: State, drawn: Drawn) -> Iterator[None]:
+        """Draw the arm of a state, a layer at a time."""
         self._remove_drawings()
         self._canvases += 1
         self._canvas = Canvas(self.client, drawn, self.post, state[Joints].q, self._canvases)
         before, self._robot = self._robot, state[RobotPart]
         self._drawings = [Drawing(layer, self._canvas, self._pace) for layer in layers().values()]
-        self._show_layers(state)
+        yield
+        yield from self._layer_by_layer(state)
         self._look_at(drawn, before)
+        yield
 
     def _remove_drawings(self) -> None:
         canvas, self._canvas = self._canvas, None

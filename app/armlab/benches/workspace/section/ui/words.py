@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from armlab.benches.workspace.section.found import REACH, Found
 from armlab.benches.workspace.section.marks import Measured, target_measured, tool_measured
 from armlab.benches.workspace.section.state import found_of
-from armlab.kin.workspace.crossings import FINE
+from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.section_size import dimension
 from armlab.session.state import State
@@ -17,8 +17,8 @@ from armlab.ui.format import MINUS, number, pairs
 from armlab.ui.markup import chip
 from armlab.ui.units import Units
 
-EDGE = 2.0 * FINE
-"""Of a cell: what is as near to the boundary as that is on it, as well as it is known."""
+EDGE = 2.0
+"""Of what the boundary may be off: what is as near to it as that is on it."""
 
 SAME = 1e-9
 """Of a cosine, or of the reach: directions and points that are one."""
@@ -119,7 +119,7 @@ def distances(state: State, units: Units, channel: str) -> str:
 def _way(state: State, measured: Measured, units: Units) -> str:
     found = found_of(state)
     assert found is not None
-    if abs(measured.to.distance) <= EDGE * found.section.step:
+    if abs(measured.to.distance) <= EDGE * fineness(found.section.grid) * found.section.step:
         return "on the boundary"
     inside = measured.to.distance >= 0.0
     mark = '<span class="ok">✓</span>' if inside else '<span class="no">✕</span>'

@@ -1,0 +1,101 @@
+"""Whose message is next: a flood of one browser leaves most of the time to the others."""
+
+import asyncio
+import json
+
+import pytest
+
+from armlab.ui import adapter, turns
+from armlab.ui.turns import SHARE, SPARE, Turns
+from armlab.ui.widgets import Fields
+from support.bare import Bare
+from support.fake_browser import CAMERA
+from support.patience import Patience
+
+
+@pytest.fixture
+def bare():
+    started = Bare()
+    yield started
+    adapter.stop_server(started.server)
+
+
+def test_who_uses_more_than_a_share_waits_and_who_was_quiet_has_some_to_spare():
+    now = used = 0.0
+    one = Turns(lambda: now, lambda: used)
+
+    def message(seconds):
+        nonlocal used
+        one.begin()
+        used += seconds
+        one.end()
+
+    message(SPARE)
+    assert one.pause == 0.0
+    message(0.03)
+    assert one.pause == pytest.approx(0.03 / SHARE)
+    now += 0.03 / SHARE
+    assert one.pause == pytest.approx(0.0)
+    now += 1000.0
+    message(2.0 * SPARE)
+    assert one.pause == pytest.approx(SPARE / SHARE), "no more is saved up than that"
+
+
+def test_many_messages_sent_together_are_looked_at_one_a_turn_of_the_loop(bare):
+    async def work(browser, do):
+        fields = await do(lambda: Fields(bare.client.gui, lambda cell, _: heard.append((cell, rounds[0]))))
+        await browser.until(lambda: fields.channel_id in browser.controls)
+
+        def count():
+            rounds[0] += 1
+            if len(heard) < MANY:
+                asyncio.get_running_loop().call_soon(count)
+
+        await do(count)
+        for k in range(MANY):
+            value = json.dumps([str(k), "", k])
+            await browser.send({"type": "GuiUpdateMessage", "uuid": fields.channel_id, "updates": {"value": value}})
+        patience = Patience()
+        while len(heard) < MANY and patience.left():
+            await asyncio.sleep(0.01)
+
+    MANY, heard, rounds = 60, [], [0]
+    bare.run(work)
+    assert [cell for cell, _ in heard] == [str(k) for k in range(MANY)]
+    assert len({at for _, at in heard}) == MANY
+
+
+def test_a_browser_that_has_used_up_its_share_is_heard_again_later_and_in_order(bare, monkeypatch):
+    async def work(browser, do):
+        fields = await do(lambda: Fields(bare.client.gui, lambda cell, _: heard.append(cell)))
+        await browser.until(lambda: fields.channel_id in browser.controls)
+        monkeypatch.setattr(turns, "SPARE", 1e-5)
+        monkeypatch.setattr(Turns, "pause", property(lambda one: waited.append(pause(one)) or waited[-1]))
+        for k in range(30):
+            await browser.send(CAMERA)
+            value = json.dumps([str(k), "9" * 10_000, k])
+            await browser.send({"type": "GuiUpdateMessage", "uuid": fields.channel_id, "updates": {"value": value}})
+        patience = Patience()
+        while len(heard) < 30 and patience.left():
+            await asyncio.sleep(0.01)
+
+    pause, waited, heard = Turns.pause.fget, [], []
+    bare.run(work)
+    assert heard == [str(k) for k in range(30)]
+    assert max(waited) > 0.0
+
+
+def test_a_socket_that_sent_nonsense_before_much_else_is_let_go_of_soon(bare):
+    async def work(browser, do):
+        live = bare.server._websock_server._live_connections
+        (socket,) = live.values()
+        assert socket.close_timeout == adapter.CLOSING < 1.0
+        await browser.send_raw(b"\xc1 is no message")
+        for _ in range(200):
+            await browser.send_raw(b"x" * 10_000)
+        patience = Patience()
+        while live and patience.left():
+            await asyncio.sleep(0.01)
+        assert not live
+
+    bare.run(work)
