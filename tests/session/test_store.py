@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from armlab.session.jobs.section import found_section
-from armlab.session.parts.section import SectionView
+from armlab.benches.workspace.section.state import SectionView
 
 from armlab.content.robots import catalogue
 from armlab.session import store as module

@@ -72,7 +72,7 @@ def make_server(port: int) -> viser.ViserServer:
 def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns]) -> None:
     """Put a gate before everything a connection sends, and have its messages wait for their turn."""
     gate, handle, turns = Gate(), connection._handle_incoming_message, Turns()
-    socket = server._websock_server._live_connections.get(connection.client_id)
+    socket: Any = server._websock_server._live_connections.get(connection.client_id)
     if socket is not None:
         token = socket.request.headers.get(TOKEN_HEADER, "")
         turns = of_browsers.setdefault(token, turns)
