@@ -6,9 +6,9 @@ import time
 from dataclasses import replace
 
 import pytest
-from armlab.session.jobs.section import found_section
-from armlab.benches.workspace.section.state import SectionView
 
+from armlab.benches.workspace.section.job import found_section
+from armlab.benches.workspace.section.state import SectionView
 from armlab.content.robots import catalogue
 from armlab.session import store as module
 from armlab.session.edits import SetCell

@@ -46,7 +46,7 @@ def hints_of(props: type) -> dict[str, Any]:
     return get_type_hints(props)
 
 
-AssignablePropsBase._prop_hints = property(lambda handle: hints_of(type(handle._impl.props)))  # type: ignore[assignment]
+AssignablePropsBase._prop_hints = property(lambda handle: hints_of(type(handle._impl.props)))  # type: ignore[arg-type, assignment]
 
 
 def make_server(port: int) -> viser.ViserServer:

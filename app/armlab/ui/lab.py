@@ -158,7 +158,7 @@ class Lab:
                 self._take_in(client, view)
             took = time.perf_counter() - went_on
             if took > PIECE or not more:
-                await asyncio.sleep(took * (1.0 / BUILDING - 1.0) if len(self._views) > 1 else 0.0)
+                await asyncio.sleep(took * (1.0 / BUILDING - 1.0) if self._views.keys() - {client.client_id} else 0.0)
                 went_on = time.perf_counter()
 
     def _take_in(self, client: viser.ClientHandle, view: View) -> None:

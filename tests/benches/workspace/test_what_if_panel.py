@@ -104,7 +104,7 @@ def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
     assert abs(size.value - exact) <= size.error
     smaller = known("planar_2r", Suppose(1, "a", 0.8))
     assert plain(verdict_markup(smaller)).startswith("▼ The area is smaller, −20.0 %")
-    same = known("planar_2r", Suppose(0, "a", 1.00001))
+    same = known("planar_2r", Suppose(0, "a", 1.000001))
     assert plain(verdict_markup(same)).startswith("≈ The same area The difference is within the errors, ±0.00")
     assert verdict_markup(known("planar_2r")) == ""
     bent = known("planar_2r", Suppose(0, "alpha", 0.5))
