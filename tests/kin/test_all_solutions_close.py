@@ -11,6 +11,7 @@ from armlab.kin.ik.general_6r import search_of
 from armlab.kin.ik.general_merge import merged
 from armlab.kin.ik.problem import REACHED_M
 from armlab.kin.ik.solve_all import solve_all
+from armlab.kin.rotations import rotation_from_axis_angle
 from support.solutions import contains, no_duplicates, worst_error
 
 H = math.pi / 2
@@ -94,6 +95,19 @@ def test_a_nearly_straight_hand_of_parallel_axes_hides_nothing_that_counts_as_re
     assert found.completeness == "infinite"
     assert worst_error(arm, found.q, T) < REACHED_M
     assert (np.abs(np.sin(found.q[:, 0] - q[0])) < 1e-5).any()
+
+
+@pytest.mark.parametrize("robot", ["puma560", "stanford", "unimate"])
+def test_a_nearly_straight_wrist_hides_nothing_that_counts_as_reached(robot):
+    """The hand is turned a little out of the pose in which axes 4 and 6 are one line: any q4 still reaches it."""
+    arm, rng = catalogue()[robot].arm, np.random.default_rng(3)
+    for _ in range(12):
+        q = rng.uniform(*arm.limits.T)
+        q[4] = 0.0
+        T = np.array(arm.fk(q))
+        T[:3, :3] = rotation_from_axis_angle(rng.normal(size=3), 10.0 ** rng.uniform(-9.0, -6.1)) @ T[:3, :3]
+        assert arm.fk(q) == pytest.approx(T, abs=REACHED_M)
+        assert solve_all(arm, T).completeness == "infinite"
 
 
 def test_two_candidates_with_a_third_solution_half_way_are_two():

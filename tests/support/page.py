@@ -272,7 +272,7 @@ class LabPage:
         page = next((panel for panel in pages().values() if panel.title == title and panel.tab), None)
         tab = title if page is None else pages()[page.tab].title
         self.page.locator(f'[role=tab][title="{tab}"]').click()
-        self.frames(3)
+        self.rest()
         if page is not None:
             self.press(page.key)
 

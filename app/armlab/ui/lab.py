@@ -136,7 +136,8 @@ class Lab:
         session = self.store.get(token)
         await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
         async with self._building:
-            await self._open(client, session)
+            if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
+                await self._open(client, session)
 
     async def _open(self, client: viser.ClientHandle, session: Session) -> None:
         """Build the page of a browser in small pieces, with time for others after each."""
