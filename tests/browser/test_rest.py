@@ -1,16 +1,21 @@
 """What the other browser tests rest on: a page's rest ends when the answer is there, however late, and not before."""
 
+import asyncio
 import threading
 import time
 
 import pytest
 
 from armlab.session.session import Session
+from support import at_rest
 
 pytestmark = pytest.mark.browser
 
 LATE = 2.0
 """Seconds; longer than a page that says nothing was ever waited for."""
+
+ON_THE_WAY = 0.2
+"""Seconds; less than a page has to be the same before it counts as answered."""
 
 
 @pytest.fixture
@@ -25,6 +30,23 @@ def slow(monkeypatch):
 
     monkeypatch.setattr(Session, "apply", slowly)
     return is_slow
+
+
+@pytest.fixture
+def held_up(monkeypatch):
+    """Let every message to a page be long on its way, as where the machine is busy."""
+    send = at_rest._send
+
+    async def send_late(*arguments, **options):
+        await asyncio.sleep(ON_THE_WAY)
+        await send(*arguments, **options)
+
+    monkeypatch.setattr(at_rest, "_send", send_late)
+
+
+@pytest.mark.usefixtures("held_up")
+def test_an_answer_that_is_on_its_way_is_waited_for(visit, slow):
+    test_an_answer_that_comes_late_is_waited_for(visit, slow)
 
 
 def test_an_answer_that_comes_late_is_waited_for(visit, slow):

@@ -338,7 +338,7 @@ class LabPage:
 
         It has come when nothing is left to do in page and lab, nothing is on its way between them, and the page has
         drawn it. Where that cannot be told, since other programs or processes take part, or where a film plays or long
-        work goes on, it is enough that nothing in scene and panel has changed for a while, all commands being done.
+        work goes on, it is enough that nothing in scene and panel has changed for a while after all commands are done.
         """
         patience = Patience(most)
         since, before = time.monotonic() + LEAST, ""
@@ -351,8 +351,10 @@ class LabPage:
             if now is not None and now == quiet:
                 return
             quiet = now
-            done = lab is None or (lab.answered and lab.traffic.received >= pages.received)
-            if done and time.monotonic() > since + QUIET:
+            if lab is not None and not (lab.answered and lab.traffic.received >= pages.received):
+                # What was seen was seen before this answer was told.
+                since = max(since, time.monotonic())
+            if time.monotonic() > since + QUIET:
                 return
 
     def still(self, seconds: float) -> None:

@@ -117,11 +117,22 @@ def pages() -> dict[str, Page]:
     return found
 
 
-@cache
 def panel(key: str) -> Panel:
     """Return the panel of a page, which is imported now; `PluginError` when it is broken."""
-    found = constant_of(f"{pages()[key].package}.ui.page", "PANEL", Panel)
-    _refuse_unknown(key, found.hides)
+    found = _imported(key)
+    if isinstance(found, PluginError):
+        raise found
+    return found
+
+
+@cache
+def _imported(key: str) -> Panel | PluginError:
+    """Return a panel, or why there is none: what is broken stays so until the lab is started again."""
+    try:
+        found = constant_of(f"{pages()[key].package}.ui.page", "PANEL", Panel)
+        _refuse_unknown(key, found.hides)
+    except PluginError as error:
+        return error
     return found
 
 

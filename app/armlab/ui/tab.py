@@ -6,13 +6,14 @@ import logging
 from collections.abc import Callable
 from typing import Any
 
+from armlab.errors import PluginError
 from armlab.page import Page
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.format import escaped
 from armlab.ui.markup import button
-from armlab.ui.plugin import Post, Show
+from armlab.ui.plugin import Panel, Post, Show
 from armlab.ui.plugin import panel as panel_of
 from armlab.ui.widgets import Fields, Gui
 
@@ -66,6 +67,14 @@ class Tab:
         """The key of the tab."""
         return next(iter(self.pages))
 
+    @property
+    def panel(self) -> Panel | None:
+        """The panel of the present page; None where it cannot be imported, which the page says."""
+        try:
+            return panel_of(self.page)
+        except PluginError:
+            return None
+
     def turn_to(self, key: str) -> None:
         """Show another page with the next `show`."""
         if key in self.pages and key != self.page:
@@ -109,9 +118,9 @@ class Tab:
         page = self.pages[self.page]
         if self._cover(page, state):
             return
-        with self._container:
-            panel = self._try(panel_of, page.key)
+        panel = self.panel
         if panel is None:
+            self._tell_broken()
             return
         before, self._shown = self._shown, state
         other, self._outside = self._outside, panel.outside()
@@ -146,6 +155,13 @@ class Tab:
                 self._gui.html(f'<p class="dim">{COVERED}</p>')
             self._built, self._show, self._shown = COVERED, None, state
         return covered
+
+    def _tell_broken(self) -> None:
+        """Show, once each time it is turned to, that a page cannot be shown, and why in the log."""
+        if self._built != self.page:
+            self._built, self._show, self._shown = self.page, None, None
+            with self._container:
+                self._try(panel_of, self.page)
 
     def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """Return the result; a panel that fails is replaced by a line, and the rest lives on."""

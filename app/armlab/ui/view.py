@@ -27,7 +27,7 @@ from armlab.ui.figure.drawn import Drawn, Gallery
 from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.overlay import Overlay
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import NOTHING, Points, hidden_panels, layers, pages, panel, tabs
+from armlab.ui.plugin import NOTHING, Panel, Points, hidden_panels, layers, pages, tabs
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
@@ -140,6 +140,11 @@ class View:
         """The keys of the panels a person sees."""
         return frozenset(self._tabs[key].page for key in self._seen)
 
+    @property
+    def _opened(self) -> tuple[Panel, ...]:
+        """The panels a person sees, without those that cannot be imported."""
+        return tuple(found for key in self._seen if (found := self._tabs[key].panel) is not None)
+
     def _hidden(self, state: State) -> frozenset[str]:
         """Return the keys of layers that are in the way of an open panel, or of a layer that is switched on."""
         predicted = state[LessonPart].hides
@@ -148,7 +153,7 @@ class View:
         if predicted:
             return frozenset(key for key, layer in layers().items() if not layer.silent)
         on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
-        opened = [panel(key) for key in self.open_panels]
+        opened = self._opened
         hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))
         return frozenset(key for hides in hiding for key in hides)
 
@@ -248,7 +253,7 @@ class View:
     def _around(self) -> Points:
         """Return the points that open panels want in the picture beside the arm."""
         state = self.session.state
-        return np.vstack([NOTHING, *(panel(key).around(state) for key in self.open_panels)])
+        return np.vstack([NOTHING, *(panel.around(state) for panel in self._opened)])
 
     def _keep_in_view(self) -> None:
         if not self._closed:
@@ -263,7 +268,7 @@ class View:
 
     def _layer_by_layer(self, state: State) -> Iterator[None]:
         open_panels = self.open_panels
-        bare = SKELETON.on(state) or any(panel(key).see_through for key in open_panels)
+        bare = SKELETON.on(state) or any(panel.see_through for panel in self._opened)
         hidden = self._hidden(state)
         for drawing in self._drawings:
             drawing.show(state, open_panels, bare, hidden)
