@@ -243,11 +243,12 @@ def _more(lesson: Lesson, part: LessonPart, channel: str) -> str:
         number = field(channel, "lesson-variant", str(lesson.variant), "Number of your variant", inputmode="numeric")
         variant = f'<div class="row"><span>Variant</span><div class="answer">{number}</div></div>'
     name = field(channel, "lesson-name", part.student, "Your name", placeholder="your name", maxlength="80")
+    load = load_work(f'data-chan="{channel}" data-cell="lesson-load"')
     return (
         f'<details class="lesson-more"><summary>Sandbox, save my work</summary>{variant}'
         f'<div class="row"><span>Name</span><div class="answer">{name}</div></div>'
         f'<div class="chips">{chip(channel, "lesson-save", "Save my work", "A file to hand in or to go on with")}'
-        f"{load_work(channel, 'lesson-load')}"
+        f"{load}"
         f"{chip(channel, 'lesson-setup', 'Set up again', 'Arm and example as this step finds them; your answers stay')}"
         f"{chip(channel, 'lesson-sandbox', 'My sandbox', 'An arm of your own; the lesson waits')}</div></details>"
     )
