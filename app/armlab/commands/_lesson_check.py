@@ -92,6 +92,7 @@ def _titles(found: Found, lesson: Lesson) -> Iterator[str]:
 def _names(found: Found, lesson: Lesson) -> Iterator[str]:
     from armlab.commands import _references
 
+    yield from (_of_error(found, error) for error in _references.of_words(lesson))
     for key, says in _references.of_front(lesson):
         yield f"{found.file}:{_line_of(found.text(), key)}: {key}: {says}"
     for i, step in enumerate(lesson.steps):

@@ -9,6 +9,8 @@ UNKNOWN = "–"
 """What stands for a fact that is not known, or that the arm does not have."""
 
 _DIGITS = 4
+_LONGEST = 1e9
+"""A whole number below it is written with all its digits."""
 
 
 def said(value: Value | None, unit: str, words: Words = PLAIN) -> str:
@@ -36,4 +38,6 @@ def said(value: Value | None, unit: str, words: Words = PLAIN) -> str:
 def _number(value: float) -> str:
     if abs(value) == float("inf"):
         return "∞" if value > 0 else "−∞"
+    if value == int(value) and abs(value) < _LONGEST:
+        return f"{int(value)}".replace("-", "\u2212")
     return f"{value + 0.0:.{_DIGITS}g}".replace("-", "\u2212")

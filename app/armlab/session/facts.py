@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from armlab.content.bench_words import is_word
+from armlab.content.checks.fact import FactIs
 from armlab.content.lesson import Lesson, Step
 from armlab.content.observation import Observation
 from armlab.content.robots import Robot
@@ -32,6 +33,9 @@ KINDS: dict[Kind, str] = {
     "text": "a text",
     "truth": "true or false",
 }
+
+ANGLES = ("rad", "rad/s")
+"""Units of facts whose numbers lessons may write in degrees."""
 
 
 @dataclass(frozen=True)
@@ -79,12 +83,15 @@ class Facts:
         By name; the word of one has the folders of tab and page before it.
     job : Job, optional
         The work that finds them, where it takes long.
+    ask : callable, optional
+        ``ask(state)`` returns the state in which that work is asked for, where it does not begin by itself.
     """
 
     module: str
     parts: tuple[type[Part], ...]
     facts: Mapping[str, Fact]
     job: Job | None = None
+    ask: Callable[[State], State] | None = None
 
     @property
     def key(self) -> str:
@@ -121,6 +128,23 @@ def fact_of(word: str) -> tuple[Facts, Fact]:
     return found, found.facts[name]
 
 
+def unfit(asked: FactIs, fact: Fact) -> Iterator[str]:
+    """Yield why a check does not fit the fact it looks at."""
+    value = asked.value
+    of_text, of_truth = isinstance(value, str), isinstance(value, bool)
+    several = isinstance(value, tuple)
+    kind = "number" if asked.component and fact.kind == "numbers" else fact.kind
+    fits = {"text": of_text, "truth": of_truth, "numbers": several}.get(kind, not (of_text or of_truth or several))
+    if asked.component and fact.kind != "numbers":
+        yield f"it is {KINDS[fact.kind]} and has no components"
+    elif not fits:
+        yield f"expected {KINDS[kind]}, for {fact.title}"
+    elif kind in ("number", "numbers") and value is not None and not asked.tolerance:
+        yield "expected a tolerance above zero: it is no whole number"
+    if asked.degrees and fact.unit not in ANGLES:
+        yield f"it is no angle, its unit is {fact.unit or 'none'}; write value, at_least, at_most"
+
+
 def facts_asked(lesson: Lesson, step: Step, met: bool) -> tuple[str, ...]:
     """Return the words of the facts a step looks at, in a text, or in its check until that is met."""
     checked = () if step.check is None or met else step.check.facts
@@ -149,11 +173,12 @@ def _seen(state: State, words: Iterable[str]) -> Iterator[tuple[str, SeenFact]]:
 
 def worked_out(state: State, found: Facts) -> State:
     """Return the state with what the work behind some facts finds, done to its end here and now."""
-    wanted = None if found.job is None else found.job.wanted(state, frozenset({found.panel}))
-    if found.job is None or wanted is None:
+    if found.job is None:
         return state
-    for piece in found.job.run(wanted.inputs):
-        if piece is not None:
+    state = found.ask(state) if found.ask else state
+    wanted = found.job.wanted(state, frozenset({found.panel}))
+    for piece in found.job.run(wanted.inputs) if wanted else ():
+        if piece is not None and wanted is not None:
             state = found.job.delivered(state, wanted.inputs, piece)
     return state
 
@@ -211,9 +236,7 @@ def _as_it_was(data: Json, words: tuple[str, ...], seen: Observation, robot: Rob
     parts = data.get("parts") if isinstance(data, dict) else None
     if not isinstance(parts, dict):
         raise InputError("facts: what they follow from is missing")
-    joints = Joints.initial(robot).moved_to(seen.q)
     state = State.initial(robot)
-    state = state.replace(joints, replace(state[Target], pose=seen.target))
     for kind in {part: None for found in benches_of(words) for part in found.parts}:
         if kind.key not in parts:
             raise InputError(f"facts: the part {kind.key!r} is missing")
@@ -222,14 +245,15 @@ def _as_it_was(data: Json, words: tuple[str, ...], seen: Observation, robot: Rob
         except Exception as error:
             # Nobody can list what a changed file may raise.
             raise InputError(f"facts: the part {kind.key!r} is not usable: {error}") from error
-    return state
+    joints = replace(Joints.initial(robot).moved_to(seen.q), locked=state[Joints].locked)
+    return state.replace(joints, replace(state[Target], pose=seen.target))
 
 
 def _plain(value: Any) -> Value | None:
     """Return a value without NumPy in it; None for what is not a number."""
     if value is None or isinstance(value, (str, bool, np.bool_)):
         return bool(value) if isinstance(value, np.bool_) else value
-    if isinstance(value, (int, float, np.integer, np.floating)):
+    if np.ndim(value) == 0:
         return None if math.isnan(value) else float(value)
     numbers = tuple(float(each) for each in np.ravel(value))
     return None if any(map(math.isnan, numbers)) else numbers

@@ -98,8 +98,8 @@ class Player:
 
     def _plan(self) -> None:
         """Work out what lessons may ask for, such as the plan of the motion, where the lab would."""
-        of_facts = [found for found in benches_of(self.part.facts) if found.job is not None]
-        for job, panels in [(each.job, ()) for each in taught()] + [(found.job, (found.panel,)) for found in of_facts]:
+        of_facts = [(found.job, {found.panel}) for found in benches_of(self.part.facts) if found.job is not None]
+        for job, panels in (*((each.job, set[str]()) for each in taught()), *of_facts):
             wanted = job.wanted(self.session.state, frozenset(panels))
             if wanted is None or not self._planning:
                 continue

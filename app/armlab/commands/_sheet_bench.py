@@ -1,0 +1,56 @@
+"""What a lesson asks of the benches, in words for the solution sheet: their commands, and facts that are checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from armlab.content.bench_words import BenchWord
+from armlab.content.check import Check
+from armlab.content.checks.all_of import AllOf
+from armlab.content.checks.fact import FactIs
+from armlab.content.lesson_values import written
+from armlab.errors import UnknownName
+from armlab.session.facts import fact_of
+from armlab.session.words import word
+
+
+def bench_words(action: BenchWord) -> str:
+    """Return what is to be done on a bench: what its command is called, and its arguments."""
+    try:
+        known = word(action.word)
+    except UnknownName:
+        return action.word
+    label = known.says.rstrip(".") if known.command.label == "change" else known.command.label
+    return f"{label} on {action.word.rpartition('.')[0]}{_given(action.given)}"
+
+
+def facts_asked(check: Check) -> Iterator[str]:
+    """Yield what a check asks of facts, one text each."""
+    if isinstance(check, AllOf):
+        for each in check.checks:
+            yield from facts_asked(each)
+    elif isinstance(check, FactIs):
+        try:
+            _, fact = fact_of(check.fact)
+        except UnknownName:
+            yield check.fact
+        else:
+            yield f"{check.titled(fact.title)}: {check.asked(fact.unit)}"
+
+
+def _given(arguments: Mapping[str, Any]) -> str:
+    said = ", ".join(f"{name} {_said(value)}" for name, value in arguments.items())
+    return f": {said}" if said else ""
+
+
+def _said(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, (int, float)):
+        return written(float(value))
+    if isinstance(value, list):
+        return f"({', '.join(map(_said, value))})"
+    if isinstance(value, dict):
+        return f"({', '.join(f'{name} {_said(each)}' for name, each in value.items())})"
+    return str(value)
