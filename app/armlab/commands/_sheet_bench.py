@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -11,18 +12,23 @@ from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.fact import FactIs
 from armlab.content.lesson_values import written
 from armlab.errors import UnknownName
+from armlab.page import Page
+from armlab.plugins import constant_of
 from armlab.session.facts import fact_of
-from armlab.session.words import word
+from armlab.session.state import Command
+from armlab.session.words import pages_with_words, word
 
 
 def bench_words(action: BenchWord) -> str:
-    """Return what is to be done on a bench: what its command is called, and its arguments."""
+    """Return what is to be done on a bench: its page, what its command is called, and its arguments."""
     try:
         known = word(action.word)
     except UnknownName:
         return action.word
-    label = known.says.rstrip(".") if known.command.label == "change" else known.command.label
-    return f"{label} on {action.word.rpartition('.')[0]}{_given(action.given)}"
+    page = constant_of(pages_with_words()[action.word.rpartition(".")[0]], "PAGE", Page)
+    unnamed = known.command.label == Command.label
+    label = re.split("[:.;,]", known.says)[0].lower() if unnamed else known.command.label
+    return f"on the page {page.page or page.title}: {label}{_given(action.given)}"
 
 
 def facts_asked(check: Check) -> Iterator[str]:
@@ -41,7 +47,7 @@ def facts_asked(check: Check) -> Iterator[str]:
 
 def _given(arguments: Mapping[str, Any]) -> str:
     said = ", ".join(f"{name} {_said(value)}" for name, value in arguments.items())
-    return f": {said}" if said else ""
+    return f" ({said})" if said else ""
 
 
 def _said(value: Any) -> str:

@@ -148,7 +148,7 @@ def _read_start(table: Table, robot: Robot) -> Start:
     example = example_name(table, "example") if table.has("example") else ""
     start = Start(example, table.text("panel", ""), read_begin(table, robot))
     if start == Start():
-        raise table.fail("example", "missing; expected some of example, panel and tables [[do]]")
+        raise table.fail("example", "missing; expected example, panel or tables [[do]]")
     table.done()
     return start
 

@@ -89,11 +89,13 @@ def read_arguments(known: tuple[Argument, ...], given: Mapping[str, Any]) -> dic
     ------
     WrongArgument
     """
-    found, taken = {}, set()
+    keys = {one.name: [one.name, *(one.name + unit for unit in FACTORS if one.kind.numbers)] for one in known}
+    for key in given:
+        if key not in {each for names in keys.values() for each in names}:
+            raise WrongArgument(key, f"unknown argument{suggestion(key, keys)}")
+    found = {}
     for argument in known:
-        keys = [argument.name, *(argument.name + unit for unit in FACTORS if argument.kind.numbers)]
-        there = [key for key in keys if key in given]
-        taken.update(there)
+        there = [key for key in keys[argument.name] if key in given]
         if len(there) > 1:
             raise WrongArgument(there[1], f"expected one of {' and '.join(there)}")
         if there:
@@ -102,9 +104,6 @@ def read_arguments(known: tuple[Argument, ...], given: Mapping[str, Any]) -> dic
             raise WrongArgument(argument.name, f"missing; expected {listed(known)}")
         elif argument.kind.optional:
             found[argument.name] = None
-    for key in given:
-        if key not in taken:
-            raise WrongArgument(key, f"unknown argument{suggestion(key, [argument.name for argument in known])}")
     return found
 
 
