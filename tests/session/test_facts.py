@@ -112,7 +112,7 @@ def test_a_fact_is_what_it_says_or_not_known(page):
 def test_facts_are_worked_out_again_from_what_is_written_down(page):
     state, words = worked_at(page), words_of(page)
     data = json.loads(json.dumps(evidence_of(state, words)))
-    data["told"] = {word: 999.0 for word in words}
+    data["told"] = dict.fromkeys(words, 999.0)
     again = facts_again(data, words, seen_of(state), catalogue()["planar_2r"], True)
     for word, seen in seen_facts(state, words).items():
         np.testing.assert_equal(again[word].value, seen.value, word)
@@ -147,7 +147,7 @@ def test_broken_evidence_is_a_sentence(data, says):
 def test_what_is_told_has_a_size(value):
     state = worked_at("iterate.runs")
     data = {**evidence_of(state, words_of("iterate.runs")), "told": {"iterate.runs.steps": value}}
-    with pytest.raises(InputError, match="told.iterate.runs.steps"):
+    with pytest.raises(InputError, match=r"told\.iterate\.runs\.steps"):
         facts_again(data, words_of("iterate.runs"), seen_of(state), catalogue()["planar_2r"], False)
 
 
@@ -184,7 +184,7 @@ def test_a_fact_that_is_refused_or_no_number_is_not_known():
 
 
 def test_unknown_facts_are_a_sentence():
-    with pytest.raises(UnknownName, match="page with facts: unknown name 'velocity.nowhere'.*velocity.statics"):
+    with pytest.raises(UnknownName, match=r"page with facts: unknown name 'velocity\.nowhere'.*velocity\.statics"):
         fact_of("velocity.nowhere.x")
     with pytest.raises(UnknownName, match=r"fact of control\.loop: unknown name 'tim'.*time_constant"):
         fact_of("control.loop.tim")

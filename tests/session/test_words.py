@@ -42,6 +42,14 @@ def written(name, /, **given):
     return BenchWord(name, given, "f.md", "step 1.solution", "do[1]", "\n\n[[do]]\n")
 
 
+def told(state, command):
+    """Return why a command is refused, or the names of the parts it leaves; anything but a refusal is raised."""
+    try:
+        return " ".join(apply(state, command).to_json())
+    except ArmlabError as refusal:
+        return str(refusal)
+
+
 def values_of(says):
     """Return values that a kind of argument takes."""
     if says in MADE_UP:
@@ -63,12 +71,7 @@ def test_every_command_is_done_or_refused_with_a_sentence(page):
                 given = {name: values[(k + i) % len(values)] for i, (name, values) in enumerate(choices)}
                 command = command_of(written(known.name, **given))
                 assert isinstance(command, known.command)
-                try:
-                    done = apply(begun, command)
-                except ArmlabError as refusal:
-                    assert len(str(refusal)) > 5, known.name
-                else:
-                    assert isinstance(done.to_json(), dict)
+                assert len(told(begun, command)) > 5, known.name
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -138,7 +141,11 @@ def test_what_is_left_out_is_as_the_command_has_it():
         ("velocity.statics.set_component", {"kind": "force", "axis": 0}, r"value: .*missing; expected kind \(a text\)"),
         ("velocity.statics.set_component", {"kind": 1, "axis": 0, "value": 1}, "kind: .*expected a text, got 1"),
         ("velocity.statics.set_component", {"kind": "f", "axis": 0.5, "value": 1}, "expected a whole number, got 0.5"),
-        ("velocity.statics.set_component", {"kind": "f", "axis": True, "value": 1}, "expected a whole number, got True"),
+        (
+            "velocity.statics.set_component",
+            {"kind": "f", "axis": True, "value": 1},
+            "expected a whole number, got True",
+        ),
         ("velocity.speeds.set_speed", {"joint": 0, "value": 1, "value_deg": 1}, "expected one of value and value_deg"),
         ("velocity.speeds.set_speed", {"joint_deg": 0, "value": 1}, "joint_deg: .*unknown argument"),
         ("velocity.speeds.set_speed", {"joint": 0, "value": math.inf}, "expected a finite number, got inf"),

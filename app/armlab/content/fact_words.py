@@ -12,6 +12,9 @@ _DIGITS = 4
 _LONGEST = 1e9
 """A whole number below it is written with all its digits."""
 
+_ROUNDING = 1e-12
+"""What is smaller comes of rounding: facts are in SI units, and a torque or speed of this size is none."""
+
 
 def said(value: Value | None, unit: str, words: Words = PLAIN) -> str:
     """Return the value of a fact with its unit.
@@ -38,6 +41,7 @@ def said(value: Value | None, unit: str, words: Words = PLAIN) -> str:
 def _number(value: float) -> str:
     if abs(value) == float("inf"):
         return "∞" if value > 0 else "−∞"
+    value = 0.0 if abs(value) < _ROUNDING else value
     if value == int(value) and abs(value) < _LONGEST:
         return f"{int(value)}".replace("-", "\u2212")
     return f"{value + 0.0:.{_DIGITS}g}".replace("-", "\u2212")
