@@ -10,12 +10,12 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui import adapter
 from armlab.ui.canvas import Canvas, PoseListener
 from armlab.ui.figure.drawn import Drawn
 from armlab.ui.pace import Pace, Paced
-from armlab.ui.plugin import Layer, Post, Show
+from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import SKELETON
 
 log = logging.getLogger(__name__)

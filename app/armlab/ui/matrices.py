@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.session.parts.selection import Select, Selection
-from armlab.session.state import State
+from armlab.session.state import Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import number
 from armlab.ui.markup import button, copy_button
-from armlab.ui.plugin import Post
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 Matrix = NDArray[np.floating]
 

@@ -19,12 +19,12 @@ from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLe
 from armlab.session.parts.target import Target, verdict
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Command
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped
 from armlab.ui.markup import button
 from armlab.ui.plugin import hidden_tabs
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
-from armlab.ui.widgets import Fields
 
 log = logging.getLogger(__name__)
 

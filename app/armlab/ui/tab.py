@@ -10,12 +10,13 @@ from armlab.errors import PluginError
 from armlab.page import Page
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped
 from armlab.ui.markup import button
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.plugin import panel as panel_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
 
@@ -48,6 +49,7 @@ class Tab:
     ) -> None:
         self.pages, self.page = {page.key: page for page in pages}, pages[0].key
         self._container, self._gui, self._post = container, make_gui(), post
+        self._gui.again = self._show_again
         self._head: Fields | None = None
         self._show: Show | None = None
         self._shown: State | None = None
@@ -136,6 +138,10 @@ class Tab:
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)
+
+    def _show_again(self) -> None:
+        if self._shown is not None:
+            self.show(self._shown, again=True, hidden=self._hidden)
 
     def _leave_out(self, hidden: frozenset[str]) -> None:
         """Take pages away, or bring them back, and stand on one that is there."""

@@ -12,8 +12,8 @@ import viser
 from armlab.session.parts.timeline import OpenClip, Play, PlayLike, Seek, Step, Timeline, clips, duration
 from armlab.session.state import Command, State
 from armlab.ui import markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped
-from armlab.ui.widgets import Fields
 
 log = logging.getLogger(__name__)
 

@@ -131,7 +131,9 @@ class View:
         dock.set_width(DOCK_WIDTH)
 
     def _gui(self) -> Gui:
-        return Gui(self.client, self.camera, self.open_tab)
+        gui = Gui(self.client, self.camera, self.open_tab)
+        gui.again = self._refresh_now
+        return gui
 
     # -- which panels are open -----------------------------------------------------------------------------------
 

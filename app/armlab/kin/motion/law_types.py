@@ -14,9 +14,9 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin import timing as _folder
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
+from armlab.kin.field import Field, checked_options, positive
 from armlab.kin.motion.along import fastest_along, restless
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
-from armlab.kin.motion.field import Field, checked_options, positive
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path import Path

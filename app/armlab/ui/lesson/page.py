@@ -22,13 +22,12 @@ from armlab.session.lesson_commands import (
 from armlab.session.parts.lesson import LessonPart, check_line, has_its_arm
 from armlab.session.parts.shelf import ToSandbox
 from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.format import escaped
 from armlab.ui.lesson.asking import Draft, asked, said
 from armlab.ui.lesson.load import load_work
 from armlab.ui.lesson.text import step_text, words_of
 from armlab.ui.markup import button, chip, field, options, select
-from armlab.ui.plugin import Post
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.curves.knots import Knot
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.kin.motion.breaks import ORDERS
 from armlab.kin.motion.extremes import exceeding, extremes_of_series
-from armlab.kin.motion.field import Field
 from armlab.kin.motion.law_types import law_type
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import PathType, path_type, path_types

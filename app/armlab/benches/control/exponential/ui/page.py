@@ -20,16 +20,17 @@ from armlab.benches.control.exponential.ui.plane import EIGEN, plane
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.session.amounts import amount
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.colours import BLUE, GREY, css
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised, dot, escaped, mathml, number, readable, scientific
 from armlab.ui.matrices import copy_buttons
 from armlab.ui.plot import Curve, Plot
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import tried
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 Array = NDArray[np.float64]
 

@@ -11,10 +11,10 @@ from armlab.benches.control.follow.ui.form import sigma_unit
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import RUN_COLOURS, css
+from armlab.ui.fields import Fields
 from armlab.ui.format import dot, escaped, number, scientific
 from armlab.ui.markup import button
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 SMALL = 5e-3
 """In the unit on screen; what is smaller than that and not nothing has a power of ten."""

@@ -15,14 +15,14 @@ from armlab.kin.arm import Arm
 from armlab.kin.control.control_law import control_laws
 from armlab.kin.control.rate_inverse import rate_inverses
 from armlab.kin.control.scaled_task import ScaledTask
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui.fields import Fields
 from armlab.ui.format import mathml, trimmed
 from armlab.ui.markup import button, options, select
 from armlab.ui.option_form import PLAIN, Scale, option_markup, option_value
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 PERCENT = (Scale("%", 0.01),)
 

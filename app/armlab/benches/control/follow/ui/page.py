@@ -41,14 +41,15 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, number, trimmed
 from armlab.ui.markup import button, chips
-from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

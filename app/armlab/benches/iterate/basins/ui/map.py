@@ -17,11 +17,11 @@ from armlab.kin.ik.iterate.basins import FAILED
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css
+from armlab.ui.fields import Fields
 from armlab.ui.file_names import file_name
 from armlab.ui.format import capitalised, dot, escaped, number, trimmed
 from armlab.ui.png import as_address
 from armlab.ui.units import Units
-from armlab.ui.widgets import Fields
 
 TICKS = 4
 """Parts of an axis."""

@@ -37,13 +37,14 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised, escaped, trimmed
 from armlab.ui.markup import button, chip, chips, options, row, select
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import plain_number
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 LIMITS = {"none": "Not kept", "clamp": "Kept"}
 WHAT_TO_DO = "Choose a task vector with a joint in it, or lock joints on the page Joints."

@@ -10,13 +10,14 @@ from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, number, scientific
 from armlab.ui.markup import button, options, select
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import tried
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 FORMULA = "<i>x</i><sub>n+1</sub> = <i>x</i><sub>n</sub> − f(<i>x</i><sub>n</sub>) / f′(<i>x</i><sub>n</sub>)"
 

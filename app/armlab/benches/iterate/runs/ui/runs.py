@@ -17,11 +17,11 @@ from armlab.benches.iterate.runs.worked import MOST_RUNS, Run, methods
 from armlab.kin.ik.iterate import Parameter
 from armlab.session.state import Command, State
 from armlab.ui.colours import RUN_COLOURS, css
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised, dot, escaped, trimmed
 from armlab.ui.markup import button, options, select
 from armlab.ui.tried import plain_number
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields
 
 
 def runs_markup(fields: Fields, state: State) -> str:

@@ -7,11 +7,11 @@ from armlab.benches.iterate.runs.films import Film
 from armlab.benches.iterate.runs.state import Iterations
 from armlab.kin.ik.iterate import TaskVector
 from armlab.session.state import State
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised, number, scientific
 from armlab.ui.markup import button
 from armlab.ui.small_numbers import HUGE, NO_BREAK, small
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 ROWS = 7
 """Shown at once, the present one in the middle where it can be."""

@@ -7,13 +7,13 @@ from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.factors import turns
 from armlab.ui.format import mathml, matrix, number, pairs, subscript
 from armlab.ui.markup import button, chip, row
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui
 

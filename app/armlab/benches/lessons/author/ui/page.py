@@ -13,10 +13,10 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.session import Refuse
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui import markup
 from armlab.ui.picks import broken_files
-from armlab.ui.plugin import Panel, Post, Show, layers
+from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.widgets import Gui
 
 HOW = """<p>Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step

@@ -12,12 +12,12 @@ from armlab.session.hand_in import MOST
 from armlab.session.hand_in_open import OpenWork
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui import markup
 from armlab.ui.format import escaped
 from armlab.ui.lesson.load import load_work
 from armlab.ui.picks import broken_files, pick
-from armlab.ui.plugin import Panel, Post, Show, hidden_panels, pages
+from armlab.ui.plugin import Panel, Show, hidden_panels, pages
 from armlab.ui.widgets import Gui
 
 LESSON, BENCH = "lesson:", "bench:"

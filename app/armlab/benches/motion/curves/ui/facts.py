@@ -11,9 +11,9 @@ from armlab.benches.motion.curves.ui.words import COLOURS, SYMBOLS, figures, uni
 from armlab.kin.motion.breaks import class_text
 from armlab.kin.motion.peaks import Violation
 from armlab.ui.colours import css
+from armlab.ui.fields import Fields
 from armlab.ui.format import dot, number, subscript
 from armlab.ui.markup import button
-from armlab.ui.widgets import Fields
 
 MOST_SPANS = 3
 """Stretches of time of one violation that are told."""

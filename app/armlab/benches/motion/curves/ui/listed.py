@@ -7,14 +7,14 @@ from armlab.benches.motion.curves.made import Drawn, Made, form, kinds, why_not
 from armlab.benches.motion.curves.state import MOST_CURVES, UNITS, Curves
 from armlab.benches.motion.curves.ui.words import COLOURS, figures, typed_number, unit
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field, seen_fields
+from armlab.kin.field import Field, seen_fields
 from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen, Value
 from armlab.ui.colours import css
+from armlab.ui.fields import Fields
 from armlab.ui.format import MINUS, capitalised, dot, escaped, lowered
 from armlab.ui.markup import button, chips, options, select
 from armlab.ui.option_form import Scale, option_markup, unit_text
-from armlab.ui.widgets import Fields
 
 
 def knots_markup(fields: Fields, part: Curves, as_text: bool) -> str:

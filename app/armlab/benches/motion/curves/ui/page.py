@@ -29,12 +29,13 @@ from armlab.benches.motion.curves.ui.solved import rules_markup, solved_markup
 from armlab.benches.motion.curves.ui.words import read, read_rows
 from armlab.errors import InputError
 from armlab.kin.motion.law_types import free_law_types
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.option_form import Scale, option_value
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import tried
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

@@ -24,10 +24,10 @@ from armlab.benches.motion.curves.state import DEGREES, Curves
 from armlab.benches.motion.curves.ui.words import COLOURS, figures, polynomial, power, unit
 from armlab.kin.paths.polynomial import Rules
 from armlab.ui.colours import css
+from armlab.ui.fields import Fields
 from armlab.ui.format import dot, escaped, matrix, number, subscript
 from armlab.ui.markup import chips
 from armlab.ui.matrices import copy_buttons
-from armlab.ui.widgets import Fields
 
 Floats = NDArray[np.float64]
 

@@ -11,10 +11,10 @@ from armlab.benches.motion.plan.question import Planned
 from armlab.benches.motion.plan.state import Plan, planned
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, readable
 from armlab.ui.markup import chip
 from armlab.ui.recording import LONGEST
-from armlab.ui.widgets import Fields
 
 HINTS = {
     "csv": "Time, joint values, velocities and accelerations in s, rad and m; one row a sample",

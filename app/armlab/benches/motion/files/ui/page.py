@@ -19,13 +19,14 @@ from armlab.benches.motion.plan.ui.around import way_around, while_on
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui import recording
+from armlab.ui.fields import Fields
 from armlab.ui.file_names import file_name
 from armlab.ui.format import number
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import plain_number
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
 

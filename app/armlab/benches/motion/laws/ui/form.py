@@ -9,10 +9,10 @@ from armlab.benches.motion.laws.words import corrections, excess_text, phases_te
 from armlab.kin.motion import free_law_types
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, Rgb, css
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import dot, escaped
 from armlab.ui.markup import button, chip, chips, options, select
 from armlab.ui.option_form import option_markup
-from armlab.ui.widgets import Fields
 
 LAW_COLOURS: tuple[Rgb, ...] = (BLUE, ORANGE, GREEN)
 STRETCHED: Rgb = PURPLE

@@ -33,16 +33,17 @@ from armlab.benches.motion.laws.ui.plots import Plots, race_markup
 from armlab.benches.motion.laws.ui.tables import bounds_markup, stretch_markup, values_markup
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.kin.motion import free_law_types
-from armlab.kin.motion.field import Field
 from armlab.session.amounts import amount
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.markup import button
 from armlab.ui.option_form import option_value
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import tried
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 SLOWEST, FASTEST, STEP = 5.0, 0.1, 0.005
 """Ends and step of the slider of k."""

@@ -22,11 +22,11 @@ from armlab.benches.motion.laws.words import (
 from armlab.kin.motion import Law
 from armlab.kin.motion.breaks import ORDERS
 from armlab.session.amounts import amount
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped
 from armlab.ui.markup import chip, options, select
 from armlab.ui.option_form import PLAIN, option_markup
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields
 
 Value = Callable[[Law], str]
 

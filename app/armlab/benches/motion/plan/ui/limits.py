@@ -9,11 +9,11 @@ from armlab.benches.motion.plan.words import rounded_up
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import readable
 from armlab.ui.markup import chips
 from armlab.ui.tried import plain_number
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields
 
 
 def time_markup(fields: Fields, state: State) -> str:

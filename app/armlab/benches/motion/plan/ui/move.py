@@ -5,14 +5,14 @@ from __future__ import annotations
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.moves import TURNINGS, Move, Stretch
 from armlab.benches.motion.plan.state import Plan, planned
+from armlab.kin.field import Field
 from armlab.kin.motion import law_types, path_types
-from armlab.kin.motion.field import Field
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
+from armlab.ui.fields import Fields
 from armlab.ui.markup import chip, chips, options, select
 from armlab.ui.option_form import Scale, option_markup, option_value
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields
 
 
 def move_markup(fields: Fields, state: State) -> str:

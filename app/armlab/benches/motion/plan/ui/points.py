@@ -20,11 +20,11 @@ from armlab.benches.motion.plan.state import Plan
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import HandleBy, Target
 from armlab.session.state import Command, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped
 from armlab.ui.markup import button, chip
 from armlab.ui.pose_fields import pose_fields, typed_component
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 MADE = 12
 """Waypoints that are made of a motion from a file here; the page Files has the choice."""

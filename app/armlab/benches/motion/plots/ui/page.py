@@ -18,9 +18,9 @@ from armlab.benches.motion.plots.ui.lines import DOTS, Slot, from_zero, lines_of
 from armlab.benches.motion.plots.ui.words import OTHERS, comparison, legend, peaks_table, status
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui import markup
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 

@@ -11,11 +11,11 @@ from armlab.kin.motion import free_law_types
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, trimmed
 from armlab.ui.markup import button, chip, chips, options, select
 from armlab.ui.option_form import Scale, option_markup
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 VIEWS = {"curve": "Curve", "turn": "Orientation"}
 

@@ -12,9 +12,9 @@ from armlab.kin.paths.clothoid import Clothoid
 from armlab.kin.paths.helix import Helix
 from armlab.kin.paths.overfly import Overfly
 from armlab.session.state import State
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, mathml, number, pairs
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 KAPPA = r"\kappa=\frac{|p′\times p″|}{|p′|^3}"
 TAU = r"\tau=\frac{p′\cdot(p″\times p‴)}{|p′\times p″|^2}"

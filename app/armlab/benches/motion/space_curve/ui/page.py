@@ -38,12 +38,13 @@ from armlab.kin.motion import free_law_types
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.option_form import option_value
-from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.tried import plain_number, tried
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

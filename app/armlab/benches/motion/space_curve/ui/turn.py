@@ -11,10 +11,10 @@ from armlab.benches.motion.space_curve.ui.words import corrected
 from armlab.kin.euler import NAMES, SEQUENCES, angle_symbols
 from armlab.session.state import State
 from armlab.ui.colours import AXES, css
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised, dot, escaped, mathml, number, pairs
 from armlab.ui.markup import button, chip, chips, options, select
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 LETTERS = {r"\varphi": "φ", r"\theta": "θ", r"\psi": "ψ"}
 

@@ -14,13 +14,14 @@ from armlab.benches.motion.steps.worked import Steps, kept, steps
 from armlab.errors import InputError
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.colours import css
+from armlab.ui.fields import Fields
 from armlab.ui.markup import chip, chips, options, row, select
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import plain_number, tried
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 MOST_CHIPS = 6
 """Stretches that are chosen by chips; more of them by a list."""

@@ -14,11 +14,11 @@ from armlab.benches.pose.tool.ui.words import vector
 from armlab.kin.euler import NAMES, SEQUENCES, EulerSolutions, angle_symbols, euler_angles, product_latex
 from armlab.kin.rotations import axis_angle, quaternion_from_rotation, rotation_from_sequence
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.factors import turns
 from armlab.ui.format import MINUS, mathml, pairs
 from armlab.ui.matrices import MatrixView
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 

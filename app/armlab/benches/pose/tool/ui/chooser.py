@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from armlab.benches.pose.tool.state import TOOL, WORLD, Invert, LookAt, PoseView
 from armlab.benches.pose.tool.ui.notation import in_words, short_symbol
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.markup import button, row
-from armlab.ui.plugin import Post
 from armlab.ui.widgets import Gui
 
 INVERSE = "inverse"

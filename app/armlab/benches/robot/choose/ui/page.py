@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from armlab.content.robots import FAMILIES, Robot, catalogue
 from armlab.session.parts.robot import ChooseRobot, RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.format import escaped, pairs
 from armlab.ui.picks import broken_files, pick
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import dh_table
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui

@@ -23,13 +23,14 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.colours import css
+from armlab.ui.fields import Fields
 from armlab.ui.format import mathml, matrix, number
 from armlab.ui.matrices import copy_buttons
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import NAMES, Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 DONE = 1e-9
 """Part of a move that is as good as the whole."""

@@ -20,11 +20,11 @@ from armlab.benches.robot.normal.ui.scene import COLOURS
 from armlab.kin.lines import CommonNormal
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.colours import css
 from armlab.ui.format import dot, mathml, number, pairs, subscript
 from armlab.ui.markup import chips
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui

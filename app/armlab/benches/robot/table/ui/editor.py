@@ -8,10 +8,10 @@ from armlab.session.edits import AddJoint, RemoveJoint, ReorderJoint, SetCell, S
 from armlab.session.state import Command
 from armlab.ui import markup
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.fields import Fields
 from armlab.ui.format import MINUS, dot
 from armlab.ui.tables import cell_text, is_variable, without_symbol
 from armlab.ui.units import NAMES, Units
-from armlab.ui.widgets import Fields
 
 _PAGE = "dh"
 """Before the names of all cells, since a page has fields of other panels, too."""

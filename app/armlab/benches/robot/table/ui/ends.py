@@ -13,11 +13,11 @@ from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.session.edits import SetEnd
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import MINUS, mathml, pairs
 from armlab.ui.markup import row
 from armlab.ui.tables import cell_text
 from armlab.ui.units import Units
-from armlab.ui.widgets import Fields
 
 ANGLES = ("yaw", "pitch", "roll")
 ENDS = {"base": "frame 0 in the world", "tool": "frame n to the tool {E}"}

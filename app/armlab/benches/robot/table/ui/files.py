@@ -7,11 +7,12 @@ from armlab.content.write_robot import robot_toml
 from armlab.content.write_table import write_table
 from armlab.session.edits import PasteTable
 from armlab.session.state import Command
+from armlab.ui.fields import Fields
 from armlab.ui.file_names import file_name
 from armlab.ui.format import escaped
 from armlab.ui.markup import chip, copy_button, row
 from armlab.ui.units import Units
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 FORMATS = {"csv": "CSV", "markdown": "Markdown", "latex": "LaTeX"}
 EXAMPLE = "a, alpha, d, theta\n0.3, 90, 0.2, q1\n0.25, 0, 0, q2 + 30"

@@ -17,13 +17,14 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.factors import product_latex
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, mathml
 from armlab.ui.markup import button, chips
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui, Html
+from armlab.ui.widgets import Gui, Html
 
 CONVENTIONS = {"standard": "Standard (Siciliano, notes)", "modified": "Modified (Craig)"}
 HINT = "Write the same arm in the other convention"

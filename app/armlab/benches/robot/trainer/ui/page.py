@@ -12,10 +12,10 @@ from armlab.errors import ArmlabError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.format import escaped
 from armlab.ui.markup import button, chip
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 

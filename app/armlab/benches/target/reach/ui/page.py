@@ -15,13 +15,14 @@ from armlab.session.parts.target import (
     verdict,
 )
 from armlab.session.session import Refuse
-from armlab.session.state import State
+from armlab.session.state import Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.pose_fields import pose_fields, product, typed_component
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import verdict_card
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

@@ -29,12 +29,13 @@ from armlab.benches.target.solutions.ui.table import GO, SEE, Table
 from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped
 from armlab.ui.markup import chip, options, row, select
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Control, Fields, Gui, Html
+from armlab.ui.widgets import Control, Gui, Html
 
 log = logging.getLogger(__name__)
 

@@ -33,14 +33,15 @@ from armlab.benches.velocity.microscope.ui.words import (
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, readable
 from armlab.ui.markup import chip
-from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 AIMS = {
     "aim lost": ("lost direction", "The direction in which the tool is slowest; drawn dashed"),

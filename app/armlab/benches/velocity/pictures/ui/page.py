@@ -12,13 +12,14 @@ from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, ma
 from armlab.benches.velocity.solve.ui.torus import pressed, torus_markup, torus_style
 from armlab.benches.velocity.solve.ui.words import card, small
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import escaped, mathml
 from armlab.ui.markup import options, row, select
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 class PicturesPage:

@@ -26,15 +26,16 @@ from armlab.benches.velocity.solve.ui.words import (
 )
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import mathml, matrix, readable
 from armlab.ui.markup import button, chips, row
 from armlab.ui.matrices import WIDE, copy_buttons
-from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 STEPS = 200
 """Of the slider along a self-motion."""

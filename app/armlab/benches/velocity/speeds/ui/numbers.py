@@ -20,10 +20,10 @@ from armlab.kin.velocity.jacobians import ToolMotion
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.fields import Fields
 from armlab.ui.format import dot, mathml, number, subscript, trimmed
 from armlab.ui.markup import options, select
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 Floats = NDArray[np.float64]
 

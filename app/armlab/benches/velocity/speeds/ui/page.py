@@ -34,16 +34,17 @@ from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.selection import Selection
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import mathml, number
 from armlab.ui.markup import button, chip, chips
 from armlab.ui.matrices import MatrixView
-from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.scene.swept import SWITCH as SWEPT
 from armlab.ui.tried import tried
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 MARGIN = 1.2
 """Of an arrow with its label, in lengths of the arrow."""

@@ -25,13 +25,14 @@ from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.format import mathml, readable
 from armlab.ui.markup import button, chips, row
-from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.tried import tried
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 AXES_TITLES: dict[str, str] = dict(zip(AXES, ("World", "Tool"), strict=True))
 SHOWN = 0.36

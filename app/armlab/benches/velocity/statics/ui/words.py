@@ -18,11 +18,11 @@ from armlab.kin.statics import Duality
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.fields import Fields
 from armlab.ui.format import dot, mathml, number, pairs, scientific, subscript, trimmed
 from armlab.ui.markup import button
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields
 
 Array = NDArray[np.float64]
 

@@ -19,11 +19,11 @@ from armlab.kin.euler import NAMES, PROPER, SEQUENCES, SINGULAR_SINE, angle_symb
 from armlab.kin.velocity.rates import columns_latex, singular_angles, singular_sentence
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised, dot, escaped, mathml, matrix, number, pairs, scientific
 from armlab.ui.markup import chip, chips, options, row, select
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields
 
 Floats = NDArray[np.float64]
 

@@ -27,16 +27,17 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Selection
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.colours import BLUE
+from armlab.ui.fields import Fields
 from armlab.ui.format import mathml, number
 from armlab.ui.markup import button
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plot import Curve, Plot
-from armlab.ui.plugin import Panel, Points, Post, Show
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 ROWS = tuple(f"ω<sub>{axis}</sub>" for axis in "xyz")
 

@@ -8,11 +8,11 @@ from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.notation import Label, Notation
 from armlab.session.session import StartFresh
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.camera import PRESETS
 from armlab.ui.format import escaped
 from armlab.ui.markup import button
-from armlab.ui.plugin import Panel, Post, Show, switches
+from armlab.ui.plugin import Panel, Show, switches
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.units import BOOKS
 from armlab.ui.widgets import Gui

@@ -13,11 +13,11 @@ from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLe
 from armlab.session.parts.target import Target
 from armlab.session.session import Refuse
 from armlab.session.share import short
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.file_names import file_name
 from armlab.ui.format import escaped
 from armlab.ui.markup import chip
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.qr import qr_svg
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui

@@ -31,15 +31,16 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples_markup
+from armlab.ui.fields import Fields
 from armlab.ui.file_names import file_name
 from armlab.ui.format import capitalised, readable
 from armlab.ui.markup import button, chip, chips, options, row, select
-from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show
+from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 SAVES: dict[str, Callable[[Sampled], str | bytes]] = {"ply": as_ply, "csv": as_csv}
 

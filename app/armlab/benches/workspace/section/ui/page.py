@@ -25,13 +25,14 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised
 from armlab.ui.markup import chip, chips, options, row, select
-from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show
+from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 IMAGE = "sc-image"
 SLICE_HINT = "What is drawn in the scene; drag its handle"

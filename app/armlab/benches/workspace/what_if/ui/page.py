@@ -19,13 +19,14 @@ from armlab.benches.workspace.what_if.ui.words import (
 )
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 from armlab.ui.format import capitalised, escaped
 from armlab.ui.markup import button, chip, chips, row
-from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show
+from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.tried import tried
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
