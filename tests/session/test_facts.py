@@ -37,7 +37,7 @@ ARMS = ("planar_2r", "puma560", "scara")
 CHANGES = {
     "control.exponential": [("move_time", {"t": 1.5}), ("sum_terms", {"terms": 7})],
     "control.follow": [("set_value", {"key": "duration", "value": 2.0})],
-    "control.loop": [("set_loop", {"name": "gain", "value": 25})],
+    "control.loop": [("set", {"gain": 25})],
     "iterate.newton_1d": [("type_equation", {"text": "x^2 - 3"})],
     "iterate.runs": [("steps_at_most", {"most": 3})],
     "motion.curves": [("set_knot", {"k": 1, "cell": "q", "value": 3})],

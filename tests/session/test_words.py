@@ -8,6 +8,7 @@ import pkgutil
 import numpy as np
 import pytest
 
+from armlab.benches.control.loop.state import Loop
 from armlab.content.bench_words import BenchWord
 from armlab.content.lesson_lines import LessonError
 from armlab.content.robots import catalogue
@@ -70,7 +71,7 @@ def test_every_command_is_done_or_refused_with_a_sentence(page):
                 choices = [(one.name, values_of(one.kind.says)) for one in known.arguments]
                 given = {name: values[(k + i) % len(values)] for i, (name, values) in enumerate(choices)}
                 command = command_of(written(known.name, **given))
-                assert isinstance(command, known.command)
+                assert isinstance(command, Command)
                 assert len(told(begun, command)) > 5, known.name
 
 
@@ -115,6 +116,19 @@ def test_a_word_says_what_it_does_and_takes():
         ("axis", "a whole number"),
         ("value", "a number"),
     ]
+
+
+def test_the_fields_that_a_part_declares_are_set_by_one_word():
+    known = word("control.loop.set")
+    assert [one.name for one in known.arguments] == ["mass", "gain", "amplitude", "omega", "v0", "end", "kind"]
+    begun = State.initial(catalogue()["planar_2r"])
+    state = apply(begun, command_of(written("control.loop.set", gain=25, kind="step")))
+    assert (state[Loop].gain, state[Loop].kind, state[Loop].mass, state[Loop].example) == (25.0, "step", 1.0, "")
+    assert apply(begun, command_of(written("control.loop.set", gain=10))) is begun
+    with pytest.raises(LessonError, match=r"control\.loop\.set: expected some of mass, gain"):
+        command_of(written("control.loop.set"))
+    with pytest.raises(ArmlabError, match="expected"):
+        apply(begun, command_of(written("control.loop.set", gain=-1)))
 
 
 def test_degrees_and_millimetres_are_written_behind_the_name():

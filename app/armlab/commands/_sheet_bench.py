@@ -15,7 +15,6 @@ from armlab.errors import UnknownName
 from armlab.page import Page
 from armlab.plugins import constant_of
 from armlab.session.facts import fact_of
-from armlab.session.state import Command
 from armlab.session.words import pages_with_words, word
 
 
@@ -26,8 +25,7 @@ def bench_words(action: BenchWord) -> str:
     except UnknownName:
         return action.word
     page = constant_of(pages_with_words()[action.word.rpartition(".")[0]], "PAGE", Page)
-    unnamed = known.command.label == Command.label
-    label = re.split("[:.;,]", known.says)[0].lower() if unnamed else known.command.label
+    label = known.label or re.split("[:.;,]", known.says)[0].lower()
     return f"on the page {page.page or page.title}: {label}{_given(action.given)}"
 
 

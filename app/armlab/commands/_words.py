@@ -54,7 +54,8 @@ def _command(word: Word) -> str:
 
 def _argument(argument: Argument) -> str:
     optional = "" if argument.needed else " (may be left out)"
-    return f"`{argument.name}` {_cell(argument.kind.says)}{optional}"
+    about = f": {_cell(argument.about)}" if argument.about else ""
+    return f"`{argument.name}` {_cell(argument.kind.says)}{about}{optional}"
 
 
 def _cell(text: str) -> str:

@@ -56,11 +56,14 @@ class Argument:
     kind : Kind
     needed : bool
         Whether it has to be there.
+    about : str
+        What it is, and its unit, where that is declared.
     """
 
     name: str
     kind: Kind
     needed: bool
+    about: str = ""
 
 
 def arguments_of(command: type) -> tuple[Argument, ...] | None:
@@ -142,7 +145,7 @@ def kind_of(hint: Any) -> Kind | None:
         return _PLAIN[hint]
     origin, inside = get_origin(hint), get_args(hint)
     if origin is Literal:
-        return _one_of(inside)
+        return one_of(inside)
     if origin in (Union, types.UnionType):
         return _optional(inside)
     if origin is tuple:
@@ -216,7 +219,8 @@ _PLAIN: dict[Any, Kind] = {
 }
 
 
-def _one_of(words: tuple[Any, ...]) -> Kind:
+def one_of(words: tuple[Any, ...]) -> Kind:
+    """Return how one of some words or numbers is written."""
     there = " or ".join(map(str, words))
 
     def read(value: Any) -> Any:

@@ -24,7 +24,7 @@ from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Part, State, part_types
 from armlab.session.taught import taught
-from armlab.session.words import command_of
+from armlab.session.words import command_of, lies_in
 
 THE_LESSON = -1
 """Stands for the lesson itself where its steps are counted from 0."""
@@ -123,9 +123,7 @@ def _parts_of(lesson: Lesson) -> Iterator[type[Part]]:
     yield from (part for found in benches_of(facts) for part in found.parts)
     begun = (*lesson.begin, *(action for step in lesson.steps for action in step.begin))
     pages = {action.word.rpartition(".")[0] for action in begun if isinstance(action, BenchWord)}
-    for kind in part_types():
-        if any(f".benches.{page}." in f"{kind.__module__}." for page in pages):
-            yield kind
+    yield from (kind for kind in part_types() if any(lies_in(kind, page) for page in pages))
 
 
 def _target(lesson: Lesson, joints: Joints, target: Target) -> Target:

@@ -1,7 +1,8 @@
 """The commands of all benches by their words, such as ``velocity.statics.set_component``, found by folder.
 
 A word is there for every public command of a page whose arguments can be written in a file. What only makes sense as an
-event of a drag, and so has to say of which (an argument ``drag``), has none.
+event of a drag, and so has to say of which (an argument ``drag``), has none. The fields that a part declares are set
+by the word ``set`` of its page, such as ``control.loop.set``.
 """
 
 from __future__ import annotations
@@ -11,15 +12,17 @@ import importlib
 import inspect
 import pkgutil
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 from armlab.content.bench_words import BenchWord
 from armlab.errors import InputError, PluginError, UnknownName
 from armlab.plugins import BENCHES, bench_pages
 from armlab.session.arguments import Argument, WrongArgument, arguments_of, read_arguments
-from armlab.session.state import Command
+from armlab.session.field_words import SetFields, field_arguments
+from armlab.session.fields import FieldPart
+from armlab.session.state import Command, part_types
 
 OF_A_DRAG = "drag"
 """The argument by which a command tells the drag it is an event of."""
@@ -33,19 +36,25 @@ class Word:
     ----------
     name : str
         Such as ``velocity.statics.set_component``.
-    command : type
+    says, label : str
+        What it does, in a sentence; and what it is called in a word or two, empty where it has no name.
     arguments : tuple of Argument
+    make : callable
+        Takes the arguments by their names and returns the command.
     """
 
     name: str
-    command: type[Command]
+    says: str
+    label: str
     arguments: tuple[Argument, ...]
+    make: Callable[..., Command]
 
-    @property
-    def says(self) -> str:
-        """What it does: the first sentence of its docstring."""
-        text = inspect.getdoc(self.command) or ""
-        return " ".join(text.partition("\n\n")[0].split())
+    @classmethod
+    def of(cls, name: str, command: type[Command], arguments: tuple[Argument, ...]) -> Word:
+        """Return the word of a command; it says the first sentence of its docstring."""
+        text = (inspect.getdoc(command) or "").partition("\n\n")[0]
+        label = command.label if isinstance(command.label, str) and command.label != Command.label else ""
+        return cls(name, " ".join(text.split()), label, arguments, command)
 
 
 @cache
@@ -64,14 +73,32 @@ def words_of(page: str) -> dict[str, Word]:
         A module cannot be imported, or two commands of a page have one name.
     """
     found: dict[str, Word] = {}
-    for command in _commands(pages_with_words()[page]):
-        name, arguments = f"{page}.{snake_case(command.__name__)}", arguments_of(command)
-        if arguments is None or any(argument.name == OF_A_DRAG for argument in arguments):
-            continue
-        if name in found:
-            raise PluginError(f"{command.__module__}: the word {name!r} is already that of {found[name].command}")
-        found[name] = Word(name, command, arguments)
+    for each in (*_of_commands(page), *_of_fields(page)):
+        if each.name in found:
+            raise PluginError(f"{pages_with_words()[page]}: two commands have the word {each.name!r}; rename one")
+        found[each.name] = each
     return found
+
+
+def _of_commands(page: str) -> Iterator[Word]:
+    for command in _commands(pages_with_words()[page]):
+        arguments = arguments_of(command)
+        if arguments is not None and not any(argument.name == OF_A_DRAG for argument in arguments):
+            yield Word.of(f"{page}.{snake_case(command.__name__)}", command, arguments)
+
+
+def _of_fields(page: str) -> Iterator[Word]:
+    """Yield a word for the fields of the part of a page, or one for each part of several."""
+    parts = [part for part in part_types() if lies_in(part, page) and issubclass(part, FieldPart)]
+    for part in parts:
+        name = f"{page}.set" if len(parts) == 1 else f"{page}.set_{part.key}"
+        says = f"Set fields of {part.key}; what is left out stays."
+        yield Word(name, says, part.key, field_arguments(part), partial(SetFields.of, part))
+
+
+def lies_in(kind: type, page: str) -> bool:
+    """Return whether a class is of a module of a page, such as ``velocity.statics``."""
+    return kind.__module__.startswith(f"{BENCHES}.{page}.")
 
 
 def all_words() -> dict[str, Word]:
@@ -108,7 +135,7 @@ def command_of(written: BenchWord) -> Command:
     except UnknownName as error:
         raise written.wrong("command", str(error)) from None
     try:
-        return known.command(**read_arguments(known.arguments, written.given))
+        return known.make(**read_arguments(known.arguments, written.given))
     except WrongArgument as error:
         raise written.wrong(error.key, f"{written.word}: {error.problem}") from None
     except InputError as error:
