@@ -14,6 +14,7 @@ from armlab.content.lesson_lines import LessonError
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, UnknownName
 from armlab.session.arguments import kind_of
+from armlab.session.put_words import begun_as
 from armlab.session.state import Command, State, apply
 from armlab.session.words import all_words, command_of, pages_with_words, snake_case, word, words_of
 
@@ -187,3 +188,19 @@ def test_what_no_file_can_say_has_no_kind():
     assert kind_of(object) is None
     assert kind_of(tuple[object, ...]) is None
     assert kind_of(object | None) is None
+
+
+def test_a_bench_is_put_as_it_was_saved():
+    begun = State.initial(catalogue()["planar_2r"])
+    worked = apply(begun, command_of(written("velocity.statics.set_component", kind="moment", axis=2, value=3)))
+    ((name, given),) = begun_as(worked)
+    assert name == "velocity.statics.put"
+    assert apply(begun, command_of(written(name, **given))).to_json() == worked.to_json()
+    assert list(begun_as(begun)) == []
+
+
+@pytest.mark.parametrize("saved", ["", "{", "3", '{"force": "x"}', "null", "[[]]"])
+def test_what_was_not_saved_by_the_lab_is_refused(saved):
+    for name in ("velocity.statics.put", "control.follow.put", "motion.plan.put"):
+        with pytest.raises(ArmlabError, match="what was saved is not usable with this arm"):
+            apply(State.initial(catalogue()["planar_2r"]), command_of(written(name, saved=saved)))

@@ -209,8 +209,10 @@ def _pose(value: Any) -> Any:
     return np.array([[_number(entry) for entry in row] for row in rows])
 
 
+TEXT = Kind("a text", _text)
+
 _PLAIN: dict[Any, Kind] = {
-    str: Kind("a text", _text),
+    str: TEXT,
     bool: Kind("true or false", _truth),
     int: Kind("a whole number", _whole),
     float: Kind("a number", _number, numbers=True),

@@ -2,7 +2,7 @@
 
 A word is there for every public command of a page whose arguments can be written in a file. What only makes sense as an
 event of a drag, and so has to say of which (an argument ``drag``), has none. The fields that a part declares are set
-by the word ``set`` of its page, such as ``control.loop.set``.
+by the word ``set`` of its page, such as ``control.loop.set``; ``put`` takes a bench as the lab has saved it.
 """
 
 from __future__ import annotations
@@ -19,9 +19,10 @@ from functools import cache, partial
 from armlab.content.bench_words import BenchWord
 from armlab.errors import InputError, PluginError, UnknownName
 from armlab.plugins import BENCHES, bench_pages
-from armlab.session.arguments import Argument, WrongArgument, arguments_of, read_arguments
+from armlab.session.arguments import TEXT, Argument, WrongArgument, arguments_of, read_arguments
 from armlab.session.field_words import SetFields, field_arguments
 from armlab.session.fields import FieldPart
+from armlab.session.put_words import PutPart, put_words
 from armlab.session.state import Command, part_types
 
 OF_A_DRAG = "drag"
@@ -73,7 +74,7 @@ def words_of(page: str) -> dict[str, Word]:
         A module cannot be imported, or two commands of a page have one name.
     """
     found: dict[str, Word] = {}
-    for each in (*_of_commands(page), *_of_fields(page)):
+    for each in (*_of_commands(page), *_of_fields(page), *_of_parts(page)):
         if each.name in found:
             raise PluginError(f"{pages_with_words()[page]}: two commands have the word {each.name!r}; rename one")
         found[each.name] = each
@@ -94,6 +95,13 @@ def _of_fields(page: str) -> Iterator[Word]:
         name = f"{page}.set" if len(parts) == 1 else f"{page}.set_{part.key}"
         says = f"Set fields of {part.key}; what is left out stays."
         yield Word(name, says, part.key, field_arguments(part), partial(SetFields.of, part))
+
+
+def _of_parts(page: str) -> Iterator[Word]:
+    """Yield a word for each part of a page that puts it as it was saved."""
+    for name, part in put_words(page).items():
+        saved = Argument("saved", TEXT, True, "what the lab has saved of it, in JSON")
+        yield Word(name, f"Put {part.key} as it was saved.", PutPart.label, (saved,), partial(PutPart, part))
 
 
 def lies_in(kind: type, page: str) -> bool:
