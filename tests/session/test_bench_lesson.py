@@ -82,6 +82,7 @@ def test_a_lesson_begins_with_its_commands_in_order_and_with_the_values_of_the_v
     for variant in range(3):
         given = lesson("benches", variant).values["most"]
         assert opened(variant)[Statics].force == (0.0, 4.0 * given, 0.0)
+        np.testing.assert_allclose(opened(variant)[Joints].q, np.radians([30, 60]), rtol=0, atol=1e-12)
 
 
 def test_a_step_begins_with_its_commands_although_the_joints_are_locked(benches):

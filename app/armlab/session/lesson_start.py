@@ -120,7 +120,8 @@ def _fresh(state: State, lesson: Lesson) -> State:
 def _parts_of(lesson: Lesson) -> Iterator[type[Part]]:
     yield from (each.part for each in taught() if any(map(each.checked, lesson.steps)))
     facts = [word for step in lesson.steps if step.check is not None for word in step.check.facts]
-    yield from (part for found in benches_of(facts) for part in found.parts)
+    # The joints, which facts may follow from, too, stand where the lesson has put them.
+    yield from (part for found in benches_of(facts) for part in found.parts if part is not Joints)
     begun = (*lesson.begin, *(action for step in lesson.steps for action in step.begin))
     pages = {action.word.rpartition(".")[0] for action in begun if isinstance(action, BenchWord)}
     yield from (kind for kind in part_types() if any(lies_in(kind, page) for page in pages))
