@@ -39,8 +39,6 @@ def test_a_fact_that_nobody_publishes_is_a_dash(own):
 
 def test_a_prediction_hides_facts(own):
     asked = 'kind = "number"\ntext = "x?"\nanswer = 1\ntolerance = 0.1\nhide = ["values"]'
-        '```question\nkind = "number"\ntext = "x?"\nanswer = 1\ntolerance = 0.1\nhide = ["values"]\n```\n\n```check'
-    )
     own(benches=BENCHES.replace("```check", f"```question\n{asked}\n```\n\n```check", 1))
     state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("benches", variant=0))
     assert shown(state) == {"velocity.statics.torques": "?"}
