@@ -35,6 +35,9 @@ def benches(own):
     return own
 
 
+SPEED = 'command = "velocity.speeds.set_speed"'
+
+
 def done(state, *commands):
     for command in commands:
         state = apply(state, command)
@@ -95,6 +98,20 @@ def test_a_step_begins_with_its_commands_although_the_joints_are_locked(benches)
 def test_who_goes_back_finds_the_benches_as_the_earlier_step_begins(benches):
     state = done(opened(), force(7.0), GoToStep(1), GoToStep(0))
     assert state[Statics].force == opened()[Statics].force
+
+
+def test_who_goes_forward_keeps_what_was_done_on_other_benches(benches):
+    assert done(opened(), force(7.0), GoToStep(1))[Statics].force == (0.0, 7.0, 0.0)
+
+
+def test_what_a_start_passes_through_is_not_the_students_work(benches):
+    through = '[[do]]\ncommand = "velocity.speeds.set_speed"\njoint = {}\nvalue_deg = {}\n\n'
+    passing = through.format(1, 30) + through.format(0, 60)
+    benches(benches=BENCHES.replace('[[do]]\ncommand = "velocity.speeds.set_speed"', f"{passing}[[do]]\n" + SPEED, 1))
+    state = done(opened(), GoToStep(1))
+    assert state[Velocity].qdot[0] == 0.0
+    assert not state[LessonPart].progress.met
+    assert not state[LessonPart].progress.tried
 
 
 def test_who_goes_forward_over_a_step_finds_what_it_begins_with(benches):
