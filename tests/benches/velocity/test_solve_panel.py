@@ -33,6 +33,7 @@ from armlab.session.state import State, apply
 from armlab.ui.colours import BLUE, GREEN
 from armlab.ui.format import mathml
 from armlab.ui.units import Units, units_of
+from support.forms import asked
 from support.student import arm_nodes, run, settled, student
 
 UNITS = Units(Notation())
@@ -182,42 +183,59 @@ def test_every_arm_has_its_page_also_where_it_is_singular(key):
 # -- typed and pressed -----------------------------------------------------------------------------------------------
 
 
+def typed(state, cell, text):
+    return asked(lambda form: solve.head_markup(form, state, found(state), UNITS), cell, text)
+
+
+def picked(state, cell, text):
+    def made(form):
+        return pictures.head_markup(form, state, UNITS) + pictures.maps_markup(form, state, square(state), UNITS)
+
+    return asked(made, cell, text)
+
+
 @pytest.mark.parametrize(
     ("cell", "text", "expected"),
     [
         ("v-0", "250", (SetComponent(0, 0.25),)),
         ("v-1", "0.5 m/s", (SetComponent(1, 0.5),)),
-        ("v-9", "1", ()),
-        ("rows-position", "", (AskFor("position"),)),
         ("example", "seven", (ChooseSolveExample("seven"),)),
         ("example", "", ()),
-        ("nonsense", "1", ()),
     ],
 )
 def test_what_is_typed_becomes_a_command(cell, text, expected):
-    assert solve.commands(example("one"), cell, text, UNITS) == expected
+    assert typed(example("one"), cell, text) == expected
+
+
+def test_position_alone_can_be_asked_for_where_it_is_less_than_the_task():
+    assert typed(State.initial(catalogue()["puma560"]), "rows-position", "") == (AskFor("position"),)
+    assert typed(example("one"), "rows-position", "") == ()
 
 
 def test_what_is_no_number_is_refused():
     with pytest.raises(InputError, match="vx: expected a number"):
-        solve.commands(example("one"), "v-0", "fast", UNITS)
+        typed(example("one"), "v-0", "fast")
 
 
 @pytest.mark.parametrize(
     ("cell", "text", "expected"),
     [
-        ("first", "1", (PicturePair(1, 0),)),
-        ("second", "2", (PicturePair(0, 2),)),
-        ("square", "0.25,0.75", (StandAt(0.25, 0.25),)),
-        ("square", "0.25,0.75,3", (DragTo(0.25, 0.25, 3),)),
-        ("square", "0.25,0.75,nan", (StandAt(0.25, 0.25),)),
-        ("square", "nowhere", ()),
-        ("square", "nan,0", ()),
-        ("first", "x", ()),
+        ("first", "1", PicturePair(1, 0)),
+        ("first", "2", PicturePair(2, 1)),
+        ("second", "0", PicturePair(1, 0)),
+        ("second", "2", PicturePair(0, 2)),
+        ("square", "0.25,0.75", StandAt(0.25, 0.25)),
+        ("square", "0.25,0.75,3", DragTo(0.25, 0.25, 3)),
     ],
 )
 def test_what_is_pressed_in_the_pictures_becomes_a_command(cell, text, expected):
-    assert pictures.commands(example("one"), cell, text) == expected
+    assert picked(State.initial(catalogue()["planar_3r"]), cell, text) == (expected,)
+
+
+def test_a_place_that_is_none_is_refused():
+    for text in ("nowhere", "nan,0", "0.25,0.75,nan"):
+        with pytest.raises(InputError, match="expected a place"):
+            picked(example("one"), "square", text)
 
 
 # -- drawings --------------------------------------------------------------------------------------------------------
@@ -270,8 +288,8 @@ def test_two_lines_meet_are_parallel_or_one():
 
 def test_the_determinant_of_the_pictures_has_its_unit():
     state = example("one")
-    assert f"det J = {math.sin(math.radians(55.0)):.4f} m²" in pictures._norm(state, UNITS)
-    assert "det J: 1 m²" in pictures._norm(state, UNITS)
+    assert f"det J = {math.sin(math.radians(55.0)):.4f} m²" in pictures.norm_markup(state, UNITS)
+    assert "det J: 1 m²" in pictures.norm_markup(state, UNITS)
 
 
 def test_the_mark_in_the_square_is_where_the_arm_stands():
@@ -308,15 +326,15 @@ def test_a_press_on_the_torus_is_where_it_is_drawn():
 
 def test_the_torus_shows_the_singular_set_the_arm_and_its_velocity():
     state = example("one")
-    markup = torus_markup("x", square(state))
+    markup = torus_markup("", square(state))
     assert markup.count('class="singular') == 2
     style = torus_style(state, flat(state))
     (x, _), _ = projected(np.radians([40.0, 55.0]))
     assert f"--x:{100.0 * x / WIDE:.2f}%" in style
     assert "--way:block" in style
-    (command,) = pictures.commands(state, "torus", f"{x / WIDE},0.9")
+    (command,) = picked(state, "torus", f"{x / WIDE},0.9")
     assert isinstance(command, StandAt)
-    assert pictures.commands(state, "torus", "0.01,0.02") == ()
+    assert picked(state, "torus", "0.01,0.02") == ()
 
 
 # -- over the wire ---------------------------------------------------------------------------------------------------
