@@ -1,4 +1,4 @@
-"""The page Pictures: two lines, the norm against det J, the square and the torus, as markup and through the protocol."""
+"""The page Pictures: two lines, the norm against det J, the square and the torus, as markup and over the wire."""
 
 import math
 

@@ -34,7 +34,7 @@ class WriteAngles(Command):
             raise UnknownName("axes", axes, SEQUENCES)
         if (axes, fixed) == (part.axes, part.fixed):
             return state
-        now = turned_of(put(state, part))
+        now = turned_of(put(state, part))  # with the film at its beginning, as below
         angles = euler_angles(now.R, axes, fixed=fixed).solutions[0]
         regular = abs(float(rate_determinant(angles, axes, fixed))) >= 10.0 * SINGULAR_SINE
         rates = _triple(angle_rates(now.omega, angles, axes, fixed)) if regular else part.rates

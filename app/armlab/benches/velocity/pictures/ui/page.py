@@ -62,10 +62,10 @@ def head_markup(form: Form, state: State, units: Units) -> str:
 
     def choice(side: int, cell: str) -> str:
         def chosen(key: str) -> PicturePair:
-            joint, other = int(key), pair[1 - side]
-            # The joint of the other side changes places with this one.
-            both = [joint, pair[side] if joint == other else other]
-            return PicturePair(both[side], both[1 - side])
+            joint = int(key)
+            # The joint that stands on the other side changes places with this one.
+            other = pair[side] if joint == pair[1 - side] else pair[1 - side]
+            return PicturePair(joint, other) if side == 0 else PicturePair(other, joint)
 
         return form.select(cell, f"{cell.capitalize()} joint", names, str(pair[side]), chosen)
 
@@ -83,9 +83,13 @@ def maps_markup(form: Form, state: State, found: Square, units: Units) -> str:
     return f"<h3>Joint space, the torus S¹ × S¹ {press}</h3>{torus}<h3>Cut open</h3>{drawn}"
 
 
+def _go(across: float, up: float, drag: int) -> StandAt:
+    """Return what moves the arm to a place in the square, in parts of it from the lower left corner."""
+    return DragTo(across, up, drag) if drag else StandAt(across, up)
+
+
 def _in_square(x: float, y: float, drag: int) -> StandAt:
-    """Return what moves the arm to a place in the square, in parts of it from the upper left corner."""
-    return DragTo(x, 1.0 - y, drag) if drag else StandAt(x, 1.0 - y)
+    return _go(x, 1.0 - y, drag)
 
 
 def _on_torus(x: float, y: float, drag: int) -> Wish:
@@ -94,7 +98,7 @@ def _on_torus(x: float, y: float, drag: int) -> Wish:
     if angles is None:
         return ()
     across, up = (0.5 + angle / math.tau for angle in angles)
-    return _in_square(across, 1.0 - up, drag)
+    return _go(across, up, drag)
 
 
 def norm_markup(state: State, units: Units) -> str:
