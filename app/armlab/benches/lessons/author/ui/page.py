@@ -14,7 +14,6 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
-from armlab.ui.format import escaped
 from armlab.ui.markup import row
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show, layers
@@ -59,10 +58,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _form(form: Form, title: str, named: Typed, save: Pressed) -> str:
-    line = (
-        '<input class="field" autocomplete="off" aria-label="Title of the lesson" maxlength="80"'
-        f' value="{escaped(title)}" {form.bound("title", named)}>'
-    )
+    line = form.field("title", title, "Title of the lesson", named, inputmode="", maxlength="80")
     button = form.chip("save-lesson", "Save as lesson", save, "A lesson file whose goal is the arm as it stands")
     return f'{row("Title", line)}<div class="bar">{button}</div>'
 
