@@ -95,8 +95,8 @@ def test_a_click_on_the_handle_is_no_step(url):
 
 def test_a_notice_is_told_once(url):
     async def main():
-        cookie = cookie_of(url)
-        browser = await student(url, cookie, "/robot/puma56")
+        cookie = cookie_of(url + "robot/puma56")
+        browser = await student(url, cookie)
         await browser.until(lambda: any("did you mean 'puma560'" in text for text in browser.notices))
         await browser.close()
         again = await student(url, cookie)
