@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from armlab.benches.control.exponential.examples import EXAMPLES as MATRICES
-from armlab.benches.control.exponential.state import Exponential, check
+from armlab.benches.control.exponential.state import Exponential, SetEntry, check
 from armlab.benches.control.exponential.ui import page as exponential
 from armlab.benches.control.exponential.ui.plane import plane
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
@@ -74,16 +74,18 @@ def test_fields_become_commands_and_nonsense_is_said():
     def typed(cell, text):
         return asked(lambda form: loop.form_markup(form, state[Loop]) + loop.clock_markup(form, state), cell, text)
 
+    def matrix(cell, text):
+        return asked(lambda form: exponential.head_markup(form, state[Exponential]), cell, text)
+
     assert typed("l-mass", "2") == (Set(Loop, "mass", 2.0),)
     assert typed("time", "1.5") == (OpenClip("loop"), Seek(1.5))
     assert typed("elsewhere", "1") == ()
-    assert exponential.commands("elsewhere", "1") == ()
-    assert exponential.commands("a21", "−1/2")[0].value == -0.5
+    assert matrix("a21", "−1/2") == (SetEntry("a21", -0.5),)
     for call, says in (
         (lambda: typed("l-mass", "heavy"), "mass: expected numbers"),
         (lambda: typed("time", "9"), "t: expected 0 to 6 s"),
         (lambda: typed("time", "x"), "t: expected seconds"),
-        (lambda: exponential.commands("a21", "x"), "a₂₁: expected a number"),
+        (lambda: matrix("a21", "x"), "a₂₁: expected a number"),
     ):
         with pytest.raises(InputError, match=says):
             call()

@@ -11,11 +11,12 @@ from armlab.benches.motion.plan.limits import SampleBy, UseShare
 from armlab.benches.motion.plan.points import AddWaypoint, SelectWaypoint, SetWaypointPose
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.plan.state import Plan
-from armlab.benches.motion.steps.state import PART, STEPS, PlanSteps, ShowStep
+from armlab.benches.motion.steps.state import PART, STEPS, PlanSteps
 from armlab.benches.motion.steps.worked import BETWEEN, DRAWN_APART, UNSEEN, between, kept, length_of, nearest_on, steps
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.rotations import axis_angle
+from armlab.session.fields import Set
 from armlab.session.state import State, apply
 
 ARMS = ["puma560", "planar_2r", "cartesian_3p", "scara", "panda", "planar_3r"]
@@ -201,17 +202,17 @@ def test_the_step_that_is_shown_is_kept_and_checked():
     state = State.initial(catalogue()["planar_2r"])
     assert state[PlanSteps].shown == 1
     for k in STEPS:
-        state = apply(state, ShowStep(k))
+        state = apply(state, Set(PlanSteps, "shown", k))
         assert state[PlanSteps].shown == k
         assert PlanSteps.from_json(state[PlanSteps].to_json(), catalogue()["planar_2r"]) == state[PlanSteps]
-    assert apply(state, ShowStep(5)) is state
+    assert apply(state, Set(PlanSteps, "shown", 5)) is state
     assert state.with_robot(catalogue()["puma560"])[PlanSteps].shown == 5
     for wrong in (0, 6, 2.5, True, "1", None, [1]):
-        with pytest.raises(InputError, match="expected 1 to 5"):
-            apply(state, ShowStep(wrong))
-        with pytest.raises(InputError, match="expected 1 to 5"):
+        with pytest.raises(InputError, match="shown: expected a whole number"):
+            apply(state, Set(PlanSteps, "shown", wrong))
+        with pytest.raises(InputError, match="shown: expected a whole number"):
             PlanSteps.from_json(wrong, catalogue()["planar_2r"])
-    assert not ShowStep.undoable
+    assert not Set(PlanSteps, "shown", 5).undoable
     assert PART.part is PlanSteps
 
 

@@ -49,7 +49,7 @@ def kinds() -> dict[str, PathType]:
     return {key: kind for key, kind in path_types().items() if "joint" in kind.spaces}
 
 
-def form(kind: PathType) -> tuple[Field, ...]:
+def free_options(kind: PathType) -> tuple[Field, ...]:
     """Return the options of a kind that are left to choose when the knots have times."""
     return tuple(replace(field, title=in_knots(field.title)) for field in kind.fields if field.key not in FROM_KNOTS)
 
