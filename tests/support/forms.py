@@ -21,8 +21,8 @@ class BareFields:
     def __init__(self, on_input: Callable[[str, str], None]) -> None:
         self.send, self.content, self.refused = on_input, "", ""
 
-    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "") -> str:
-        return markup.field(self.channel_id, cell, value, label, disabled)
+    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> str:
+        return markup.field(self.channel_id, cell, value, label, disabled, **more)
 
     def area(self, cell: str, value: str, label: str, lines: int) -> str:
         return markup.area(self.channel_id, cell, value, label, lines)
@@ -52,15 +52,24 @@ class BareForm(Form):
         self.fields = BareFields(on_input)
         return self.fields
 
+    def press(self, cell: str, text: str = "") -> None:
+        """Press a control, or fill it; `InputError` when it refuses."""
+        self.fields.send(cell, text)
+        if self.fields.refused:
+            raise InputError(self.fields.refused)
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """What has been asked for."""
+        found: list[Command] = []
+        for command in self.posted:
+            found += command.commands if isinstance(command, Asked) else (command,)
+        return tuple(found)
+
 
 def asked(made: Callable[[Form], str], cell: str, text: str = "") -> tuple[Command, ...]:
     """Return what a control of a form asks for; nothing when there is none of this name. `InputError` is raised."""
     form = BareForm()
     form.show(made(form))
-    form.fields.send(cell, text)
-    if form.fields.refused:
-        raise InputError(form.fields.refused)
-    found: list[Command] = []
-    for command in form.posted:
-        found += command.commands if isinstance(command, Asked) else (command,)
-    return tuple(found)
+    form.press(cell, text)
+    return form.commands

@@ -35,9 +35,11 @@ def test_a_choice_undone_before_anything_was_shown_is_shown_undone(url, monkeypa
         first = method["value"]
         other = next(title for title in method["props"]["options"] if title != first)
         await browser.set_value(method, other)
+        await browser.until(lambda: 'title="Undo:' in browser.html())
+        await browser.set_value(method, first)
         await asyncio.sleep(0.15)
         await browser.press("undo")
-        await browser.until(lambda: browser.control("Method")["value"] == first)
+        await browser.until(lambda: browser.control("Method")["value"] == other)
         await browser.close()
 
     run(main())

@@ -27,14 +27,14 @@ EXAMPLE = "example"
 def number(
     symbol: str,
     title: str,
-    default: float,
+    default: float | None,
     low: float = -math.inf,
     high: float = math.inf,
     unit: str = "1",
     above: bool = False,
     kept: Kept = "always",
 ) -> Any:
-    """Declare a number of a part; see `Field` for what is said of it."""
+    """Declare a number of a part; see `Field` for what is said of it. One whose default is None may be None."""
     return _declared(Field("", symbol, title, "number", default, low, high, above, unit), kept)
 
 

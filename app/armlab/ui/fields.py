@@ -100,11 +100,11 @@ class Fields:
         """Show the fields as they hold with the next `show`."""
         self._mistake = None
 
-    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "") -> str:
-        """Return the markup of one input field; Enter goes on to the field ``below``."""
+    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> str:
+        """Return the markup of one input field; Enter goes on to the field ``below``; ``more`` attributes."""
         value, wrong = self._refused(cell, value)
-        more = {"inputmode": "decimal", "data_below": below, **wrong}
-        return markup.field(self.channel_id, cell, value, label, disabled, **more)
+        attributes = {"inputmode": "decimal", "data_below": below, **more, **wrong}
+        return markup.field(self.channel_id, cell, value, label, disabled, **attributes)
 
     def area(self, cell: str, value: str, label: str, lines: int) -> str:
         """Return the markup of an input field of several lines, for a table a person types."""
@@ -116,6 +116,11 @@ class Fields:
         if self._mistake is None or self._mistake[0] != cell:
             return value, {}
         return self._mistake[1], {"aria_invalid": "true", "title": self._mistake[2]}
+
+    def visible(self, on: bool) -> None:
+        """Show or hide the whole."""
+        if self.html.visible != on:
+            self.html.visible = on
 
     def show(self, content: str) -> None:
         """Show this markup, which holds the fields."""

@@ -9,7 +9,7 @@ from armlab.errors import InputError
 from armlab.session.session import Asked
 from armlab.session.state import Command, Post
 from armlab.ui import markup
-from armlab.ui.fields import Fields
+from armlab.ui.fields import Fields, OnInput
 
 Wish = Command | Sequence[Command] | None
 """What an action asks for: commands of which all are done or none; None where only this page has changed."""
@@ -39,14 +39,21 @@ class Form:
         Hands a command to the worker.
     again : callable
         Shows once more the page it is on.
+    beside : bool
+        Whether there is room for a refusal; otherwise it is a notice.
     """
 
     def __init__(
-        self, make: Callable[[Callable[[str, str], None]], Fields], post: Post, again: Callable[[], None]
+        self, make: Callable[[OnInput], Fields], post: Post, again: Callable[[], None], beside: bool = True
     ) -> None:
-        self._fields, self._post, self._again = make(self._asked), post, again
+        self._fields, self._post, self._again, self._beside = make(self._asked), post, again, beside
         self._bound: dict[str, Typed] = {}
         self._binding: dict[str, Typed] = {}
+
+    @property
+    def channel_id(self) -> str:
+        """Where the page's script sends a text of its own; see `takes`."""
+        return self._fields.channel_id
 
     @property
     def stale(self) -> bool:
@@ -95,11 +102,21 @@ class Form:
         self._binding[cell] = lambda key: action(key) if key and key in texts else ()
         return markup.select(self._fields.channel_id, cell, label, markup.options(texts, chosen), hint)
 
-    def field(self, cell: str, value: str, label: str, action: Typed, below: str = "", off: bool = False) -> str:
-        """Return a field; Enter goes on to the field ``below``. The action gets the text."""
+    def select_in_groups(
+        self, cell: str, label: str, groups: Mapping[str, Mapping[str, str]], chosen: str, action: Typed
+    ) -> str:
+        """Return a choice among options in groups, title to key to text; the action gets the key."""
+        known = {key for texts in groups.values() for key in texts}
+        self._binding[cell] = lambda key: action(key) if key in known else ()
+        return markup.select(self._fields.channel_id, cell, label, markup.groups(groups, chosen))
+
+    def field(
+        self, cell: str, value: str, label: str, action: Typed, below: str = "", off: bool = False, **more: str
+    ) -> str:
+        """Return a field; Enter goes on to the field ``below``; ``more`` attributes. The action gets the text."""
         if not off:
             self._binding[cell] = action
-        return self._fields.field(cell, value, label, off, below)
+        return self._fields.field(cell, value, label, off, below, **more)
 
     def area(self, cell: str, value: str, label: str, lines: int, action: Typed) -> str:
         """Return a field of several lines. The action gets the text."""
@@ -112,8 +129,12 @@ class Form:
 
     def bound(self, cell: str, action: Typed) -> str:
         """Return the attributes of an element of the caller's own that sends a text."""
-        self._binding[cell] = action
+        self.takes(cell, action)
         return f'data-chan="{self._fields.channel_id}" data-cell="{cell}"'
+
+    def takes(self, cell: str, action: Typed) -> None:
+        """Bind what the page's script says by itself."""
+        self._binding[cell] = action
 
     # -- what comes of it ----------------------------------------------------------------------------------------
 
@@ -121,6 +142,10 @@ class Form:
         """Show this markup; what was made for it since the last one is what can be pressed now."""
         self._bound, self._binding = self._binding, {}
         self._fields.show(content)
+
+    def visible(self, on: bool) -> None:
+        """Show or hide the whole."""
+        self._fields.visible(on)
 
     def _press(self, cell: str, action: Pressed, off: bool) -> None:
         if not off:
@@ -139,7 +164,7 @@ class Form:
             self._again()
             return
         asked = (wish,) if isinstance(wish, Command) else tuple(wish)
-        if len(asked) == 1 and asked[0].snapshot:
+        if len(asked) == 1 and (asked[0].snapshot or not self._beside):
             self._post(asked[0])
         elif asked:
             refuse = self._fields.refuse_later(cell, text)

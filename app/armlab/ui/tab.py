@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from armlab.errors import PluginError
 from armlab.page import Page
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Post, State
-from armlab.ui.fields import Fields
+from armlab.session.state import Command, Post, State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.plugin import panel as panel_of
 from armlab.ui.widgets import Gui
@@ -50,7 +50,8 @@ class Tab:
         self.pages, self.page = {page.key: page for page in pages}, pages[0].key
         self._container, self._gui, self._post = container, make_gui(), post
         self._gui.again = self._show_again
-        self._head: Fields | None = None
+        self._head: Form | None = None
+        self._on_page = on_page
         self._show: Show | None = None
         self._shown: State | None = None
         self._outside: object = None
@@ -61,7 +62,7 @@ class Tab:
             # The page's script tells by this mark which tabs are seen.
             head.html(f'<i hidden data-tab="{pages[0].key}"></i>')
             if len(pages) > 1:
-                self._head = head.fields(lambda key, _: self._turned(key, on_page))
+                self._head = head.form(post)
                 self._show_head()
 
     @property
@@ -83,19 +84,19 @@ class Tab:
             self.page = key
             self._show_head()
 
-    def _turned(self, key: str, on_page: Callable[[], None]) -> None:
+    def _turned(self, key: str) -> tuple[Command, ...]:
         self.turn_to(key)
-        on_page()
+        self._on_page()
+        return ()
 
     def _show_head(self) -> None:
         if self._head is None:
             return
-        channel = self._head.channel_id
         pages = "".join(
-            button(
-                channel,
+            self._head.button(
                 key,
                 escaped(page.page or page.title),
+                partial(self._turned, key),
                 "page",
                 role="tab",
                 aria_selected=str(key == self.page).lower(),

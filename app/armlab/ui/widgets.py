@@ -236,7 +236,7 @@ class Gui:
         return fields
 
     def form(self, post: Post, longest: int | None = None) -> Form:
-        """Add markup whose controls carry what they do; see `Form`."""
+        """Add markup whose controls carry what they do; see `Form`, and `Fields` for the longest text."""
         return Form(lambda on_input: self.fields(on_input, longest), post, lambda: self.again())
 
     def uplot(self, data: tuple[Any, ...], series: tuple[Any, ...], x: str, height: int) -> Any:

@@ -9,7 +9,6 @@ from armlab.content.index import Bench, Entry, search
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.session.hand_in import MOST
-from armlab.session.hand_in_open import OpenWork
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
@@ -27,10 +26,6 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the field of the index and the list of lessons."""
     query, shown = "", state
 
-    def loaded(cell: str, text: str) -> None:
-        if cell == "lesson-load":
-            post(OpenWork(text))
-
     def asked(cell: str, text: str) -> None:
         nonlocal query
         if cell.startswith(LESSON):
@@ -42,13 +37,13 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             show(shown)
 
     field = gui.fields(asked)
-    saved = gui.fields(loaded, MOST)
+    saved = gui.form(post, MOST)
     entries = gui.fields(asked)
 
     hint = "Find: 3.66, section 4.1, quaternion …"
     line = markup.field(field.channel_id, "query", "", "Find", data_live="1", type="search", placeholder=hint)
     field.show(f'<div class="find">{line}</div>')
-    saved.show(f'<div class="chips">{load_work(saved.channel_id, "lesson-load")}</div>')
+    saved.show(f'<div class="chips">{load_work(saved)}</div>')
 
     def show(state: State) -> None:
         nonlocal shown

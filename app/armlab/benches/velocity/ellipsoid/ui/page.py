@@ -6,7 +6,6 @@ from armlab.benches.motion.api import Plan
 from armlab.benches.velocity.ellipsoid.state import (
     KINDS,
     LookAtBlock,
-    LookAtEllipsoid,
     Manipulability,
     PlacedEllipsoid,
     VelocityBlock,
@@ -20,6 +19,7 @@ from armlab.benches.velocity.ellipsoid.ui.map import Pictures
 from armlab.benches.velocity.ellipsoid.ui.plots import Along, Sweeping, over_distances
 from armlab.benches.velocity.ellipsoid.ui.scene import SWITCH, digits, speed
 from armlab.benches.velocity.ellipsoid.ui.words import name_of_w, scaling_words, vector, verdict_of, volume, volume_unit
+from armlab.session.fields import Set
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.joints import Joints
@@ -54,7 +54,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         "Ellipsoid of",
         SHOWN,
         part.shown,
-        lambda key: post(LookAtEllipsoid(key)),
+        lambda key: post(Set(Manipulability, "shown", key)),
         "Both have the same axes; the half axes of one are the inverses of those of the other (5.4.1)",
     )
     axes, card, numbers = gui.html(), gui.html(), gui.html()
