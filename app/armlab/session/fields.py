@@ -21,7 +21,7 @@ Kept = Literal["", "edits", "joints", "always"]
 
 SPEC, KEPT = "spec", "kept"
 EXAMPLE = "example"
-"""Name of the field that holds the key of the example in place; empty as soon as another field is set."""
+"""Name of the text that holds the key of the example in place; empty as soon as another field is set."""
 
 
 def number(
@@ -197,7 +197,8 @@ class Set(Command):
         changed = part.with_values({self.name: self.value})
         if getattr(changed, self.name) == getattr(part, self.name):
             return state
-        if EXAMPLE in declarations(self.part) and self.name != EXAMPLE:
+        example = fields_of(self.part).get(EXAMPLE)
+        if example is not None and example.kind == "text" and self.name != EXAMPLE:
             changed = replace(changed, **{EXAMPLE: ""})
         return put(state, changed)
 
