@@ -18,7 +18,7 @@ from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.session.parts.timeline import OpenClip, Play, Seek
 from armlab.session.state import State, apply
-from support.forms import asked
+from support.forms import BareForm, asked
 from support.student import run, student
 
 
@@ -38,7 +38,7 @@ class Chart:
 
 class Element:
     def __init__(self):
-        self.content, self.channel_id = "", "c"
+        self.content = ""
 
     def show(self, content):
         self.content = content
@@ -50,8 +50,8 @@ class Maker:
     def __init__(self):
         self.chart = Chart()
 
-    def fields(self, on_input):
-        return Element()
+    def form(self, post):
+        return BareForm()
 
     def html(self, content=""):
         return Element()

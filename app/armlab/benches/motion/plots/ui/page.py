@@ -73,9 +73,10 @@ class _Page:
         other = None if plan is None else compared(state, plan)
         new = self._answer.of(plan, other)
         drawn = (state[MotionPlots], state[Plan].compared, can_compare(state))
-        if new or drawn != self._drawn:
-            self._drawn = drawn
+        changed, self._drawn = new or drawn != self._drawn, drawn
+        if changed or self._choice.stale:
             self._choose(state)
+        if changed:
             self._tell(state)
             self._draw(state)
         self._place_cursors(state)

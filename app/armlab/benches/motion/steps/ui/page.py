@@ -35,13 +35,14 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         nonlocal looked
         looked = kept(state.derived(steps), looked)
-        form.show(_markup(form, state, looked))
+        form.show(steps_markup(form, state, looked))
         plots.show(looked, state)
 
     return show
 
 
-def _markup(form: Form, state: State, found: Steps | None) -> str:
+def steps_markup(form: Form, state: State, found: Steps | None) -> str:
+    """Return the choice of stretch and step, and what is said of the step; None: they are being worked out."""
     part = state[Plan]
     if part.recorded is not None:
         return (
