@@ -12,7 +12,6 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.kin.transforms import inverse
-from armlab.ui.fields import Fields
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import mathml
 from armlab.ui.markup import row
@@ -60,33 +59,6 @@ def _reference(arm: Arm) -> NDArray[np.float64]:
     The task is about the axes of frame 0; a wall-mounted planar arm cannot be asked for the world's x and y.
     """
     return np.eye(4) if np.array_equal(arm.base[:3, :3], np.eye(3)) else arm.base
-
-
-def pose_fields(fields: Fields, arm: Arm, pose: Floats, units: Units, prefix: str = "") -> str:
-    """Return fields for the components of a pose in the world that an arm controls; cells begin with ``prefix``."""
-    task, reference = arm.task, _reference(arm)
-    local = inverse(reference) @ pose
-    position = _row(
-        f"{'position' if reference is not arm.base else 'in frame 0'}, {units.length_unit}",
-        [
-            fields.field(
-                prefix + axis,
-                units.text(float(local[k, 3]), False),
-                f"{axis} in {units.length_unit}",
-                axis not in task.position,
-            )
-            for k, axis in enumerate(AXES)
-        ],
-    )
-    yaw, pitch, roll = (units.turned(float(value)) for value in euler_zyx(local[:3, :3])[0])
-    if task.rotation == "none":
-        return position
-    if task.rotation == "phi":
-        phi = fields.field(f"{prefix}phi", yaw, f"phi in {units.angle_unit}")
-        return position + _row(f"φ about z, {units.angle_unit}", [phi])
-    cells = zip(ANGLES, (yaw, pitch, roll), strict=True)
-    angles = [fields.field(prefix + name, value, f"{name} in {units.angle_unit}") for name, value in cells]
-    return position + _row(f"yaw pitch roll, {units.angle_unit}", angles)
 
 
 def pose_form(
