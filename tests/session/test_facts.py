@@ -48,7 +48,7 @@ CHANGES = {
     "robot.table": [("set_point", {"xyz_mm": [50, 0, 0]})],
     "robot.trainer": [("start_trainer", {})],
     "target.solutions": [],
-    "velocity.ellipsoid": [("look_at_ellipsoid", {"shown": "force"})],
+    "velocity.ellipsoid": [("set_ellipsoid", {"shown": "force"})],
     "velocity.microscope": [("set_speed", {"speed": 0.5})],
     "velocity.solve": [("set_component", {"index": 0, "value": 0.3})],
     "velocity.speeds": [("set_speed", {"joint": 0, "value_deg": 12})],

@@ -335,8 +335,7 @@ def test_a_teacher_s_file_does_not_tell_what_is_to_be_predicted(url):
         await to_step(browser, 5)
         await browser.open("author")
         await browser.press("save-lesson")
-        await browser.until(lambda: bool(browser.notices))
-        assert "Answer the question of the lesson first" in browser.notices[0]
+        await browser.until(lambda: 'role="alert">✕ Answer the question of the lesson first' in browser.html())
         assert browser.downloads == {}
         await browser.press("lesson-answer", "1")
         await browser.until(lambda: "Your prediction is noted." in browser.html())

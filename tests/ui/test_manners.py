@@ -97,9 +97,8 @@ def test_a_notice_is_told_once(url):
     async def main():
         cookie = cookie_of(url)
         browser = await student(url, cookie)
-        await browser.open("target")
-        await browser.press("x", "abc")
-        await browser.until(lambda: any("expected a number" in text for text in browser.notices))
+        await browser.press("speed", "100")
+        await browser.until(lambda: any("speed: expected 0.1 to 4.0" in text for text in browser.notices))
         await browser.close()
         again = await student(url, cookie)
         await asyncio.sleep(0.5)

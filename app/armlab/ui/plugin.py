@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +16,9 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Part, Post, State
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.widgets import Gui
-
-if TYPE_CHECKING:
-    from armlab.ui.drawing import LayerCanvas
 
 Points = NDArray[np.float64]
 Show = Callable[[State], None]

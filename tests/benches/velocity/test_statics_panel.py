@@ -140,6 +140,10 @@ def test_the_page_shows_torques_and_takes_a_wrench(url):
         await browser.until(lambda: "No torque needed" in browser.html())
         await browser.press("force 0", "much")
         await browser.until(lambda: "force, x: expected a number in N" in browser.html())
+        await browser.press("force 0", "2000000")
+        await browser.until(lambda: "force: expected at most 1e+06 N" in browser.html())
+        assert 'value="2000000"' in browser.html()
+        assert not browser.notices
         await browser.press("force 0", "0")
         await browser.press("force 1", "20")
         await browser.until(lambda: "works hardest" in browser.html())

@@ -154,7 +154,8 @@ class LawType:
         """
         held = limits_of(limits, path.m)
         if self.on_path is None:
-            return fastest_along(self, path, held, held if shape is None else shape.for_joints(path.m), jumps, options)
+            shaping = held if shape is None else shape.for_joints(path.m)
+            return fastest_along(self.title, self.shaped, path, held, shaping, jumps, options)
         if held.bounded[2] and not jumps:
             raise InputError(f"limit of jerk: {jumping(self.title, 'acceleration')}")
         values = checked_options(self.key, self.fields, options)
