@@ -12,6 +12,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
+from armlab.session.put_words import begun_as
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
 from armlab.ui.markup import row
@@ -20,7 +21,7 @@ from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.widgets import Gui
 
 HOW = """<p>Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step
-with a check, a hint and a solution; write the text in any editor.</p>
+with a check, a hint and a solution, and begins with the benches as you have set them; write the text in any editor.</p>
 <p>Put it into a folder and start the lab with <code>armlab --lessons FOLDER</code>: it appears under Lessons, and every
 time you save the file the open lesson changes. <code>armlab lesson check FILE</code> plays it by its solution;
 <code>armlab check NAME --state FOLDER</code> judges what students hand in.</p>"""
@@ -64,11 +65,14 @@ def _form(form: Form, title: str, named: Typed, save: Pressed) -> str:
 
 
 def written(title: str, state: State, gui: Gui) -> str:
-    """Return the lesson of a state: its arm, pose, target, overlays, and the eye's place."""
+    """Return the lesson of a state: its arm, pose, target, overlays, benches, and the eye's place."""
     on = state[Display].switches
     overlays = [layer.switch.name for layer in layers().values() if layer.switch and on.get(layer.switch.name)]
     robot, q, eye = state[RobotPart].robot, state[Joints].q, gui.camera.as_view()
-    return lesson_text(title, robot, q, panel="joints", overlays=overlays, target=state[Target].pose, camera=eye)
+    begin = tuple(begun_as(state))
+    return lesson_text(
+        title, robot, q, panel="joints", overlays=overlays, target=state[Target].pose, camera=eye, begin=begin
+    )
 
 
 def file_name(title: str) -> str:
