@@ -140,7 +140,7 @@ def test_a_typed_target_is_reached_and_a_wrong_one_is_refused(visit):
     np.testing.assert_allclose(lab.target()[[0, 2]], [0.5, 0.9], atol=1e-6)
     assert "✓ reached" in lab.hint()
     lab.type_into("x", "<img src=x onerror=alert(1)>")
-    assert "expected a number in mm" in lab.page.locator(".mantine-Notification-root").last.inner_text()
+    assert "expected a number in mm" in lab.page.locator("[role=alert]", has_text="x:").last.inner_text()
     assert lab.page.locator('input[data-cell="x"]').input_value() == "500.0"
     assert lab.page.locator("img[src=x]").count() == 0
 
