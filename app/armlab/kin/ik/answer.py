@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ik.nearly_still import is_dependent
 from armlab.kin.ik.problem import REACHED_M, Errors
 from armlab.kin.ik.solutions import Completeness, sorted_rows, wrapped_rows
 from armlab.kin.ik.verdict import task_error_of
@@ -93,14 +94,15 @@ def verified_rows(arm: Arm, T: Vector, candidates: Sequence[Vector]) -> list[Vec
 
 
 def _is_nearly_singular(J: Vector) -> bool:
-    """Return whether a Jacobian (m, n) is within `SINGULAR` of losing rank."""
+    """Return whether a Jacobian (m, n) is within `SINGULAR` of losing rank, or nearly loses two."""
     if len(J) == 6 == J.shape[1]:
-        # The other five singular values multiply to no more than (sum of squares / 5)^(5/2); this costs a tenth.
+        # The other five singular values multiply to no more than (sum of squares / 5)^(5/2); this costs a tenth. Two
+        # that are dependent make a determinant still smaller.
         most = float((J * J).sum() / 5.0) ** 2.5
         if abs(float(np.linalg.det(J))) > SINGULAR * most * math.sqrt(float((J * J).sum())):
             return False
     values = np.linalg.svd(J, compute_uv=False)
-    return bool(values[-1] < SINGULAR * values[0])
+    return bool(values[-1] < SINGULAR * values[0] or is_dependent(values))
 
 
 def _size(errors: Errors) -> float:
