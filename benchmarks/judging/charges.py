@@ -133,7 +133,11 @@ class _Trial:
         error = error_along(self.probe, self.case.q, self.G, size=self._of_reached)
         if error > 1.0:
             against.append(self._without_q("q missing", " and on no family"))
-        elif error_along(self.probe, self.case.q, self.G) <= CURVE and self._is_one_curve() and not is_on(self.probe, self.found.families, self.case.q):
+        elif (
+            error_along(self.probe, self.case.q, self.G) <= CURVE
+            and self._is_one_curve()
+            and not is_on(self.probe, self.found.families, self.case.q)
+        ):
             against.append(self._without_q("q missing", " and its family not traced"))
         return against
 

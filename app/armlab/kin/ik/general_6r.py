@@ -28,7 +28,7 @@ TOLERANCE = REACHED_M
 merge just beyond the pose, the configuration between them is no better than this."""
 
 STILL = 1e-9
-"""Metres, or units of length of large arms, and radians by which the tool may leave the pose along a family and is still
+"""Metres, or units of length of large arms, and radians by which the tool may leave the pose along a family while it is
 said to stand still."""
 
 ROUNDING = 1e-14
@@ -249,9 +249,7 @@ def _beyond(loop: Loop) -> GeneralSolutions:
     )
 
 
-def _reason(
-    search: Search, completeness: Completeness, isolated: int, folds: int, parts: Split, still: bool
-) -> str:
+def _reason(search: Search, completeness: Completeness, isolated: int, folds: int, parts: Split, still: bool) -> str:
     if completeness == "infinite":
         curves = len(parts.curves)
         families = f"{curves} curves" if curves > 1 else "a curve" if curves else f"{parts.freedom}-parameter families"

@@ -110,7 +110,7 @@ def rank_losses(links: Floats, q: Floats, hand: Floats) -> NDArray[np.intp]:
 
 
 def _losses(links: Floats, q: Floats, hand: Floats) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
-    """Return by how much Jacobians of configurations (m, 6) lose rank, and which may lead on nearly, shape (m,) each."""
+    """Return by how much Jacobians at q (m, 6) lose rank, and which q may lead on at least nearly, shape (m,) each."""
     columns = newton.errors_and_columns(links, q, np.broadcast_to(hand, (len(q), 4, 4)))[1]
     # The other four singular values multiply to no more than (sum of squares / 4)^2, and a determinant costs a tenth
     # of a decomposition.

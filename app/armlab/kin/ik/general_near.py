@@ -24,7 +24,7 @@ APART = 1e-2
 
 
 def nearly(links: Floats, roots: Roots, known: Floats, solutions: Floats, hand: Floats) -> Floats:
-    """Return configurations (k, 6) beside nearly real roots or known (m, 6), as near as can be, that are no solutions."""
+    """Return the nearest configurations (k, 6) to a pose, from nearly real roots and known (m, 6), beside solutions."""
     outside = np.abs(roots.q.imag).max(axis=1, initial=0.0)
     rows = (outside < BESIDE) & (outside >= REAL) & (roots.q.imag.sum(axis=1) >= 0.0)
     kept = list(solutions)
