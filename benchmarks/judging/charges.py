@@ -157,7 +157,7 @@ class _Trial:
         return len(self.found.families) > 0 and lost == 1
 
     def _best_curve(self) -> float:
-        """Return the least error along a traced curve or one through a solution, as a part of what counts as reached."""
+        """Return the least error along a traced curve or one through a solution, as part of what counts as reached."""
         for curve in map(np.asarray, self.found.families):
             if len(curve) > 2 and np.abs(self.probe.apart(curve, curve[0])).max() > CLOSE:
                 worst = float(self._of_reached(curve).max())

@@ -13,7 +13,7 @@ from support.solutions import apart, no_duplicates, worst_error
 
 
 def pushed(arm, q, size):
-    """Return the pose of a singular configuration, moved by a size (m and rad) in the direction the tool cannot take."""
+    """Return the pose of a singular configuration, moved by a size (m and rad) in the way the tool cannot take."""
     T = np.array(arm.fk(q))
     way = size * np.linalg.svd(np.asarray(arm.jacobian(q)))[0][:, -1]
     angle = float(np.linalg.norm(way[3:]))

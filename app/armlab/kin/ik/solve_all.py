@@ -119,6 +119,10 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     why = f"{form.title}: {why}"
     if some.rows and found.families and _is_family(arm, T, some.rows):
         return Answer(distinct(arm, some.rows), "infinite", " ".join(found.families), form.key, why)
+    if some.singular and not some.dropped and not found.sampled:
+        nearly = _nearly_still(arm, T, some.rows, form.key, why)
+        if nearly is not None:
+            return nearly
     # Values of a free joint that were tried and led to none, as for a nearly straight wrist, prove nothing.
     if some.doubtful or (some.rows and (found.families or found.sampled)):
         if _is_general(arm):
@@ -155,21 +159,24 @@ def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why
     if any(_moves(arm, row, T, None) for row in every.rows):
         reason = "Some of them move while the tool stands still."
         return Answer(every.rows[:SURFACE], "infinite", reason, key, why)
-    on = [q for row in every.rows for q in moved_on(arm, row, T)]
-    if on:
-        return _nearly_still(arm, T, every.rows, on, key, why)
+    nearly = _nearly_still(arm, T, every.rows, key, why)
+    if nearly is not None:
+        return nearly
     if len(every.rows) > len(some.rows):
         reason = "Branches merge at this pose, and descents found more than the closed form."
         return Answer(every.rows, "at least", reason, key, why, (), every.loose, every.missed)
     return Answer(some.rows, "complete", "", key, why, (), some.loose, some.missed)
 
 
-def _nearly_still(arm: Arm, T: Vector, rows: list[Vector], on: list[Vector], key: str, why: str) -> Answer:
-    """Return solutions with others to which they move while the tool stands still nearly."""
+def _nearly_still(arm: Arm, T: Vector, rows: list[Vector], key: str, why: str) -> Answer | None:
+    """Return solutions with others to which they move while the tool stands still, or nearly; None where none moves."""
+    on = [q for row in rows for q in moved_on(arm, row, T)]
+    if not on:
+        return None
     q = in_order(arm, distinct(arm, [*rows, *on])[: len(rows) + SAMPLES])
     loose, missed = _loose(arm, T, q)
-    reason = "Some of them move while the tool stays within what counts as reached."
-    return Answer(q, "infinite", reason, key, why, (), loose, missed)
+    still = "stays within what counts as reached" if loose else "stands still"
+    return Answer(q, "infinite", f"Some of them move while the tool {still}.", key, why, (), loose, missed)
 
 
 def _by_elimination(arm: Arm, T: Vector, why: str, known: Sequence[Vector] = ()) -> Answer:
