@@ -155,21 +155,18 @@ def _on(links: Floats, q: Floats, hand: Floats, reached: Reached) -> tuple[Float
     """
     errors, columns, _ = newton.errors_and_columns(links, q[None], hand[None])
     ways, values, _ = np.linalg.svd(columns[0])
-    for way in slack_ways(ways[:, values < SLACK].T[::-1]):
-        step = _next(links, q, hand, way, np.zeros(6), reached)
-        if step is not None:
-            return (q, way) if _is_reached(errors, reached) else step
-    return None
+    on = _next(links, q, hand, slack_ways(ways[:, values < SLACK].T[::-1]), np.zeros(6), reached)
+    return None if on is None else (q, on.way) if _is_reached(errors, reached)[0] else (on.q, on.along)
 
 
 def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: Reached) -> tuple[Floats, bool]:
     """Go along a curve; return its points (s, 6) and whether it closed."""
     points, bend = [start], np.zeros(6)
     for _ in range(MOST_STEPS):
-        step = _next(links, points[-1], hand, along, bend, reached)
+        step = _next(links, points[-1], hand, along[None], bend, reached)
         if step is None:
             break
-        found, turn = step
+        found, turn = step.q, step.along
         if len(points) > 2 and _distances(start[None], found)[0] < 0.75 * STEP:
             return np.array(points), True
         points.append(found)
@@ -178,37 +175,37 @@ def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: Re
     return np.array(points), False
 
 
-def _next(
-    links: Floats, q: Floats, hand: Floats, along: Floats, bend: Floats, reached: Reached
-) -> tuple[Floats, Floats] | None:
-    """Return the solution a step ahead and the null vector there; None where there is none.
+class _Step(NamedTuple):
+    """A step that leads on: the direction (6,) it set out in, the solution there, and the null vector there."""
+
+    way: Floats
+    q: Floats
+    along: Floats
+
+
+def _next(links: Floats, q: Floats, hand: Floats, ways: Floats, bend: Floats, reached: Reached) -> _Step | None:
+    """Return the first step of those in some directions (k, 6) that leads to a solution; None where none does.
 
     Half a step ahead there has to be one as well, and each near where it is looked for: beside a curve of solutions,
     not another isolated one. The curve is taken to bend on as it did in the last step.
     """
-    parts = np.array([1.0, 0.5])[:, None]
-    straight = q + STEP * parts * along
-    hands = np.broadcast_to(hand, (2, 4, 4))
+    parts = np.tile([1.0, 0.5], len(ways))[:, None]
+    across, hands = np.repeat(ways, 2, axis=0), np.broadcast_to(hand, (2 * len(ways), 4, 4))
+    straight = q + STEP * parts * across
     found, _, columns = newton.nearest(
-        links,
-        straight + 0.5 * STEP * parts**2 * bend,
-        hands,
-        WEAK,
-        MOST_CORRECTIONS,
-        across=along,
+        links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across
     )
-    aside = np.linalg.norm(found - straight, axis=1)
-    if aside[0] >= STEP / 2.0 or aside[1] >= STEP / 4.0:
-        return None
-    if not _is_reached(newton.errors_and_columns(links, found, hands)[0], reached):
-        return None
-    return found[0], _weakest(columns[0])
+    aside = np.linalg.norm(found - straight, axis=1) < STEP / 2.0 * parts[:, 0]
+    good = aside & _is_reached(newton.errors_and_columns(links, found, hands)[0], reached)
+    for k in np.flatnonzero(good[::2] & good[1::2]):
+        return _Step(ways[k], found[2 * k], _weakest(columns[2 * k]))
+    return None
 
 
-def _is_reached(errors: Floats, reached: Reached) -> bool:
-    """Return whether errors (k, 6) of configurations near the pose are all as small as ``reached``."""
-    place, turn = np.linalg.norm(errors.reshape(-1, 2, 3), axis=2).max(axis=0)
-    return bool(place < reached[0] and turn < reached[1])
+def _is_reached(errors: Floats, reached: Reached) -> NDArray[np.bool_]:
+    """Return whether errors (k, 6) of configurations near the pose are as small as ``reached``, shape (k,)."""
+    place, turn = np.linalg.norm(errors.reshape(-1, 2, 3), axis=2).T
+    return np.asarray((place < reached[0]) & (turn < reached[1]))
 
 
 def _weakest(columns: Floats) -> Floats:

@@ -163,8 +163,8 @@ def nearest(
     steps : int
     exact : float
         Error below which all may stay where they are.
-    across : ndarray, shape (6,), optional
-        Unit direction in which they stay where they are.
+    across : ndarray, shape (m, 6), optional
+        Unit directions in which they stay where they are.
     """
     found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
     there = np.zeros((len(q), 6, 6))
@@ -179,7 +179,7 @@ def nearest(
         if ((best <= exact) | (still & (step >= SETTLED))).all():
             break
         if across is not None:
-            columns = columns - across[:, None] * (across @ columns)[:, None]
+            columns = columns - across[:, :, None] * (across[:, None] @ columns)
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
     return found, best, there
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
-from armlab.kin.ik.many_at_once import many_at_once
+from armlab.kin.ik.many_at_once import damped_steps, many_at_once
 from armlab.kin.ik.verdict import task_error_of
 from armlab.kin.ik.verified import reaches
 from armlab.kin.transforms import inverse
@@ -37,7 +37,7 @@ LOOSEST = 1e-5
 """Scaled error: what counts as reached is more than the whole of a tiny arm, of which nothing would follow."""
 
 WEAK, CORRECTIONS = 1e-4, 7
-"""Of the largest singular value: directions in which nothing is corrected on the way back; and how often."""
+"""Of the largest singular value: directions in which little is corrected on the way back; and how often."""
 
 
 def is_dependent(values: Vector) -> NDArray[np.bool_]:
@@ -76,7 +76,7 @@ def moved_on(arm: Arm, q: Vector, T: Vector) -> list[Vector]:
         better = sizes < least
         best[better], least[better] = there[better], sizes[better]
         J = J - (J @ ways[:, :, None]) * ways[:, None, :]
-        there = there + (np.linalg.pinv(J, rcond=WEAK) @ e[:, :, None])[:, :, 0] * scales
+        there = there + damped_steps(J, e, (WEAK * values[0]) ** 2) * scales
     near = (least <= LOOSEST**2) & (np.linalg.norm((best - straight) / scales, axis=1) < 0.5 * STEP * parts[:, 0])
     target = task_error_of(arm).target(T)
     good = np.array([near[k] and reaches(arm, row, target) for k, row in enumerate(best)])

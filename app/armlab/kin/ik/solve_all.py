@@ -170,7 +170,9 @@ def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why
 
 def _nearly_still(arm: Arm, T: Vector, rows: list[Vector], key: str, why: str) -> Answer | None:
     """Return solutions with others to which they move while the tool stands still, or nearly; None where none moves."""
-    on = [q for row in rows for q in moved_on(arm, row, T)]
+    on: list[Vector] = []
+    for row in rows:
+        on += moved_on(arm, row, T) if len(on) < SAMPLES else []
     if not on:
         return None
     q = in_order(arm, distinct(arm, [*rows, *on])[: len(rows) + SAMPLES])
