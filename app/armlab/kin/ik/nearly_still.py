@@ -26,9 +26,12 @@ DEPENDENT = 1e-5
 """Of its square: product of the two least singular values above which nothing moves on. Where one is small, the tool
 is left in proportion to it; where both are, the second makes up for all of it but the product."""
 
+ALL_AROUND = 6
+"""Directions in a plane of slack ones, every 30 degrees: what is as near to that of a curve leads onto it."""
+
 MIXED, ALIKE = 0.5, 0.98
-"""Part of a joint's motion that is along slack directions, for one that is tried by itself; and cosine of two of them
-that are as good as one."""
+"""Of more, part of a joint's motion that is along slack directions, for one that is tried by itself; and the cosine
+of two of them that are as good as one."""
 
 STEP = 0.35
 """Radians, or length scales, in all joints together; half-way the target has to be reached as well."""
@@ -48,24 +51,29 @@ def is_dependent(values: Vector) -> NDArray[np.bool_]:
 def slack_ways(ways: Vector) -> Vector:
     """Return unit directions (k, n) of a curve through a solution, from an orthonormal basis of the slack ones (r, n).
 
-    A curve leaves along any mixture of these, such as one of those that move a joint most.
+    A curve leaves along any mixture of these.
     """
-    mixed = ways.T @ ways
-    sizes = np.linalg.norm(mixed, axis=1)
-    some = np.vstack([ways, mixed[sizes > MIXED] / sizes[sizes > MIXED, None]])
-    some = some[~np.tril(np.abs(some @ some.T) > ALIKE, -1).any(axis=1)]
+    if len(ways) <= 2:
+        angles = np.pi / ALL_AROUND * np.arange(ALL_AROUND if len(ways) == 2 else 1)
+        some = np.cos(angles)[:, None] * ways[0] + np.sin(angles)[:, None] * ways[-1]
+    else:
+        mixed = ways.T @ ways
+        sizes = np.linalg.norm(mixed, axis=1)
+        some = np.vstack([ways, mixed[sizes > MIXED] / sizes[sizes > MIXED, None]])
+        some = some[~np.tril(np.abs(some @ some.T) > ALIKE, -1).any(axis=1)]
     return np.concatenate([some, -some])
 
 
 def moved_on(arm: Arm, q: Vector, T: Vector) -> list[Vector]:
     """Return what steps lead to from a solution q (n,) of a target T (4, 4) in the world; empty where none leads on."""
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
-    many, scales = many_at_once(arm), np.where(arm.revolute, 1.0, arm.length_scale)
-    _, values, basis = np.linalg.svd(many.linearised(q[None], G)[0][0])
+    _, values, basis = np.linalg.svd(many_at_once(arm).linearised(q[None], G)[0][0])
     basis = basis[: len(values)][values < SLACK * values[0]]
     if not len(basis):
         return []
+    target = task_error_of(arm).target(T)
     ways = np.repeat(slack_ways(basis), 2, axis=0)
+    many, scales = many_at_once(arm), np.where(arm.revolute, 1.0, arm.length_scale)
     parts = np.tile([1.0, 0.5], len(ways) // 2)[:, None]
     straight = q + STEP * parts * ways * scales
     there = straight.copy()
@@ -76,8 +84,8 @@ def moved_on(arm: Arm, q: Vector, T: Vector) -> list[Vector]:
         better = sizes < least
         best[better], least[better] = there[better], sizes[better]
         J = J - (J @ ways[:, :, None]) * ways[:, None, :]
-        there = there + damped_steps(J, e, (WEAK * values[0]) ** 2) * scales
-    near = (least <= LOOSEST**2) & (np.linalg.norm((best - straight) / scales, axis=1) < 0.5 * STEP * parts[:, 0])
-    target = task_error_of(arm).target(T)
+        there = there + damped_steps(J, e, (WEAK * float(values[0])) ** 2) * scales
+    aside = np.linalg.norm((best - straight) / scales, axis=1)
+    near = (least <= LOOSEST**2) & (aside < 0.5 * STEP * parts[:, 0])
     good = np.array([near[k] and reaches(arm, row, target) for k, row in enumerate(best)])
     return list(best[::2][good[::2] & good[1::2]])
