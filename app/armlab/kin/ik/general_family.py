@@ -155,7 +155,8 @@ def _on(links: Floats, q: Floats, hand: Floats, reached: Reached) -> tuple[Float
     """
     errors, columns, _ = newton.errors_and_columns(links, q[None], hand[None])
     ways, values, _ = np.linalg.svd(columns[0])
-    on = _next(links, q, hand, slack_ways(ways[:, values < SLACK].T[::-1]), np.zeros(6), reached)
+    some = slack_ways(ways[:, values < SLACK].T[::-1])
+    on = _next(links, q, hand, some, np.zeros(6), reached) if len(some) else None
     return None if on is None else (q, on.way) if _is_reached(errors, reached)[0] else (on.q, on.along)
 
 

@@ -53,10 +53,11 @@ def slack_ways(ways: Vector) -> Vector:
 
     A curve leaves along any mixture of these.
     """
-    if len(ways) <= 2:
-        angles = np.pi / ALL_AROUND * np.arange(ALL_AROUND if len(ways) == 2 else 1)
-        some = np.cos(angles)[:, None] * ways[0] + np.sin(angles)[:, None] * ways[-1]
-    else:
+    some = ways
+    if len(ways) == 2:
+        angles = np.pi / ALL_AROUND * np.arange(ALL_AROUND)[:, None]
+        some = np.cos(angles) * ways[0] + np.sin(angles) * ways[1]
+    elif len(ways) > 2:
         mixed = ways.T @ ways
         sizes = np.linalg.norm(mixed, axis=1)
         some = np.vstack([ways, mixed[sizes > MIXED] / sizes[sizes > MIXED, None]])
