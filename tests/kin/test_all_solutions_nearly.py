@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.kin.ik.nearly_still import slack_ways
 from armlab.kin.ik.problem import REACHED_M
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.rotations import rotation_from_axis_angle
@@ -49,6 +50,22 @@ def test_a_pose_beside_a_straight_wrist_is_reached_with_any_turn_of_it(robot):
     assert found.completeness == "infinite"
     assert worst_error(arm, found.q, T) < REACHED_M
     assert "stays within what counts as reached" in found.sentence
+
+
+def test_a_straight_wrist_under_a_nearly_singular_shoulder_hides_no_turn_of_it():
+    """The exact solutions are 4e-4 rad away in q1, and slack in two directions, of which neither is the wrist's alone."""
+    arm = catalogue()["tx60"].arm
+    q = [-2.4635735219684283, -0.1966843404807852, 6.663714547257431, 1.1174279178176043, math.pi, -0.8535382783192214]
+    T = np.array(arm.fk(q))
+    T[:3, 3] += [5.6e-10, -1.667e-9, -2.571e-9]
+    found = solve_all(arm, T)
+    assert found.completeness == "infinite"
+    assert worst_error(arm, found.q, T) < REACHED_M
+
+
+def test_two_singular_values_that_are_small_together_need_no_slack_direction():
+    """Nor does the step that is looked for lead anywhere: both are 4e-3 of the largest."""
+    assert slack_ways(np.empty((0, 6))).shape == (0, 6)
 
 
 def test_where_a_straight_wrist_hides_that_an_elbow_is_stretched_too_far_something_is_found():
