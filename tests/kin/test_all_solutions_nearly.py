@@ -53,7 +53,7 @@ def test_a_pose_beside_a_straight_wrist_is_reached_with_any_turn_of_it(robot):
 
 
 def test_a_straight_wrist_under_a_nearly_singular_shoulder_hides_no_turn_of_it():
-    """The exact solutions are 4e-4 rad away in q1, and slack in two directions, of which neither is the wrist's alone."""
+    """The exact solutions are 4e-4 rad away in q1, and slack in two directions that mix with the wrist."""
     arm = catalogue()["tx60"].arm
     q = [-2.4635735219684283, -0.1966843404807852, 6.663714547257431, 1.1174279178176043, math.pi, -0.8535382783192214]
     T = np.array(arm.fk(q))
