@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,13 +15,13 @@ from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.pull import section_rates
 from armlab.kin.workspace.section_grid import PLANAR_FINER, random_configurations
+from armlab.kin.workspace.work import Work, result_of
 
 if TYPE_CHECKING:
     from armlab.kin.workspace.section import Section
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
-Result = TypeVar("Result")
 
 STARTS = 2
 """Cells from which the way to an extreme is begun."""
@@ -94,10 +93,10 @@ def size(section: Section) -> Size:
 
     The time it takes grows with the cells of the grid, filled or not; `MOST_CELLS` bounds them.
     """
-    return _last(sizing(section))
+    return result_of(sizing(section))
 
 
-def sizing(section: Section) -> Generator[None, None, Size]:
+def sizing(section: Section) -> Work[Size]:
     """Do the work of `size` in pieces of at most some 30 ms, and return what it returns."""
     grid = section.grid
     unit: Literal["m³", "m²"] = "m²" if grid.flat else "m³"
@@ -124,17 +123,7 @@ def sizing(section: Section) -> Generator[None, None, Size]:
     return Size(value, error, unit)
 
 
-def _last(work: Generator[None, None, Result]) -> Result:
-    """Do work at once and return what it returns."""
-    while True:
-        try:
-            next(work)
-        except StopIteration as done:
-            result: Result = done.value
-            return result
-
-
-def is_thin(section: Section, resolution: int, wanted: float) -> Generator[None, None, bool]:
+def is_thin(section: Section, resolution: int, wanted: float) -> Work[bool]:
     """Return, after pieces of work, whether cells of half the side are wanted, and few enough.
 
     They would make the error smaller, which is too large.
@@ -162,10 +151,10 @@ def is_thin(section: Section, resolution: int, wanted: float) -> Generator[None,
 
 def reach(section: Section) -> Reach:
     """Return how far an arm reaches: maxima of what it can do, begun from the cells that lie farthest out."""
-    return _last(reaching(section))
+    return result_of(reaching(section))
 
 
-def reaching(section: Section) -> Generator[None, None, Reach]:
+def reaching(section: Section) -> Work[Reach]:
     """Do the work of `reach` in pieces of at most some 30 ms, and return what it returns."""
     i, j = np.nonzero(section.filled)
     q = section.at(i, j)
@@ -265,7 +254,7 @@ def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices
     return np.asarray(total / np.maximum(count, 1.0))
 
 
-def _outlined(section: Section, value: float) -> Generator[None, None, float]:
+def _outlined(section: Section, value: float) -> Work[float]:
     """Return what changes when the outline is known at every second centre alone, a root mean square of all choices."""
     outline, flat, changes = section.outline, section.grid.flat, []
     for i in range(2):
@@ -311,7 +300,7 @@ def _alone(section: Section) -> float:
     return float((section.joint.measure(section.u)[i] * section.covered[i, j]).sum() * cell)
 
 
-def _turning(section: Section, pieces: _Pieces, value: float) -> Generator[None, None, float]:
+def _turning(section: Section, pieces: _Pieces, value: float) -> Work[float]:
     """Return what changes when s is known in every second coarse cell each way alone, as a root mean square of all."""
     assert section.arcs is not None
     rows, columns = section.filled.shape
