@@ -24,8 +24,8 @@ REACH = "reach"
 USUAL = 160
 """Pieces of work of most arms: what the progress is a part of."""
 
-SHOWN = 8
-"""Pieces between two pictures."""
+SHOWN, SELDOM = 8, 32
+"""Pieces between two pictures at first, and later."""
 
 SAMPLES, PIECE = 393_216, 8_192
 """Random configurations over which a measure is averaged, and of them in a piece of work."""
@@ -111,10 +111,13 @@ def _sought(arm: Arm) -> Iterator[Found | None]:
     yield None
     arm.position(np.zeros((1, arm.n)))
     yield None
+    following = 0
     for piece, section in enumerate(sections(arm)):
-        if piece % SHOWN and not section.finished:
+        if piece < following and not section.finished:
             yield None
             continue
+        # Often at first, when much is filled with every piece; each picture costs all who are in the lab some time.
+        following = piece + min(max(SHOWN, piece // 4), SELDOM)
         _ = section.contours  # kept: what shows them must not compute them in the time of everybody
         yield None
         if section.finished:
