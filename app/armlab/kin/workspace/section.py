@@ -204,6 +204,9 @@ def _sought(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -
             yield found
             return
         cells *= 2
+        # In intervals of s parts are missed where fewer samples tell about a cell; single values lead to each other.
+        if not (joint.full or found.grid.single):
+            samples *= 2 if found.grid.flat else 4
 
 
 def _showing(known: Section, work: Generator[None, None, bool]) -> Generator[Section, None, bool]:
