@@ -47,7 +47,8 @@ def test_faces_are_looked_for_where_something_is_reached_however_large_the_grid_
     assert count < 10
     side = grid.coarser * grid.step
     corner = np.array(grid.low) + side * np.array([701, 900])
-    assert_allclose(faces.edges, np.broadcast_to([corner, [*corner, 0.0, side]], faces.edges.shape), atol=1e-12)
+    side_ends = np.stack([corner, corner + np.array([0.0, side])])
+    assert_allclose(faces.edges, np.broadcast_to(side_ends, faces.edges.shape), atol=1e-12)
     # From 0 to 1, to half a value of s at which the cells are compared, on each side.
     assert_allclose([faces.s.min(), faces.s.max()], [0.0, 1.0], atol=2.0 * pi / COMPARED)
     assert_allclose(np.diff(faces.s, axis=1).sum(), 1.0, atol=2.0 * pi / COMPARED)
