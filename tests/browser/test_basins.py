@@ -39,7 +39,7 @@ def drawn_rows(lab):
 
 def test_a_map_draws_in_pieces_and_is_cancelled(visit):
     lab = opened(visit)
-    lab.press("points-256")
+    lab.press("points 256")
     lab.page.locator("button[data-cell=draw]").click()
     # The first pieces are a part of the picture, and there are more to come.
     lab.page.wait_for_function("() => document.body.innerText.match(/Drawing: [1-9]/)")
@@ -60,7 +60,7 @@ def test_a_map_draws_in_pieces_and_is_cancelled(visit):
 
 def test_a_click_starts_the_film_at_that_configuration(visit):
     lab = opened(visit, size=(1100, 900))
-    lab.press("points-64")
+    lab.press("points 64")
     lab.page.locator("select[data-cell=method]").select_option("dls_error")
     lab.rest()
     lab.page.locator("button[data-cell=draw]").click()

@@ -22,7 +22,7 @@ def points(lab):
 def test_the_cloud_grows_is_cut_and_answers_a_click(visit):
     lab = visit("robot/elbow_3r")
     lab.open_tab("Workspace")
-    lab.page.locator('select[data-cell="count"]:visible').select_option("count 10000000")
+    lab.page.locator('select[data-cell="count"]:visible').select_option("10000000")
     # Singular values take their time: half a minute for so many samples.
     lab.page.locator('select[data-cell="measure"]:visible').select_option("sigma_min")
     lab.press("cut none")

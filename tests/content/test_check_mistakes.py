@@ -156,6 +156,7 @@ def test_broken_checks_of_a_step(text, says):
 
 def test_all_kinds_are_found():
     assert set(check_types()) == {
+        "fact",
         "tool_at",
         "tool_pose",
         "target_at",

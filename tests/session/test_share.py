@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from armlab.benches.pose.tool.state import PoseView, WriteAngles
+from armlab.benches.pose.tool.state import PoseView
 from armlab.benches.robot.normal.state import DragLine
 from armlab.benches.robot.table.state import Point, SetPoint
 from armlab.benches.robot.trainer.commands import CheckAxes, CheckTable, ChooseDirection, SetAnswer, StartTrainer
@@ -20,6 +20,7 @@ from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.session import share
 from armlab.session.edits import SetCell
+from armlab.session.fields import Set
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
@@ -56,7 +57,12 @@ def busy(robot, rng):
     names = ("skeleton", "frames", "names", "trace", "ellipsoid", "projections", "angles", "lengths")
     labels = [Label("angle", "rad"), Label("length", "m"), Label("variable", "theta"), Label("book", "craig")]
     shown = [Show(name, True) for name in names]
-    clip = [OpenClip("film"), Seek(float(rng.uniform(0.0, 5.0))), WriteAngles("xyz", True)]
+    clip = [
+        OpenClip("film"),
+        Seek(float(rng.uniform(0.0, 5.0))),
+        Set(PoseView, "axes", "xyz"),
+        Set(PoseView, "fixed", True),
+    ]
     return done(state, PlaceTarget(T), *lines, *shown, *labels, *clip)
 
 

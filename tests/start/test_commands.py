@@ -25,7 +25,7 @@ def test_every_command_is_found_by_its_file():
         (["chekc"], "armlab: unknown command 'chekc'; did you mean 'check'? Available: check, lesson\n"),
         (
             ["lesson", "shet"],
-            "armlab lesson: unknown command 'shet'; did you mean 'sheet'? Available: check, new, sheet\n",
+            "armlab lesson: unknown command 'shet'; did you mean 'sheet'? Available: check, new, sheet, words\n",
         ),
         (["xyz"], "armlab: unknown command 'xyz'. Available: check, lesson\n"),
     ],

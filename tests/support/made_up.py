@@ -66,7 +66,7 @@ LAYER = Layer("made_up", 99, (Joints,), build)
 PART = '''
 """A made-up part."""
 from dataclasses import dataclass
-from armlab.session.state import Part, PartType
+from armlab.session.state import Command, Part, PartType
 
 @dataclass(frozen=True)
 class MadeUp(Part):
@@ -85,6 +85,22 @@ class MadeUp(Part):
         return cls(data)
 
 PART = PartType(MadeUp, order=50)
+
+@dataclass(frozen=True)
+class CountTo(Command):
+    """Count to a number."""
+    number: int
+
+    def apply(self, state):
+        return state.replace(MadeUp(self.number))
+'''
+
+FACT = '''
+"""A made-up fact: how far was counted."""
+from armlab.benches.made_up.made_up.state import MadeUp
+from armlab.session.facts import Fact, Facts
+
+FACTS = Facts(__name__, (MadeUp,), {"value": Fact("the number", lambda state: state[MadeUp].value, kind="count")})
 '''
 
 CHECK = '''
@@ -142,6 +158,9 @@ chapter = "9"
 teaches = ["S4.0-2R"]
 robot = "planar_2r"
 example = "made_up/end"
+[[do]]
+command = "made_up.made_up.count_to"
+number = 5
 +++
 ## One step
 Turn.
@@ -154,6 +173,18 @@ text = "Well?"
 ```
 ```solution
 q_deg = [178, 0]
+```
+## Count
+It is {{made_up.made_up.value}}.
+```check
+kind = "fact"
+fact = "made_up.made_up.value"
+value = 7
+```
+```solution
+[[do]]
+command = "made_up.made_up.count_to"
+number = 7
 ```
 """
 
@@ -209,6 +240,7 @@ import armlab
 from armlab.cli import main as main_of
 from armlab.session.parts.timeline import clips
 from armlab.content.lessons import lesson
+from armlab.session.facts import fact_of
 from armlab.session.parts.joints import Joints
 from armlab.session.play import Player, problems
 from armlab.session.state import part_types
@@ -241,7 +273,9 @@ assert armlab.ik.solve_all(made_up, made_up.fk([0.4])).method == "made_up"
 assert "made_up" in [kind.key for kind in part_types()]
 assert "made_up" in clips()
 assert problems("made_up") == [], problems("made_up")
-assert Player(lesson("made_up")).session.state[Joints].q[0] == 1.0
+begun = Player(lesson("made_up")).session.state
+assert begun[Joints].q[0] == 1.0
+assert fact_of("made_up.made_up.value")[1].now(begun).value == 5.0
 assert main_of(["made_up", "word"]) == 0
 from armlab.front.page import make_page
 assert b".b-made_up {" in make_page().html
@@ -269,6 +303,7 @@ FILES = {
     "app/armlab/kin/ik/iterate/methods/made_up.py": ITERATION,
     "app/armlab/kin/ik/closed/made_up.py": CLOSED,
     f"{BENCH_FOLDER}/state.py": PART,
+    f"{BENCH_FOLDER}/facts.py": FACT,
     f"{BENCH_FOLDER}/job.py": JOB,
     f"{BENCH_FOLDER}/clip.py": CLIP,
     f"{BENCH_FOLDER}/bench.py": BENCH,

@@ -9,7 +9,7 @@ from armlab.content.robots import catalogue
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
-from armlab.ui.drawing import Drawing
+from armlab.ui.layer_drawing import Drawing
 from armlab.ui.plugin import Layer
 from armlab.ui.switches import SKELETON, Switch
 

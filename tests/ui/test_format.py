@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.content.arithmetic import evaluate
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.ui import format as fmt
 from armlab.ui.option_form import Scale, option_markup, option_value
 from armlab.ui.tried import plain_number

@@ -17,8 +17,8 @@ from armlab.session.hand_in import MOST
 from armlab.session.lesson_progress import MOST_TYPED
 from armlab.session.state import State
 from armlab.ui import adapter, option_form
+from armlab.ui.fields import LONGEST_CELL, LONGEST_TYPED, Fields
 from armlab.ui.units import units_of
-from armlab.ui.widgets import LONGEST_CELL, LONGEST_TYPED, Fields
 from support.bare import Bare
 from support.patience import Patience
 from support.student import run, student

@@ -35,9 +35,11 @@ def test_a_choice_undone_before_anything_was_shown_is_shown_undone(url, monkeypa
         first = method["value"]
         other = next(title for title in method["props"]["options"] if title != first)
         await browser.set_value(method, other)
+        await browser.until(lambda: 'title="Undo:' in browser.html())
+        await browser.set_value(method, first)
         await asyncio.sleep(0.15)
         await browser.press("undo")
-        await browser.until(lambda: browser.control("Method")["value"] == first)
+        await browser.until(lambda: browser.control("Method")["value"] == other)
         await browser.close()
 
     run(main())
@@ -95,9 +97,8 @@ def test_a_notice_is_told_once(url):
     async def main():
         cookie = cookie_of(url)
         browser = await student(url, cookie)
-        await browser.open("target")
-        await browser.press("x", "abc")
-        await browser.until(lambda: any("expected a number" in text for text in browser.notices))
+        await browser.press("speed", "100")
+        await browser.until(lambda: any("speed: expected 0.1 to 4.0" in text for text in browser.notices))
         await browser.close()
         again = await student(url, cookie)
         await asyncio.sleep(0.5)

@@ -1,14 +1,17 @@
 """Buttons, choices and fields as markup: nothing that is written into them can get out."""
 
-import logging
 from html.parser import HTMLParser
 from types import SimpleNamespace
 
 import pytest
 
-from armlab.session.session import Redo, Undo
+from armlab.benches.control.loop.state import Loop
+from armlab.content.robots import catalogue
+from armlab.session.fields import Set
+from armlab.session.session import Redo, Session, Undo
 from armlab.ui import markup
 from armlab.ui.overlay import Overlay
+from support.forms import BareFields
 
 BAD = "a\"><b onclick='x'>&lt;"
 
@@ -53,16 +56,24 @@ def test_of_several_choices_one_is_chosen():
     assert markup.options({"a": "A", "b": "B"}, "b").endswith('</option><option value="b" selected>B</option>')
 
 
-def test_only_undo_and_redo_step_back_and_forth(caplog, monkeypatch):
-    pressed, posted = [], []
-    monkeypatch.setattr("armlab.ui.overlay.Fields", lambda _gui, on_input: pressed.append(on_input))
-    Overlay(SimpleNamespace(gui=None), posted.append, posted.append)
-    press = pressed[0]
-    press("undo", "")
-    press("redo", "")
-    press("tabs", "Pose")
-    assert posted == [Undo(), Redo(), "Pose"]
-    with caplog.at_level(logging.WARNING):
-        press("anything", "")
-    assert len(posted) == 3
-    assert "not ours" in caplog.text
+def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(monkeypatch):
+    session, posted, made = Session.fresh("s", catalogue()["planar_2r"]), [], []
+
+    def fields(_gui, on_input):
+        made.append(BareFields(on_input))
+        return made[0]
+
+    monkeypatch.setattr("armlab.ui.overlay.Fields", fields)
+    overlay = Overlay(SimpleNamespace(gui=None), posted.append, posted.append)
+    overlay.show(session, handle=True)
+    for cell in ("undo", "redo", "home", "anything"):
+        made[0].send(cell, "")
+    made[0].send("tabs", "Pose")
+    assert posted == ["Pose"]
+    session.apply(Set(Loop, "mass", 2.0), 0.0)
+    session.apply(Set(Loop, "mass", 3.0), 5.0)
+    session.apply(Undo(), 6.0)
+    overlay.show(session, handle=True)
+    made[0].send("undo", "")
+    made[0].send("redo", "")
+    assert posted == ["Pose", Undo(), Redo()]

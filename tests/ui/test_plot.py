@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from armlab.ui.plot import MOST_POINTS, TIME, Curve, Plot
+from support.forms import BareForm
 from support.student import run, student
 
 
@@ -26,11 +27,11 @@ class FakeGui:
     """Records what a plot asks for."""
 
     def __init__(self):
-        self.saved, self.press, self.handle, self.marks = {}, None, None, []
+        self.saved, self.head, self.handle, self.marks = {}, None, None, []
 
-    def fields(self, on_input):
-        self.press = on_input
-        return self.html()
+    def form(self, post):
+        self.head = BareForm()
+        return self.head
 
     def html(self):
         self.marks.append(Markup())
@@ -58,7 +59,7 @@ def test_no_more_points_are_sent_than_can_be_seen_and_all_are_exported():
     assert len(sent) == 3
     assert all(len(column) == MOST_POINTS and column.flags.c_contiguous for column in sent)
     assert (sent[0][0], sent[0][-1]) == (0.0, 9.0)
-    gui.press("csv", "")
+    gui.head.press("csv")
     rows = list(csv.reader(io.StringIO(gui.saved["run.csv"])))
     assert rows[0] == ["t, s", "q0", "q1"]
     np.testing.assert_array_equal(np.array(rows[1:], dtype=float), np.column_stack([x, x**2, -x]))
@@ -112,7 +113,7 @@ def test_names_with_markup_stay_text():
     gui, _ = plot_of()
     gui = FakeGui()
     Plot(gui, "title", "x", [Curve("<b>", (0, 0, 0)), Curve("b", (1, 1, 1))], "run")
-    assert "&lt;b&gt;" in gui.marks[0].shown
+    assert "&lt;b&gt;" in gui.head.fields.content
 
 
 def test_the_curves_of_the_ellipsoid_are_shown_when_its_page_is_open(url):

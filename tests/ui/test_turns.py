@@ -6,8 +6,8 @@ import json
 import pytest
 
 from armlab.ui import adapter, turns
+from armlab.ui.fields import Fields
 from armlab.ui.turns import SHARE, SPARE, Turns
-from armlab.ui.widgets import Fields
 from support.bare import Bare
 from support.fake_browser import CAMERA
 from support.patience import Patience

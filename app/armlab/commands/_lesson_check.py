@@ -56,12 +56,17 @@ def problems_of(found: Found, variants: int = VARIANTS) -> Iterator[str]:
 
     Its names are looked for, and it is played in its variant 0 and, if it varies, in variants 1 to ``variants``.
     """
+    from armlab.commands import _references
     from armlab.content.lessons import lesson
 
     try:
         first = found.lesson()
     except ContentError as error:
         yield _of_error(found, error)
+        return
+    wrong = [_of_error(found, error) for error in _references.of_words(first)]
+    if wrong:
+        yield from wrong
         return
     yield from _names(found, first)
     yield from _titles(found, first)

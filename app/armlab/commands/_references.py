@@ -11,18 +11,23 @@ import numpy as np
 from armlab.benches.motion.api import TURNINGS
 from armlab.content import rows
 from armlab.content.actions import Action, PlayFilm, SetSwitch
+from armlab.content.bench_words import BenchWord, is_word
 from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
+from armlab.content.checks.fact import FactIs
 from armlab.content.checks.looked_at import LookedAt
 from armlab.content.lesson import Lesson, Step
+from armlab.content.lesson_lines import LessonError
 from armlab.content.lessons import lessons
 from armlab.content.motion_actions import SetMoveKind, TakeExample
 from armlab.content.robots import catalogue
-from armlab.errors import InputError, suggestion
+from armlab.errors import InputError, UnknownName, suggestion
 from armlab.session.bench import refuse_other_arm, robot_of, with_example
+from armlab.session.facts import fact_of, unfit
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
+from armlab.session.words import command_of
 
 _LINK = re.compile(r'href="/(?P<kind>lesson|robot)/(?P<key>[^/"?#]*)')
 
@@ -50,6 +55,7 @@ def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
     for action in step.solution:
         yield from (f"solution: {text}" for text in _of_action(lesson, action))
     yield from of_text(_texts(step))
+    yield from _of_facts(lesson, step)
     checks = [] if step.check is None else [step.check.check, *(wrong.check for wrong in step.check.wrong)]
     for looked in (found for check in checks for found in _looked_at(check)):
         yield from (f"check: {text}" for text in _unknown("panel", [looked.panel], panels))
@@ -57,6 +63,42 @@ def of_step(lesson: Lesson, step: Step) -> Iterator[str]:
         yield from (f"check: {text}" for text in _unknown("film", [looked.film], clips()))
         if looked.panel and looked.panel in lesson.hidden:
             yield f"check: the panel {looked.panel!r} is to be opened, and the lesson hides it"
+
+
+def of_words(lesson: Lesson) -> Iterator[LessonError]:
+    """Yield the mistakes in commands of benches at the starts and in the solutions of a lesson, with their lines."""
+    steps = [action for step in lesson.steps for action in (*step.begin, *step.solution)]
+    for action in (*lesson.begin, *steps):
+        if isinstance(action, BenchWord):
+            try:
+                command_of(action)
+            except LessonError as error:
+                yield error
+
+
+def _of_facts(lesson: Lesson, step: Step) -> Iterator[str]:
+    """Yield what is wrong with the facts of benches that a step checks or shows."""
+    for name in filter(is_word, (*step.live, *lesson.live)):
+        try:
+            fact_of(name)
+        except UnknownName as error:
+            yield f"live value: {error}"
+    checks = [] if step.check is None else [step.check.check, *(wrong.check for wrong in step.check.wrong)]
+    for asked in (found for check in checks for found in _facts(check)):
+        try:
+            _, fact = fact_of(asked.fact)
+        except UnknownName as error:
+            yield f"check: {error}"
+        else:
+            yield from (f"check: {asked.fact}: {text}" for text in unfit(asked, fact))
+
+
+def _facts(check: Check) -> Iterator[FactIs]:
+    if isinstance(check, FactIs):
+        yield check
+    elif isinstance(check, AllOf):
+        for each in check.checks:
+            yield from _facts(each)
 
 
 def _of_action(lesson: Lesson, action: Action) -> Iterator[str]:

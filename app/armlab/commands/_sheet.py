@@ -9,8 +9,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.commands._sheet_bench import bench_words, facts_asked
 from armlab.commands._sheet_motion import motion_words
 from armlab.content import actions
+from armlab.content.bench_words import BenchWord
 from armlab.content.lesson import Lesson, Step
 from armlab.content.lesson_values import written
 from armlab.content.question import Choices, Question
@@ -69,10 +71,12 @@ def solution(lesson: Lesson, step: Step) -> str:
 
 
 def _asked(lesson: Lesson) -> Iterator[str]:
-    """Yield the questions, with the values of variant 0."""
+    """Yield the questions, and what is asked of the benches, with the values of variant 0."""
+    in_first = ", in variant 0" if lesson.varies else ""
     for i, step in enumerate(lesson.steps):
+        for asked in () if step.check is None else facts_asked(step.check.check):
+            yield f"- Step {i + 1}, {escaped(step.title)}{in_first}, is to have {escaped(asked)}"
         if step.question is not None:
-            in_first = ", in variant 0" if lesson.varies else ""
             yield f"- Step {i + 1}, {escaped(step.title)}{in_first}: {escaped(plain(step.question.html))}"
 
 
@@ -120,6 +124,8 @@ def _done(action: actions.Action, lesson: Lesson) -> str:
         return f"answer {action.text}"
     if isinstance(action, actions.PlayFilm):
         return {"film": "play the film", "motion": "play the motion"}.get(action.name, f"play {action.name}")
+    if isinstance(action, BenchWord):
+        return bench_words(action)
     return motion_words(action)
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.content import robots
+from armlab.content.bench_words import BenchWord, read_word
 from armlab.content.check import JOINT_VALUES, configuration
 from armlab.content.lesson_fields import Fields
 from armlab.content.motion_actions import READERS as MOTION_READERS
@@ -90,11 +91,11 @@ class TypeAnswer:
     text: str
 
 
-Action = Move | MoveTarget | SetCell | TakeRobot | SetSwitch | PlayFilm | Wait | TypeAnswer | MotionAction
+Action = Move | MoveTarget | SetCell | TakeRobot | SetSwitch | PlayFilm | Wait | TypeAnswer | MotionAction | BenchWord
 
 
 def read_solution(table: Table, robot: Robot, catalogue: Catalogue | None = None) -> tuple[Action, ...]:
-    """Read the table of a solution: joint values, or tables ``do``, each of a kind.
+    """Read the table of a solution: joint values, or tables ``do``, each of a kind or with a command of a bench.
 
     Parameters
     ----------
@@ -123,15 +124,32 @@ def read_solution(table: Table, robot: Robot, catalogue: Catalogue | None = None
         )
     found: list[Action] = []
     for entry in entries:
-        action = _action(Fields.of(entry), robot, catalogue or robots.catalogue())
+        action = _action(Fields.of(entry), robot, catalogue or robots.catalogue(), (*_READERS, "robot"))
         if isinstance(action, TakeRobot):
             robot = (catalogue or robots.catalogue())[action.key]
         found.append(action)
     return tuple(found)
 
 
-def _action(entry: Fields, robot: Robot, catalogue: Catalogue) -> Action:
-    kind = entry.choice("kind", (*_READERS, "robot"))
+def read_begin(table: Table, robot: Robot) -> tuple[Action, ...]:
+    """Take tables ``do`` of what is put in place at a start: of `AT_START`, or with a command of a bench; may be none.
+
+    Raises
+    ------
+    ContentError
+    """
+    entries = table.tables("do")
+    if len(entries) > MOST_ACTIONS:
+        raise table.fail("do", f"expected at most {MOST_ACTIONS} tables [[do]], got {len(entries)}")
+    return tuple(_action(Fields.of(entry), robot, robots.catalogue(), AT_START) for entry in entries)
+
+
+def _action(entry: Fields, robot: Robot, catalogue: Catalogue, kinds: Iterable[str]) -> Action:
+    if entry.has("command"):
+        return read_word(entry)
+    if not entry.has("kind"):
+        raise entry.fail("kind", f"missing; expected one of {', '.join(kinds)}, or command, a word of a bench")
+    kind = entry.choice("kind", kinds)
     action = _take_robot(entry, catalogue) if kind == "robot" else _READERS[kind](entry, robot)
     entry.done()
     return action
@@ -212,3 +230,6 @@ _READERS: dict[str, Callable[[Fields, Robot], Action]] = {
     "motion": lambda entry, robot: PlayFilm("motion"),
     **MOTION_READERS,
 }
+
+AT_START = ("move", "target", "switch", *MOTION_READERS)
+"""Kinds of what can be put in place at a start: what plays, waits, answers or makes another arm is a student's."""

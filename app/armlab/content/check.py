@@ -178,6 +178,12 @@ class StateCheck:
         return any(getattr(check, "of_motion", False) for check in (self.check, *(each.check for each in self.wrong)))
 
     @property
+    def facts(self) -> tuple[str, ...]:
+        """Words of the facts of benches that it or a mistake it knows looks at."""
+        checks = (self.check, *(each.check for each in self.wrong))
+        return tuple(dict.fromkeys(word for check in checks for word in getattr(check, "facts", ())))
+
+    @property
     def noted(self) -> tuple[str, ...]:
         """What of it no file proves, such as the time that has passed: it can only be taken down as it was told."""
         return tuple(dict.fromkeys(getattr(self.check, "noted", ())))

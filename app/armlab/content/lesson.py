@@ -30,6 +30,8 @@ class Step:
         What is put in place when it is shown, as of a `Lesson`; empty where it goes on with what is there.
     panel : str
         The panel that is opened when it is shown; empty for none.
+    begin : tuple of Action
+        What is done, after the example, when it is shown.
     html : str
     check : StateCheck or None
     question : Question or None
@@ -47,6 +49,7 @@ class Step:
     line: int
     example: str
     panel: str
+    begin: tuple[Action, ...]
     html: str
     check: StateCheck | None
     question: Question | None
@@ -79,6 +82,8 @@ class Lesson:
         The panel that is opened; empty for none.
     example : str
         The example of a bench that is put in place, such as ``"motion/corner_fly"``; empty for none.
+    begin : tuple of Action
+        What is done after that.
     overlays : tuple of str
         What is drawn besides the arm.
     target : ndarray, shape (4, 4), or None
@@ -114,6 +119,7 @@ class Lesson:
     start: NDArray[np.float64]
     panel: str
     example: str
+    begin: tuple[Action, ...]
     overlays: tuple[str, ...]
     target: NDArray[np.float64] | None
     camera: Camera | None

@@ -14,6 +14,7 @@ from types import MappingProxyType
 from markdown_it.token import Token
 
 from armlab.content import robots
+from armlab.content.bench_words import placed
 from armlab.content.lesson import Lesson
 from armlab.content.lesson_fields import Fields
 from armlab.content.lesson_front import read_front
@@ -94,6 +95,7 @@ def parse_lesson(
         start=front.start,
         panel=front.panel,
         example=front.example,
+        begin=placed(front.begin, toml),
         overlays=front.overlays,
         target=front.target,
         camera=front.camera,

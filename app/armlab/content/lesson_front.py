@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.actions import known_robot
+from armlab.content.actions import Action, known_robot, read_begin
 from armlab.content.check import JOINT_VALUES, configuration
 from armlab.content.lesson import LOCKS
 from armlab.content.lesson_arm import read_arm
@@ -28,6 +28,7 @@ class Front:
     start: NDArray[np.float64]
     panel: str
     example: str
+    begin: tuple[Action, ...]
     overlays: tuple[str, ...]
     target: NDArray[np.float64] | None
     camera: Camera | None
@@ -52,6 +53,7 @@ def read_front(top: Fields, catalogue: Catalogue) -> Front:
         start=_start(top, robot),
         panel=top.text("panel", ""),
         example=example_name(top, "example") if top.has("example") else "",
+        begin=read_begin(top, robot),
         overlays=top.words("overlays"),
         target=_target(top.table("target")),
         camera=_camera(top.table("camera")),

@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from markdown_it.token import Token
 
-from armlab.content.actions import Action, read_solution
+from armlab.content.actions import Action, read_begin, read_solution
+from armlab.content.bench_words import placed
 from armlab.content.check import StateCheck, read_state_check
 from armlab.content.lesson import Step
 from armlab.content.lesson_fields import Fields, example_name
@@ -61,10 +62,11 @@ class Setting:
 
 
 class Start(NamedTuple):
-    """How a step begins: the example that is put in place, and the panel that is opened; empty for none."""
+    """How a step begins: the example that is put in place, what is done then, the panel that is opened."""
 
     example: str = ""
     panel: str = ""
+    begin: tuple[Action, ...] = ()
 
 
 def sections_of(tokens: list[Token]) -> list[list[Token]]:
@@ -111,6 +113,7 @@ def read_step(setting: Setting, number: int, section: list[Token]) -> Step:
         line=line,
         example=start.example,
         panel=start.panel,
+        begin=start.begin,
         html=prose.html(text, where, setting.before),
         check=check,
         question=question,
@@ -140,12 +143,12 @@ def _sorted(setting: Setting, where: str, blocks: list[Token]) -> tuple[list[Tok
     return text, found
 
 
-def _read_start(table: Table) -> Start:
-    """Take ``example`` and ``panel``, at least one of them."""
+def _read_start(table: Table, robot: Robot) -> Start:
+    """Take ``example``, ``panel`` and tables ``do``, at least one of them."""
     example = example_name(table, "example") if table.has("example") else ""
-    start = Start(example, table.text("panel", ""))
+    start = Start(example, table.text("panel", ""), read_begin(table, robot))
     if start == Start():
-        raise table.fail("example", "missing; expected example, panel or both")
+        raise table.fail("example", "missing; expected example, panel or tables [[do]]")
     table.done()
     return start
 
@@ -163,7 +166,8 @@ class _Blocks:
         if not self.found["start"]:
             return Start()
         with self._located("start"):
-            return _read_start(self._table("start"))
+            start = _read_start(self._table("start"), self.setting.robot)
+            return start._replace(begin=placed(start.begin, self._padded(self.found["start"][0])))
 
     def check(self) -> StateCheck | None:
         if not self.found["check"]:
@@ -181,7 +185,8 @@ class _Blocks:
         if not self.found["solution"]:
             return ()
         with self._located("solution"):
-            return read_solution(self._table("solution"), self.setting.robot, self.setting.catalogue)
+            done = read_solution(self._table("solution"), self.setting.robot, self.setting.catalogue)
+            return placed(done, self._padded(self.found["solution"][0]))
 
     def texts(self, name: str) -> tuple[str, ...]:
         where = f"{self.where}.{name}"
@@ -198,5 +203,5 @@ class _Blocks:
         """Return the table of a block, with the values of the variant."""
         file, where = self.setting.file, f"{self.where}.{name}"
         table = Fields.parse(file, self._padded(self.found[name][0]))
-        minus = "-" if name == "solution" else "\u2212"
+        minus = "-" if name in ("solution", "start") else "\u2212"
         return Table(file, filled_data(table.data, self.setting.values, file, where, minus), where)

@@ -24,6 +24,7 @@ from markdown_it.rules_inline import StateInline
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
+from armlab.content.bench_words import is_word
 from armlab.errors import ContentError, InputError, suggestion
 
 _ELEMENTS = re.compile(
@@ -199,7 +200,7 @@ def _convert(token: Token, extras: Extras) -> None:
     """Convert a formula, in which no live value can stand."""
     for found in _LIVE.finditer(token.content):
         name = _name(found[1])
-        if name in extras.live:
+        if name in extras.live or is_word(name):
             raise InputError(f"{{{{{name}}}}} is a live value and cannot stand in a formula; write it between formulas")
     token.meta = {"html": formula(token.content.strip(), token.type != "math_inline")}
 
@@ -216,6 +217,9 @@ def _look_up(token: Token, extras: Extras) -> None:
         raise InputError(
             f"expected {{{{name}}}}, or of a length {{{{name:m}}}} for metres, got {{{{{token.content}}}}}"
         )
+    if is_word(name):
+        extras.used.add(name)
+        return
     if name not in extras.live:
         there = [each for each, missing in extras.live.items() if not missing]
         raise InputError(f"unknown live value {name!r}{suggestion(name, there)}")

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.content import evidence
 from armlab.content.joint_limits import outside
 from armlab.content.robots import Robot
+from armlab.content.seen_fact import SeenFact
 from armlab.content.seen_motion import SeenMotion
 from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS, Arm
@@ -51,6 +53,9 @@ class Observation:
         What was played to its end.
     motion : SeenMotion or None
         The planned motion; None where nothing in the step asks for it, for planning takes time.
+    facts : mapping of str to SeenFact
+        What benches publish, by words such as ``velocity.statics.torques``; only those the step asks for. They follow
+        from the inputs of the benches, which are kept as evidence in their place.
     """
 
     arm: Arm
@@ -62,6 +67,7 @@ class Observation:
     panel: str = ""
     films: frozenset[str] = frozenset()
     motion: SeenMotion | None = None
+    facts: Mapping[str, SeenFact] = field(default_factory=lambda: MappingProxyType({}))
 
     @classmethod
     def of(cls, arm: Arm, q: ArrayLike, **more: Any) -> Observation:

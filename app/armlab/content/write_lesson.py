@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -64,6 +64,7 @@ def lesson_text(
     target: ArrayLike | None = None,
     camera: Camera | None = None,
     answers: Sequence[NumberAsked] = (),
+    begin: Sequence[tuple[str, Mapping[str, str]]] = (),
 ) -> str:
     """Return a complete lesson file whose goal is the arm at q.
 
@@ -83,6 +84,8 @@ def lesson_text(
         Where the handle stands at first, in the world.
     camera : Camera, optional
     answers : sequence of NumberAsked, optional
+    begin : sequence of (str, mapping of str to str), optional
+        Words of benches and their arguments, done when the lesson opens.
 
     Raises
     ------
@@ -98,7 +101,7 @@ def lesson_text(
     last = "\n".join(line for number, asked in enumerate(answers, start=1) for line in _question(number, asked))
     for task in (_pose_task(robot, goal), _joints_task(robot, goal)):
         for start in _starts(robot, goal):
-            front = _front(title, robot, start, panel, overlays, target, camera)
+            front = _front(title, robot, start, panel, overlays, target, camera, begin)
             text = f"{front}\n{_step(robot, goal, *task)}{last}"
             if _is_a_task(text, goal):
                 return text
@@ -139,6 +142,7 @@ def _front(
     overlays: Sequence[str],
     target: ArrayLike | None,
     camera: Camera | None,
+    begin: Sequence[tuple[str, Mapping[str, str]]],
 ) -> str:
     known = robots.catalogue().robots.get(robot.key) is robot
     lines = ["+++", f"title = {_text(title.strip() or 'My lesson')}", f"chapter = {_text(CHAPTER)}", "teaches = []"]
@@ -151,6 +155,8 @@ def _front(
         lines += ["", "[target]", f"position = {_numbers(T[:3, 3])}", f"rpy_deg = {_numbers(_roll_pitch_yaw(T))}"]
     if camera is not None:
         lines += ["", "[camera]", *(f"{key} = {shortest(value)}" for key, value in vars(camera).items())]
+    for word, arguments in begin:
+        lines += ["", "[[do]]", f"command = {_text(word)}", *(f"{key} = {_text(v)}" for key, v in arguments.items())]
     if not known:
         lines += ["", "[arm]", _own_arm(robot)]
     return "\n".join([*lines, "+++", ""])

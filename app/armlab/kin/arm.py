@@ -274,7 +274,8 @@ class Arm:
         return bool(np.all(inside))
 
     def __str__(self) -> str:
-        return table(self)
+        title, task = self.name or "Arm", self.task.title
+        return table(title, self.convention, self.rows, self.limits, self.base, self.tool, task)
 
 
 def _writable_rows(out: Array) -> bool:

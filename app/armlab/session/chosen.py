@@ -9,7 +9,7 @@ from typing import Any, Protocol, Self
 import numpy as np
 
 from armlab.errors import InputError, UnknownName
-from armlab.kin.motion.field import Field, seen_fields
+from armlab.kin.field import Field, seen_fields
 from armlab.session.state import Json
 
 Value = Any

@@ -260,7 +260,7 @@ def _check_again(found: Lesson, step: Step, evidence: Json, plans: bool) -> tupl
     if evidence is None:
         return False, "Not done."
     try:
-        seen = seen_again(evidence, found.robot_used, plans)
+        seen = seen_again(evidence, found.robot_used, plans, step.check.facts)
     except ArmlabError as error:
         return False, f"The evidence is not usable: {error}"
     if not step.check.of_table and not same_table(seen.arm, found.robot_used.arm):

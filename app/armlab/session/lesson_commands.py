@@ -6,22 +6,14 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import ClassVar
 
-import numpy as np
-
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.errors import InputError
-from armlab.kin.ik.target import feasible
-from armlab.session.bench import with_example
 from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
-from armlab.session.parts.display import Display
+from armlab.session.lesson_start import gone_to, held, refuse_unknown, set_up
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
-from armlab.session.parts.robot import RobotPart
-from armlab.session.parts.target import Target
-from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, State
-from armlab.session.taught import taught
 
 MOST_VARIANT = 9999
 
@@ -53,7 +45,8 @@ class OpenLesson(Command):
         opened = replace(part, open=place, set_up=part.set_up + 1)
         kept = Progress() if self.anew else opened.progress.anew()
         lesson = at_place(place)
-        return _set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept))
+        refuse_unknown(lesson)
+        return set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept))
 
     def _place(self, part: LessonPart) -> str:
         if self.variant is not None and not 0 <= self.variant <= MOST_VARIANT:
@@ -73,7 +66,7 @@ class TakeLessonArm(Command):
     def apply(self, state: State) -> State:
         """Return the state with the arm of the lesson."""
         part = state[LessonPart]
-        return _set_up(state, _lesson(state), part.index).replace(replace(part, set_up=part.set_up + 1))
+        return set_up(state, _lesson(state), part.index).replace(replace(part, set_up=part.set_up + 1))
 
 
 @dataclass(frozen=True)
@@ -90,7 +83,7 @@ class CloseLesson(Command):
             return state
         joints = state[Joints]
         if found.locked_joints and joints.arm.n >= max(found.locked_joints):
-            joints = _held(joints, found, False)
+            joints = held(joints, found, False)
         return state.replace(joints, replace(part, open=""))
 
 
@@ -137,9 +130,9 @@ class SignAs(Command):
 
 @dataclass(frozen=True)
 class GoToStep(Command):
-    """Show a step of the open lesson, done or not, with the example that it works on.
+    """Show a step of the open lesson, done or not, with what it begins with.
 
-    One that works on the example of the step shown before it goes on with what has become of that.
+    One that begins with nothing of its own goes on with what has become of the step shown before it.
 
     Parameters
     ----------
@@ -159,11 +152,8 @@ class GoToStep(Command):
             return state
         shown = replace(part.progress, step=step_names(lesson)[self.step]).anew()
         gone = state.replace(part.with_progress(shown))
-        before, (stage, example) = _stage(lesson, part.index), _stage(lesson, self.step)
-        if not example or before == (stage, example):
-            return gone
-        put = with_example(gone, example, lesson.robot)
-        return put.replace(replace(put[LessonPart], set_up=part.set_up + 1))
+        put = gone_to(gone, lesson, part.index, self.step)
+        return put if put is gone else put.replace(replace(put[LessonPart], set_up=part.set_up + 1))
 
 
 @dataclass(frozen=True)
@@ -222,48 +212,3 @@ def _lesson(state: State) -> Lesson:
     if lesson is None:
         raise InputError("lesson: none is open")
     return lesson
-
-
-def _stage(lesson: Lesson, i: int) -> tuple[int, str]:
-    """Return which step, at or before step i, last puts an example in place, and which; -1 is the lesson itself."""
-    return next(
-        ((k, lesson.steps[k].example) for k in range(i, -1, -1) if lesson.steps[k].example), (-1, lesson.example)
-    )
-
-
-def _set_up(state: State, lesson: Lesson, i: int) -> State:
-    """Return the state with arm, pose, target, switches and example as step i finds them; nothing plays."""
-    robot = lesson.robot_used
-    if robot is not state[RobotPart].robot:
-        state = state.with_robot(robot)
-    joints = _held(Joints.initial(robot).moved_to(lesson.start), lesson, True)
-    # What the lesson before has switched on would be in the way; what is on besides is a matter of this one.
-    off = {name: False for name, on in state[Display].switches.items() if not on}
-    on = {**off, **state[Display].of_screen(), **dict.fromkeys(lesson.overlays, True)}
-    # Not what the student has made on a bench before.
-    fresh = [each.part.initial(robot) for each in taught() if any(map(each.checked, lesson.steps))]
-    ready = state.replace(
-        joints,
-        _target(lesson, joints, state[Target]),
-        Display(MappingProxyType(on)),
-        replace(state[Timeline], clip="", time=0.0, playing=False),
-        *fresh,
-    )
-    _, example = _stage(lesson, i)
-    return with_example(ready, example, lesson.robot) if example else ready
-
-
-def _held(joints: Joints, lesson: Lesson, on: bool) -> Joints:
-    locked = tuple(on if j + 1 in lesson.locked_joints else held for j, held in enumerate(joints.locked))
-    return replace(joints, locked=locked)
-
-
-def _target(lesson: Lesson, joints: Joints, target: Target) -> Target:
-    if lesson.target is None:
-        return replace(target, pose=None, catching_up=False)
-    pose = np.array(feasible(joints.arm, lesson.target, joints.tool_pose), dtype=np.float64)
-    if joints.arm.task.rotation == "none":
-        # The orientation is free: show the target as the tool stands.
-        pose[:3, :3] = joints.tool_pose[:3, :3]
-    pose.setflags(write=False)
-    return replace(target, pose=pose, catching_up=False)

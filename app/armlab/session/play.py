@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.content import actions, motion_actions
+from armlab.content import actions
 from armlab.content.check import Check
 from armlab.content.checks.all_of import AllOf
 from armlab.content.checks.looked_at import LookedAt
@@ -18,21 +18,18 @@ from armlab.content.joint_limits import outside
 from armlab.content.lesson import Lesson
 from armlab.content.lessons import lesson as find_lesson
 from armlab.content.observation import Observation
-from armlab.errors import InputError
+from armlab.errors import ContentError, InputError
 from armlab.kin.checks import finite_floats, whole_number
-from armlab.session import edits
-from armlab.session.bench import PutInPlace
+from armlab.session.deeds import commands_of
+from armlab.session.facts import benches_of, seen_facts
 from armlab.session.hand_in import plain
 from armlab.session.job import Deliver
 from armlab.session.lesson_commands import Answer, GoToStep, LookAt, OpenLesson
-from armlab.session.parts.display import Show
-from armlab.session.parts.joints import MoveJoint
+from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, check_line, observed
-from armlab.session.parts.robot import ChooseRobot
-from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, duration
 from armlab.session.session import Session
-from armlab.session.state import Command
+from armlab.session.state import Command, State
 from armlab.session.taught import taught
 
 RANDOM_STATES = 100
@@ -101,8 +98,9 @@ class Player:
 
     def _plan(self) -> None:
         """Work out what lessons may ask for, such as the plan of the motion, where the lab would."""
-        for job in (each.job for each in taught()):
-            wanted = job.wanted(self.session.state, frozenset())
+        of_facts = [(found.job, {found.panel}) for found in benches_of(self.part.facts) if found.job is not None]
+        for job, panels in (*((each.job, set[str]()) for each in taught()), *of_facts):
+            wanted = job.wanted(self.session.state, frozenset(panels))
             if wanted is None or not self._planning:
                 continue
             for found in job.run(wanted.inputs):
@@ -114,30 +112,20 @@ class Player:
         if isinstance(action, actions.Wait):
             self.time += action.seconds
             return ""
-        return next(filter(None, (self.do(command) for command in self._commands(action))), "")
+        try:
+            return next(filter(None, (self.do(command) for command in self._commands(action))), "")
+        except ContentError as error:
+            return f"{error.key}: {error.problem}"
 
     def _commands(self, action: actions.Action) -> Iterator[Command]:
-        if isinstance(action, actions.Move):
-            yield from (MoveJoint(i, float(value)) for i, value in enumerate(action.q))
-        elif isinstance(action, actions.MoveTarget):
-            yield PlaceTarget(action.T)
-        elif isinstance(action, actions.SetCell):
-            yield edits.SetCell(action.row, action.field, action.value)
-        elif isinstance(action, actions.TakeRobot):
-            yield ChooseRobot(action.key)
-        elif isinstance(action, actions.SetSwitch):
-            yield Show(action.name, action.on)
-        elif isinstance(action, actions.PlayFilm):
+        if isinstance(action, actions.PlayFilm):
             yield OpenClip(action.name)
             yield Seek(0.0)
             yield Seek(duration(self.session.state))
-        elif isinstance(action, motion_actions.TakeExample):
-            yield PutInPlace(action.name)
         elif isinstance(action, actions.TypeAnswer):
             yield Answer(action.text)
         else:
-            for each in taught():
-                yield from each.commands(action, self.session.state)
+            yield from commands_of(action, self.session.state)
 
 
 def problems(key: str, variant: int = 0) -> list[Problem]:
@@ -162,8 +150,9 @@ def problems(key: str, variant: int = 0) -> list[Problem]:
         if refused := player.go_to(i):
             found.append(Problem(i + 1, step.line, f"it cannot be shown: {refused}"))
             continue
-        says = (*_before(player), *_played(player, i), *_wrong_answers(lesson, i), *_wrong_states(lesson, i))
-        found += [Problem(i + 1, step.line, text) for text in (*says, *_by_chance(lesson, i))]
+        begun = player.session.state
+        says = (*_before(player), *_played(player, i), *_wrong_answers(lesson, i), *_wrong_states(lesson, i, begun))
+        found += [Problem(i + 1, step.line, text) for text in (*says, *_by_chance(lesson, i, begun))]
     return found
 
 
@@ -198,7 +187,10 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
     values = finite_floats(q, "q", (arm.n,), f"{arm.n} joint values in radians and metres")
     if not arm.within_limits(values):
         raise InputError(f"q: outside the joint limits of {lesson.robot_used.name}: {outside(arm, values)}")
-    met, says = check.judge(_seen_at(_at_start(lesson), values))
+    seen = _seen_at(_at_start(lesson), values)
+    if check.facts:
+        seen = _with_facts(seen, check.facts, Player(lesson, planning=False).session.state)
+    met, says = check.judge(seen)
     return met, plain(says)
 
 
@@ -248,7 +240,7 @@ def _wrong_answers(lesson: Lesson, i: int) -> Iterator[str]:
             yield f"question.wrong[{number}] ({wrong.typed}) gets another verdict: {plain(verdict.says)}"
 
 
-def _wrong_states(lesson: Lesson, i: int) -> Iterator[str]:
+def _wrong_states(lesson: Lesson, i: int, begun: State) -> Iterator[str]:
     check = lesson.steps[i].check
     for number, wrong in enumerate(check.wrong if check else (), start=1):
         assert check is not None
@@ -256,7 +248,7 @@ def _wrong_states(lesson: Lesson, i: int) -> Iterator[str]:
             if _of_configuration(wrong.check):
                 yield f"check.wrong[{number}] needs q_deg, q_m or q_deg_m: a configuration that gets its verdict"
             continue
-        met, says = check.judge(_seen_at(_at_start(lesson), wrong.q))
+        met, says = check.judge(_with_facts(_seen_at(_at_start(lesson), wrong.q), check.facts, begun))
         if met or says != wrong.says:
             yield f"check.wrong[{number}] gets another verdict at its own configuration: {plain(says)}"
 
@@ -265,7 +257,7 @@ def _of_configuration(check: Check) -> bool:
     """Return whether joint values alone can meet a check."""
     if isinstance(check, AllOf):
         return all(_of_configuration(each) for each in check.checks)
-    of_more = getattr(check, "of_table", False) or getattr(check, "of_motion", False)
+    of_more = any(getattr(check, name, False) for name in ("of_table", "of_motion", "facts"))
     return not of_more and not isinstance(check, TargetAt | LookedAt)
 
 
@@ -278,11 +270,11 @@ def panels_asked(check: Check) -> Iterator[str]:
         yield check.panel
 
 
-def _by_chance(lesson: Lesson, i: int) -> Iterator[str]:
+def _by_chance(lesson: Lesson, i: int, begun: State) -> Iterator[str]:
     check = lesson.steps[i].check
     if check is None:
         return
-    count = sum(check.check.is_met(seen) for seen in random_states(lesson))
+    count = sum(check.check.is_met(_with_facts(seen, check.facts, begun)) for seen in random_states(lesson))
     if count > MOST_BY_CHANCE:
         yield f"{count} of {RANDOM_STATES} random states meet its check: make its tolerances smaller"
 
@@ -297,3 +289,11 @@ def random_states(lesson: Lesson, count: int = RANDOM_STATES) -> Iterator[Observ
 
 def _seen_at(start: Observation, q: NDArray[np.float64]) -> Observation:
     return Observation.of(start.arm, q, target=start.target, switches=start.switches, panel=start.panel)
+
+
+def _with_facts(seen: Observation, words: tuple[str, ...], begun: State) -> Observation:
+    """Return what is seen with facts of benches, which stand as they do when the step begins."""
+    if not words:
+        return seen
+    state = begun.replace(begun[Joints].moved_to(seen.q))
+    return replace(seen, facts=seen_facts(state, words))

@@ -6,11 +6,15 @@ from dataclasses import replace
 
 from armlab.content.observation import Observation
 from armlab.content.robots import Robot
+from armlab.session.facts import facts_again
 from armlab.session.state import Json
 from armlab.session.taught import taught
 
+FACTS = "facts"
+"""Where evidence holds what facts of benches follow from."""
 
-def seen_again(data: Json, robot: Robot, plans: bool = True) -> Observation:
+
+def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, ...] = ()) -> Observation:
     """Return what a check saw.
 
     Parameters
@@ -22,15 +26,19 @@ def seen_again(data: Json, robot: Robot, plans: bool = True) -> Observation:
     plans : bool
         Whether that work is done again, such as the planning of a motion, which may take seconds; what is told of it is
         taken down otherwise.
+    facts : tuple of str
+        Words of the facts of benches that the check looks at.
 
     Raises
     ------
     InputError
         The evidence is not usable.
     """
-    work = {each.part.key for each in taught()}
+    work = {each.part.key for each in taught()} | {FACTS}
     kept = {key: value for key, value in data.items() if key not in work} if isinstance(data, dict) else data
     seen = Observation.from_json(kept, robot)
+    if facts:
+        seen = replace(seen, facts=facts_again(data.get(FACTS), facts, seen, robot, plans))
     if not plans:
         return seen
     told = [(each, getattr(seen, each.key)) for each in taught()]

@@ -57,6 +57,22 @@ class Refuse(Command):
 
 
 @dataclass(frozen=True)
+class Asked(Command):
+    """What a person asked for with one field or button: all of it is done, or nothing, and it is told there why.
+
+    Parameters
+    ----------
+    commands : tuple of Command
+        Applied one after the other.
+    refused : callable
+        Called, in the worker's thread, with the reason why not.
+    """
+
+    commands: tuple[Command, ...]
+    refused: Callable[[str], None]
+
+
+@dataclass(frozen=True)
 class Notice:
     """Something to tell the student once; ``number`` grows with each."""
 
@@ -108,7 +124,7 @@ class Session:
         return self.state[RobotPart].robot
 
     def apply(self, command: Command, at: float) -> None:
-        """Apply one command. A refused or failing one leaves the state as it was and a notice.
+        """Apply one command. A refused or failing one leaves the state as it was, and a notice.
 
         Parameters
         ----------
@@ -117,6 +133,8 @@ class Session:
             Seconds of any steady clock; strokes with a pause between them are steps of their own.
         """
         before = self.state
+        asked, refused = (command.commands, command.refused) if isinstance(command, Asked) else ((command,), self.tell)
+        command = asked[0] if len(asked) == 1 else command
         try:
             if isinstance(command, Undo):
                 self.state = self._stepped(self.history.undo, self.history.redo)
@@ -126,12 +144,9 @@ class Session:
                 self.state, self.history = _beginning(self.token, self.opening), History()
                 self._elsewhere.clear()
             else:
-                after = apply(self.state, command, at)
-                if after is not self.state:
-                    self._note(command, after, at)
-                    self.state = after
+                self._take(asked, at)
         except ArmlabError as refusal:
-            self.tell(str(refusal))
+            refused(str(refusal))
         except Exception as error:
             # In one line: strangers send commands, too. The trace is for debugging.
             log.error("%s failed: %s", type(command).__name__, in_one_line(error))
@@ -139,6 +154,16 @@ class Session:
             self.tell(f"{type(command).__name__} failed inside the lab; nothing was changed.")
         if self.state is before or isinstance(command, (Undo, Redo, StartFresh)):
             self.untaken += 1
+
+    def _take(self, commands: tuple[Command, ...], at: float) -> None:
+        """Apply commands one after the other, all of them or none."""
+        states = [self.state]
+        for command in commands:
+            states.append(apply(states[-1], command, at))
+        for command, after in zip(commands, states[1:], strict=True):
+            if after is not self.state:
+                self._note(command, after, at)
+                self.state = after
 
     def _note(self, command: Command, after: State, at: float) -> None:
         """Note a step of undo. Each place of the shelf has its history; one that is shared begins without."""

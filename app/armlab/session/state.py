@@ -205,6 +205,10 @@ class Command:
         return None
 
 
+Post = Callable[[Command], None]
+"""Hands a command to the worker; returns at once."""
+
+
 def apply(state: State, command: Command, at: float = 0.0) -> State:
     """Return the state after a command and after the reactions of the parts to it.
 

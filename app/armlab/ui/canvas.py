@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from armlab.kin.easing import eased
 from armlab.kin.rotations import quaternion_from_rotation
+from armlab.session.state import Post
 from armlab.ui import adapter
 from armlab.ui.figure.drawn import Drawn
-from armlab.ui.plugin import Post
 
 JUMP = 0.35
 """Joint changes larger than this (rad, or sizes of the arm) are shown as a short move; smaller ones at once, so that

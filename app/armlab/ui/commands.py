@@ -5,19 +5,34 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, partial
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import Any, Literal, Protocol, cast
+
+import viser
 
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import RandomPose, TakePose
 from armlab.session.parts.target import TargetToTool
-from armlab.session.session import Redo, Undo
+from armlab.session.session import Redo, Session, Undo
+from armlab.session.state import Command
 from armlab.ui import adapter
+from armlab.ui.camera import Camera
 from armlab.ui.format import lowered
 from armlab.ui.plugin import pages, switches
 from armlab.ui.switches import Switch
 
-if TYPE_CHECKING:
-    from armlab.ui.view import View
+
+class Page(Protocol):
+    """What an entry can act on: the page of a browser."""
+
+    client: viser.ClientHandle
+    camera: Camera
+    session: Session
+
+    def post(self, command: Command) -> None:
+        """Hand in a command."""
+
+    def open_tab(self, key: str) -> None:
+        """Bring a panel to the front."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +54,7 @@ class Shortcut:
     label: str
     key: str | None
     shown: str
-    act: Callable[[View], None]
+    act: Callable[[Page], None]
     modifier: Literal["cmd/ctrl", "cmd/ctrl+shift"] | None = None
 
 
@@ -59,7 +74,7 @@ _FIXED: tuple[Shortcut, ...] = (
 
 
 def _toggle(switch: Switch) -> Shortcut:
-    def act(view: View) -> None:
+    def act(view: Page) -> None:
         view.post(Show(switch.name, not switch.on(view.session.state)))
 
     return Shortcut(f"Show or hide: {lowered(switch.title)}", switch.key or None, switch.key, act)
@@ -76,12 +91,12 @@ def shortcuts() -> tuple[Shortcut, ...]:
     return (*_FIXED, *toggles, *(_open(panel.key, panel.title) for panel in pages().values()))
 
 
-def register(view: View) -> None:
+def register(view: Page) -> None:
     """Add all entries to the palette of a browser."""
     for shortcut in shortcuts():
         handle = view.client.gui.add_command(shortcut.label, hotkey=cast(Any, shortcut.key), modifier=shortcut.modifier)
         adapter.on_event(handle, "on_trigger", partial(_do, shortcut, view))
 
 
-def _do(shortcut: Shortcut, view: View, _: object) -> None:
+def _do(shortcut: Shortcut, view: Page, _: object) -> None:
     shortcut.act(view)

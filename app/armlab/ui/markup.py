@@ -80,6 +80,12 @@ def options(texts: Mapping[str, str], chosen: str) -> str:
     )
 
 
+def groups(texts: Mapping[str, Mapping[str, str]], chosen: str) -> str:
+    """Return the options of a choice in groups, title to value to text; those without a title come by themselves."""
+    made = {title: options(of, chosen) for title, of in texts.items()}
+    return "".join(f'<optgroup label="{escaped(title)}">{of}</optgroup>' if title else of for title, of in made.items())
+
+
 def field(channel: str, cell: str, value: str, label: str, off: bool = False, **more: str) -> str:
     """Return a field to type in; its text is sent when Enter is pressed or the field is left."""
     named = _attributes(aria_label=label, **more)

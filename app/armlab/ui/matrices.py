@@ -8,15 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import InputError
 from armlab.session.parts.selection import Select, Selection
-from armlab.session.state import State
+from armlab.session.state import Post, State
+from armlab.ui.form import Form
 from armlab.ui.format import number
-from armlab.ui.markup import button, copy_button
-from armlab.ui.plugin import Post
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.markup import copy_button
+from armlab.ui.widgets import Gui
 
 Matrix = NDArray[np.floating]
+
+Place = tuple[int | None, int | None]
+"""Row and column; None for all."""
 
 WIDE = 5
 """Columns a panel has room for; more are set closer."""
@@ -34,9 +36,8 @@ class MatrixView:
     """
 
     def __init__(self, gui: Gui, post: Post, key: str = "") -> None:
-        self._key, self._post = key, post
-        self._shape = (0, 0)
-        self._fields: Fields = gui.fields(lambda cell, _: self._chosen(cell))
+        self._key = key
+        self._form = gui.form(post)
 
     def show(
         self,
@@ -63,56 +64,45 @@ class MatrixView:
         columns, rows : sequence of str
             Markup of their names; a column or row without a name cannot be selected as a whole.
         """
-        self._shape = values.shape
         chosen = state[Selection].of(self._key) if self._key else Selection()
-        table = _Table(values, decimals, rule, chosen, self._fields.channel_id if self._key else "")
+        table = _Table(values, decimals, rule, chosen, self._form, self._key)
         head = f'<h3>{title}<span class="copies">{copy_buttons(values)}</span></h3>'
-        self._fields.show(head + table.markup(columns, rows))
+        self._form.show(head + table.markup(columns, rows))
 
     def visible(self, on: bool) -> None:
         """Show or hide the matrix."""
-        if self._fields.html.visible != on:
-            self._fields.html.visible = on
-
-    def _chosen(self, cell: str) -> None:
-        """Post what a press on a cell selects."""
-        indices = [int(text) if text else None for text in cell.split(",") if text.isdecimal() or not text]
-        inside = len(indices) == 2 and all(
-            index is None or index < size for index, size in zip(indices, self._shape, strict=True)
-        )
-        if not inside:
-            raise InputError(f"matrix: expected a row and a column of {self._shape}, got {cell[:40]!r}")
-        self._post(Select(self._key, indices[0], indices[1]))
+        self._form.visible(on)
 
 
 @dataclass(frozen=True)
 class _Table:
-    """The markup of one matrix; with a channel its entries are buttons."""
+    """The markup of one matrix; with a key its entries are buttons."""
 
     values: Matrix
     decimals: int
     rule: int | None
     chosen: Selection
-    channel: str
+    form: Form
+    key: str
 
     def markup(self, columns: Sequence[str], rows: Sequence[str]) -> str:
         m, n = self.values.shape
         lines = []
         if columns:
-            heads = "".join(self._head(f",{j}", columns[j], f"column {j + 1}", (None, j)) for j in range(n))
+            heads = "".join(self._head(columns[j], f"column {j + 1}", (None, j)) for j in range(n))
             lines.append(f'<tr class="heads">{"<th></th>" if rows else ""}{heads}</tr>')
         for i in range(m):
-            lead = self._head(f"{i},", rows[i], f"row {i + 1}", (i, None)) if rows else ""
+            lead = self._head(rows[i], f"row {i + 1}", (i, None)) if rows else ""
             top = ' class="top"' if i == 0 else ""
             lines.append(f"<tr{top}>{lead}{''.join(self._entry(i, j) for j in range(n))}</tr>")
         wide = " wide" if n > WIDE else ""
         return f'<div class="scroll"><table class="mat select{wide}">{"".join(lines)}</table></div>'
 
-    def _head(self, cell: str, name: str, label: str, which: tuple[int | None, int | None]) -> str:
-        if not name or not self.channel:
+    def _head(self, name: str, label: str, which: Place) -> str:
+        if not name or not self.key:
             return f"<th>{name}</th>"
         pressed = bool(self.chosen.matrix) and (self.chosen.row, self.chosen.column) == which
-        return f"<th>{self._button(cell, name, label, pressed)}</th>"
+        return f"<th>{self._button(which, name, label, pressed)}</th>"
 
     def _entry(self, i: int, j: int) -> str:
         value = float(self.values[i, j])
@@ -120,11 +110,12 @@ class _Table:
         text = "0" if zero else number(value, self.decimals)
         lit = self.chosen.holds(i, j)
         classes = " ".join(name for name, on in (("zero", zero), ("ruled", j == self.rule), ("lit", lit)) if on)
-        inside = self._button(f"{i},{j}", text, f"row {i + 1}, column {j + 1}: {text}", lit) if self.channel else text
+        inside = self._button((i, j), text, f"row {i + 1}, column {j + 1}: {text}", lit) if self.key else text
         return f'<td class="{classes}">{inside}</td>' if classes else f"<td>{inside}</td>"
 
-    def _button(self, cell: str, inside: str, label: str, pressed: bool) -> str:
-        return button(self.channel, cell, inside, label=label, pressed=pressed)
+    def _button(self, which: Place, inside: str, label: str, pressed: bool) -> str:
+        cell = ",".join("" if index is None else str(index) for index in which)
+        return self.form.button(cell, inside, Select(self.key, *which), label=label, pressed=pressed)
 
 
 def copy_buttons(values: Matrix) -> str:

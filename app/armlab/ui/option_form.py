@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,10 +11,11 @@ import numpy as np
 
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field, seen_fields
+from armlab.kin.field import Field, seen_fields
+from armlab.ui.fields import Fields
+from armlab.ui.form import Form, Typed, Wish
 from armlab.ui.format import capitalised, escaped, readable
 from armlab.ui.markup import chip, options, select
-from armlab.ui.widgets import Fields
 
 DECIMALS = 4
 
@@ -59,6 +60,62 @@ def _factor(field: Field, scale: Scale) -> float:
     if field.unit.startswith("q"):
         return scale.factor
     return float(np.pi / 180.0) if field.unit == "rad" else 1.0
+
+
+def option_form(
+    form: Form,
+    prefix: str,
+    kinds: Sequence[Field],
+    given: Mapping[str, Any],
+    action: Callable[[str, Any], Wish],
+    scales: Sequence[Scale] = PLAIN,
+) -> str:
+    """Return fields and choices for the options that can be used with those given.
+
+    Parameters
+    ----------
+    form : Form
+    prefix : str
+        Their cells are this, followed by the key of the option.
+    kinds : sequence of Field
+    given : mapping
+        The values that were chosen, by key; others are as they come.
+    action : callable
+        ``action(key, value)`` gets what a person chose, radians and metres; None where the field was emptied.
+    scales : sequence of Scale
+        One for each coordinate. Numbers and lists are lengths over all of them: in an angle where any turns, otherwise
+        in the first (`armlab.benches.motion.plan.paths.joint_scales`).
+    """
+
+    def made(kind: Field) -> str:
+        value = given.get(kind.key, kind.default)
+
+        def taken(text: str) -> Wish:
+            return action(kind.key, option_value(kind, text, value, scales))
+
+        return _bound(form, prefix + kind.key, kind, value, taken, scales)
+
+    return "".join(map(made, seen_fields(kinds, given)))
+
+
+def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales: Sequence[Scale]) -> str:
+    title = capitalised(kind.title)
+    if kind.kind == "choice":
+        chooser = form.select(cell, title, dict(kind.choices), str(value), taken)
+        return f'<label class="option wide"><span>{escaped(title)}</span>{chooser}</label>'
+    if kind.kind == "flag":
+        pressed = form.chip(cell, "✓ yes" if value else "no", lambda: taken(""), title, pressed=bool(value))
+        return f'<div class="option wide"><span>{escaped(title)}</span>{pressed}</div>'
+    text, unit = _text(kind, value, scales), escaped(_units(kind, scales))
+    if kind.kind == "rows":
+        head = escaped(f"{kind.symbol}: {kind.title}" if kind.symbol else title)
+        lines = min(max(text.count("\n") + 1, 2), MOST_LINES)
+        typed = form.area(cell, text, title, lines, taken)
+        return f'<label class="option wide rows"><span>{head} <i>{unit}</i></span>{typed}</label>'
+    typed = form.field(cell, text, title, taken)
+    wide = " wide" if kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1) else ""
+    symbol = f"<span>{_symbol(kind.symbol) or escaped(title)}</span>"
+    return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{unit}</i></label>'
 
 
 def option_markup(

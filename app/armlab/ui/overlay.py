@@ -7,7 +7,6 @@ mounted whatever tab is open.
 from __future__ import annotations
 
 import json
-import logging
 import secrets
 from collections.abc import Callable
 
@@ -18,35 +17,23 @@ from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
 from armlab.session.parts.target import Target, verdict
 from armlab.session.session import Redo, Session, Undo
-from armlab.session.state import Command
+from armlab.session.state import Post
+from armlab.ui.fields import Fields
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button
 from armlab.ui.plugin import hidden_tabs
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
-from armlab.ui.widgets import Fields
 
-log = logging.getLogger(__name__)
-
-PRESSED: dict[str, Command] = {"undo": Undo(), "redo": Redo(), "home": BackToLesson(), "own": BackFromShared()}
 FIRST_HINT = "Drag the handle: the arm follows"
 
 
 class Overlay:
     """The layer of HTML over the scene of one browser."""
 
-    def __init__(
-        self, client: viser.ClientHandle, post: Callable[[Command], None], on_tabs: Callable[[str], None]
-    ) -> None:
-        def pressed(cell: str, text: str) -> None:
-            if cell == "tabs":
-                on_tabs(text)
-            elif cell in PRESSED:
-                post(PRESSED[cell])
-            else:
-                log.warning("a page that is not ours pressed something over the scene")
-
-        self._fields = Fields(client.gui, pressed)
+    def __init__(self, client: viser.ClientHandle, post: Post, on_tabs: Callable[[str], None]) -> None:
+        self._form = Form(lambda on_input: Fields(client.gui, on_input), post, lambda: None, beside=False)
+        self._on_tabs = on_tabs
         self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
@@ -62,33 +49,37 @@ class Overlay:
         elif handle and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
         hint = f'<div class="al-over al-hint" role="status">{line}</div>' if line else ""
-        self._fields.show(hint + self._place(session) + self._steps(session) + self._notes(session))
+        self._form.show(hint + self._place(session) + self._steps(session) + self._notes(session))
 
     def _place(self, session: Session) -> str:
         """Return where the student is when it is not their lesson or own work, with the way back."""
         shelf = session.state[Shelf]
         if shelf.place == SANDBOX:
             title = at_place(shelf.waiting).title if shelf.waiting else "my work"
-            says, way = "Your sandbox", button(self._fields.channel_id, "home", f"‹ Back to {escaped(title)}", "chip")
+            says, way = "Your sandbox", self._form.button("home", f"‹ Back to {escaped(title)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:
-            says, way = "A shared arm", button(self._fields.channel_id, "own", "‹ Back to my work", "chip")
+            says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
         else:
             return ""
         return f'<div class="al-over al-place" role="status"><b>{says}</b>{way}</div>'
 
+    def _tabs_said(self, text: str) -> None:
+        self._on_tabs(text)
+
     def _steps(self, session: Session) -> str:
         labels = {
-            "undo": ("↶", "Undo", session.history.undo_label, "Ctrl+Z"),
-            "redo": ("↷", "Redo", session.history.redo_label, "Ctrl+Shift+Z"),
+            "undo": ("↶", Undo(), "Undo", session.history.undo_label, "Ctrl+Z"),
+            "redo": ("↷", Redo(), "Redo", session.history.redo_label, "Ctrl+Shift+Z"),
         }
         buttons = []
-        for cell, (sign, word, what, key) in labels.items():
+        for cell, (sign, command, word, what, key) in labels.items():
             title = f"{word}: {what} ({key})" if what else f"Nothing to {word.lower()}"
-            buttons.append(button(self._fields.channel_id, cell, sign, hint=title, label=word, off=not what))
+            buttons.append(self._form.button(cell, sign, command, hint=title, label=word, off=not what))
         return f'<div class="al-over al-steps">{"".join(buttons)}</div>'
 
     def _notes(self, session: Session) -> str:
         """Return what the page's script reads: the address of this lesson or arm, and the tab to open."""
+        self._form.takes("tabs", self._tabs_said)
         robot = session.state[RobotPart]
         path = "/" if robot.own else f"/robot/{robot.robot.key}"
         if lesson := session.state[LessonPart].open:
@@ -98,6 +89,6 @@ class Overlay:
             "tab": self._tab,
             "asked": self._asked,
             "hidden": hidden_tabs(session.state),
-            "chan": self._fields.channel_id,
+            "chan": self._form.channel_id,
         }
         return f'<i id="al-notes" hidden data-notes="{escaped(json.dumps(notes))}"></i>'

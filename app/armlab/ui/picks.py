@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from armlab.errors import ContentError
+from armlab.ui.form import Form, Pressed
 from armlab.ui.format import escaped
-from armlab.ui.markup import button
 
 
-def pick(channel: str, key: str, name: str, aside: str, about: str, here: bool) -> str:
+def pick(form: Form, cell: str, action: Pressed, name: str, aside: str, about: str, here: bool) -> str:
     """Return one entry: its name, a word beside it, a line below; ``here`` marks the one in use."""
     inside = f"<b>{escaped(name)}</b><i>{escaped(aside)}</i><span>{escaped(about)}</span>"
-    return button(channel, key, inside, "pick", aria_current="true" if here else "")
+    return form.button(cell, inside, action, "pick", aria_current="true" if here else "")
 
 
 def broken_files(kind: str, problems: Sequence[ContentError]) -> str:

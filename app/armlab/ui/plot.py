@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.session.state import Command
 from armlab.ui.colours import VERDICT, Rgb, css
 from armlab.ui.format import dot, escaped
-from armlab.ui.markup import button
 
 if TYPE_CHECKING:
     from armlab.ui.widgets import Gui
@@ -108,10 +108,8 @@ class Plot:
         self._table: tuple[NDArray[np.float64], ...] = ()
         self._gui = gui
         names = "".join(f"<span>{dot(css(curve.colour))}{escaped(curve.name)}</span>" for curve in self._curves)
-        self._head = gui.fields(lambda _cell, _text: gui.save(f"{file}.csv", self.csv()))
-        names = f'<div class="legend">{names}</div>' if legend and len(self._curves) > 1 else ""
-        save = button(self._head.channel_id, "csv", "CSV", "copy", "Save the curves as a table")
-        self._after_title = f'<span class="copies">{save}</span></h3>{names}'
+        self._head = gui.form(lambda _: None)
+        self._legend = f'<div class="legend">{names}</div>' if legend and len(self._curves) > 1 else ""
         self.name(title)
         empty = np.array([0.0, 1.0])
         self._handle: Any = gui.uplot(
@@ -133,7 +131,12 @@ class Plot:
 
     def name(self, title: str) -> None:
         """Give the plot a heading: the markup of the quantity and its unit."""
-        self._head.show(f"<h3>{title}{self._after_title}")
+        save = self._head.button("csv", "CSV", self._save, "copy", "Save the curves as a table")
+        self._head.show(f'<h3>{title}<span class="copies">{save}</span></h3>{self._legend}')
+
+    def _save(self) -> tuple[Command, ...]:
+        self._gui.save(f"{self._file}.csv", self.csv())
+        return ()
 
     def name_x(self, x: str) -> None:
         """Give the abscissa another name and unit."""
@@ -145,9 +148,10 @@ class Plot:
 
     def visible(self, on: bool) -> None:
         """Show or hide all of it."""
-        for handle in (self._head.html, self._handle, self._cursor.handle):
-            if handle.visible != on:
-                handle.visible = on
+        self._head.visible(on)
+        self._cursor.visible(on)
+        if self._handle.visible != on:
+            self._handle.visible = on
 
     def show(
         self,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,14 +15,11 @@ from armlab.plugins import constant_of, discover_in_benches, discover_pages
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, Part, State
+from armlab.session.state import Part, Post, State
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.widgets import Gui
 
-if TYPE_CHECKING:
-    from armlab.ui.drawing import LayerCanvas
-
-Post = Callable[[Command], None]
 Points = NDArray[np.float64]
 Show = Callable[[State], None]
 

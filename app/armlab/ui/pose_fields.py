@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +12,11 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.kin.transforms import inverse
+from armlab.ui.fields import Fields
+from armlab.ui.form import Form, Wish
 from armlab.ui.format import mathml
 from armlab.ui.markup import row
 from armlab.ui.units import Units
-from armlab.ui.widgets import Fields
 
 AXES, ANGLES = ("x", "y", "z"), ("yaw", "pitch", "roll")
 COMPONENTS = (*AXES, *ANGLES, "phi")
@@ -84,6 +86,47 @@ def pose_fields(fields: Fields, arm: Arm, pose: Floats, units: Units, prefix: st
         return position + _row(f"φ about z, {units.angle_unit}", [phi])
     cells = zip(ANGLES, (yaw, pitch, roll), strict=True)
     angles = [fields.field(prefix + name, value, f"{name} in {units.angle_unit}") for name, value in cells]
+    return position + _row(f"yaw pitch roll, {units.angle_unit}", angles)
+
+
+def pose_form(
+    form: Form, arm: Arm, pose: Floats, units: Units, action: Callable[[Floats], Wish], prefix: str = ""
+) -> str:
+    """Return fields for the components of a pose in the world that an arm controls.
+
+    Parameters
+    ----------
+    form : Form
+    arm : Arm
+    pose : ndarray, shape (4, 4)
+    units : Units
+    action : callable
+        Gets the pose with the component that was typed.
+    prefix : str
+        Their cells begin with it.
+    """
+    task, reference = arm.task, _reference(arm)
+    local = inverse(reference) @ pose
+
+    def field(name: str, value: str, unit: str, off: bool = False) -> str:
+        def taken(text: str) -> Wish:
+            return action(typed_component(arm, pose, name, text, units))
+
+        return form.field(prefix + name, value, f"{name} in {unit}", taken, off=off)
+
+    where = "position" if reference is not arm.base else "in frame 0"
+    axes = [
+        field(axis, units.text(float(local[k, 3]), False), units.length_unit, axis not in task.position)
+        for k, axis in enumerate(AXES)
+    ]
+    position = _row(f"{where}, {units.length_unit}", axes)
+    yaw, pitch, roll = (units.turned(float(value)) for value in euler_zyx(local[:3, :3])[0])
+    if task.rotation == "none":
+        return position
+    if task.rotation == "phi":
+        return position + _row(f"φ about z, {units.angle_unit}", [field("phi", yaw, units.angle_unit)])
+    named = zip(ANGLES, (yaw, pitch, roll), strict=True)
+    angles = [field(name, value, units.angle_unit) for name, value in named]
     return position + _row(f"yaw pitch roll, {units.angle_unit}", angles)
 
 

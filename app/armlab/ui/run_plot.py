@@ -5,11 +5,13 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.session.state import Post
 from armlab.ui.colours import RUN_COLOURS
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.widgets import Gui
@@ -29,25 +31,31 @@ class _Noted:
     """A maker of controls that remembers what it has made, so that a whole plot can be hidden."""
 
     def __init__(self, gui: Gui) -> None:
-        self._gui, self.made = gui, list[Any]()
+        self._gui, self._made, self.hidden = gui, list[Callable[[bool], None]](), False
 
-    def fields(self, on_input: Callable[[str, str], None]) -> Any:
-        fields = self._gui.fields(on_input)
-        self.made.append(fields.html)
-        return fields
+    def form(self, post: Post) -> Any:
+        form = self._gui.form(post)
+        self._made.append(form.visible)
+        return form
 
     def uplot(self, *arguments: Any) -> Any:
         handle = self._gui.uplot(*arguments)
-        self.made.append(handle)
+        self._made.append(partial(setattr, handle, "visible"))
         return handle
 
     def html(self, content: str = "") -> Any:
         element = self._gui.html(content)
-        self.made.append(element.handle)
+        self._made.append(element.visible)
         return element
 
     def save(self, name: str, text: str) -> None:
         self._gui.save(name, text)
+
+    def visible(self, on: bool) -> None:
+        if self.hidden == on:
+            self.hidden = not on
+            for show in self._made:
+                show(on)
 
 
 class RunPlot(Plot):
@@ -71,9 +79,7 @@ class RunPlot(Plot):
 
     def visible(self, on: bool) -> None:
         """Show or hide all of it."""
-        for handle in self._noted.made:
-            if handle.visible != on:
-                handle.visible = on
+        self._noted.visible(on)
 
     def show_runs(self, x: Array, curves: Sequence[Array | None]) -> None:
         """Show a curve for each run, by their places in the list; None for one that has none."""

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from armlab.errors import PluginError
 from armlab.page import Page
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Command, Post, State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.plugin import panel as panel_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
 
@@ -48,7 +49,9 @@ class Tab:
     ) -> None:
         self.pages, self.page = {page.key: page for page in pages}, pages[0].key
         self._container, self._gui, self._post = container, make_gui(), post
-        self._head: Fields | None = None
+        self._gui.again = self._show_again
+        self._head: Form | None = None
+        self._on_page = on_page
         self._show: Show | None = None
         self._shown: State | None = None
         self._outside: object = None
@@ -59,7 +62,7 @@ class Tab:
             # The page's script tells by this mark which tabs are seen.
             head.html(f'<i hidden data-tab="{pages[0].key}"></i>')
             if len(pages) > 1:
-                self._head = head.fields(lambda key, _: self._turned(key, on_page))
+                self._head = head.form(post)
                 self._show_head()
 
     @property
@@ -81,19 +84,19 @@ class Tab:
             self.page = key
             self._show_head()
 
-    def _turned(self, key: str, on_page: Callable[[], None]) -> None:
+    def _turned(self, key: str) -> tuple[Command, ...]:
         self.turn_to(key)
-        on_page()
+        self._on_page()
+        return ()
 
     def _show_head(self) -> None:
         if self._head is None:
             return
-        channel = self._head.channel_id
         pages = "".join(
-            button(
-                channel,
+            self._head.button(
                 key,
                 escaped(page.page or page.title),
+                partial(self._turned, key),
                 "page",
                 role="tab",
                 aria_selected=str(key == self.page).lower(),
@@ -136,6 +139,10 @@ class Tab:
                 self._show = self._try(panel.build, self._gui, state, self._post)
             if self._show is not None and (new or again or before is None or _differ(panel.watches, state, before)):
                 self._try(_done(self._show), state)
+
+    def _show_again(self) -> None:
+        if self._shown is not None:
+            self.show(self._shown, again=True, hidden=self._hidden)
 
     def _leave_out(self, hidden: frozenset[str]) -> None:
         """Take pages away, or bring them back, and stand on one that is there."""

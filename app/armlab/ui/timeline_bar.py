@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import json
-import logging
 import math
-from collections.abc import Callable
 
 import viser
 
+from armlab.errors import InputError
 from armlab.session.parts.timeline import OpenClip, Play, PlayLike, Seek, Step, Timeline, clips, duration
-from armlab.session.state import Command, State
-from armlab.ui import markup
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.widgets import Fields
-
-log = logging.getLogger(__name__)
 
 _SHAPES = {
     "play": "M4 2v12l10-6z",
@@ -35,15 +32,12 @@ class TimelineBar:
     time goes to the page in a mark of its own, and the page's script moves the thumb between two marks by its clock.
     """
 
-    def __init__(self, client: viser.ClientHandle, post: Callable[[Command], None]) -> None:
-        self._post = post
-        self._bar = Fields(client.gui, self._pressed)
-        self._clock = Fields(client.gui, self._pressed)
-        self._state: State | None = None
+    def __init__(self, client: viser.ClientHandle, post: Post) -> None:
+        self._bar = Form(lambda on_input: Fields(client.gui, on_input), post, lambda: None, beside=False)
+        self._clock = Fields(client.gui, lambda _cell, _text: None)
 
     def show(self, state: State, open_panels: frozenset[str]) -> None:
         """Show the timeline of a state; that of a clip of which nothing is to be seen is not shown either."""
-        self._state = state
         timeline = state[Timeline]
         if not timeline.clip or clips()[timeline.clip].panel not in ("", *open_panels):
             self._bar.show("")
@@ -54,36 +48,31 @@ class TimelineBar:
         mark = {"time": timeline.time, "end": end, "rate": timeline.speed if timeline.playing else 0.0}
         self._clock.show(f'<i id="al-clock" hidden data-clock="{escaped(json.dumps(mark))}"></i>')
 
-    def _pressed(self, cell: str, text: str) -> None:
-        command = None if self._state is None else _command(self._state, cell, text)
-        if command is None:
-            log.warning("a page that is not ours pressed the timeline")
-        else:
-            self._post(command)
-
     def _markup(self, timeline: Timeline, end: float, stops: tuple[float, ...]) -> str:
-        channel = self._bar.channel_id
-
-        def button(cell: str, sign: str, title: str, key: str = "", pressed: bool | None = None) -> str:
-            return markup.button(channel, cell, sign, hint=title, label=title, pressed=pressed, data_key=key)
+        def button(
+            cell: str, sign: str, title: str, command: Command, key: str = "", pressed: bool | None = None
+        ) -> str:
+            return self._bar.button(cell, sign, command, hint=title, label=title, pressed=pressed, data_key=key)
 
         marks = "".join(f'<i style="left:{100.0 * t / end:.3f}%"></i>' for t in stops if 0.0 < t < end)
         speeds = sorted({*SPEEDS, timeline.speed})
-        options = markup.options({f"{s:g}": f"{s:g}×" for s in speeds}, f"{timeline.speed:g}")
+        texts = {f"{s:g}": f"{s:g}×" for s in speeds}
+        seek = self._bar.bound("seek", lambda text: Seek(_number(text) * end))
+        chosen = f"{timeline.speed:g}"
         play = ("pause", "Pause (space)") if timeline.playing else ("play", "Play (space)")
         return (
             '<div class="al-over al-time" role="group" aria-label="Timeline">'
             f"<b>{escaped(clips()[timeline.clip].title)}</b>"
-            + button("back", _sign("back"), "One step back (comma)", "Comma")
-            + button("play", _sign(play[0]), play[1], "Space")
-            + button("forward", _sign("forward"), "One step forward (full stop)", "Period")
+            + button("back", _sign("back"), "One step back (comma)", Step(False), "Comma")
+            + button("play", _sign(play[0]), play[1], Play(not timeline.playing), "Space")
+            + button("forward", _sign("forward"), "One step forward (full stop)", Step(True), "Period")
             + f'<span class="track"><span class="stops">{marks}</span>'
-            f'<input type="range" min="0" max="1" step="any" aria-label="Time" data-chan="{channel}" data-cell="seek"'
+            f'<input type="range" min="0" max="1" step="any" aria-label="Time" {seek}'
             ' data-live="1"></span>'
             f'<span class="now"></span>'
-            + button("loop", "⟳", "Begin again at the end", pressed=timeline.loop)
-            + markup.select(channel, "speed", "Speed", options, "Speed")
-            + button("close", "✕", "Close")
+            + button("loop", "⟳", "Begin again at the end", PlayLike(loop=not timeline.loop), pressed=timeline.loop)
+            + self._bar.select("speed", "Speed", texts, chosen, lambda text: PlayLike(speed=_number(text)), "Speed")
+            + button("close", "✕", "Close", OpenClip(""))
             + "</div>"
         )
 
@@ -92,21 +81,12 @@ def _sign(name: str) -> str:
     return f'<svg viewBox="0 0 16 16" width="13" height="13" aria-hidden="true"><path d="{_SHAPES[name]}"/></svg>'
 
 
-def _command(state: State, cell: str, text: str) -> Command | None:
-    """Return what a person asked for at the bar, or None when no page of ours sends it."""
-    timeline = state[Timeline]
-    if cell in ("seek", "speed"):
-        try:
-            value = float(text)
-        except ValueError:
-            return None
-        if not math.isfinite(value):
-            return None
-        return Seek(value * duration(state)) if cell == "seek" else PlayLike(speed=value)
-    return {
-        "play": Play(not timeline.playing),
-        "back": Step(False),
-        "forward": Step(True),
-        "loop": PlayLike(loop=not timeline.loop),
-        "close": OpenClip(""),
-    }.get(cell)
+def _number(text: str) -> float:
+    """Return a number as our own page sends it; `InputError` otherwise."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise InputError(f"timeline: expected a number, got {text[:40]!r}")
+    return value

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from armlab.errors import InputError
-from armlab.session.state import Command, State
-from armlab.ui.plugin import Post
-from armlab.ui.widgets import Fields
+from armlab.session.state import Command, Post, State
+from armlab.ui.fields import Fields
 
 
 def tried(

@@ -22,8 +22,8 @@ from armlab.ui import commands
 from armlab.ui.camera import Camera
 from armlab.ui.canvas import Canvas
 from armlab.ui.colours import BLUE
-from armlab.ui.drawing import Drawing
 from armlab.ui.figure.drawn import Drawn, Gallery
+from armlab.ui.layer_drawing import Drawing
 from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.overlay import Overlay
 from armlab.ui.pace import Pace
@@ -131,7 +131,9 @@ class View:
         dock.set_width(DOCK_WIDTH)
 
     def _gui(self) -> Gui:
-        return Gui(self.client, self.camera, self.open_tab)
+        gui = Gui(self.client, self.camera, self.open_tab)
+        gui.again = self._refresh_now
+        return gui
 
     # -- which panels are open -----------------------------------------------------------------------------------
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import logging
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -13,9 +12,11 @@ from typing import Any
 
 import viser
 
+from armlab.session.state import Post
 from armlab.ui import adapter, markup
 from armlab.ui.camera import Camera
-from armlab.ui.format import escaped
+from armlab.ui.fields import Fields
+from armlab.ui.form import Form
 from armlab.ui.png import rgba_png
 
 log = logging.getLogger(__name__)
@@ -25,16 +26,6 @@ REST = 0.4
 
 LINGER = 2.0
 """Seconds for which fields that were made anew still take what was on its way to them."""
-
-
-LONGEST_CELL = 200
-"""Characters of the name of a cell."""
-
-LONGEST_TYPED = 20_000
-"""Characters that a field hands on, besides those that read files: the longest table has fewer."""
-
-LARGEST_NUMBER = 2**53
-"""Numbers of messages below it are exact in a page."""
 
 
 class Control:
@@ -110,108 +101,6 @@ class Html:
             self.handle.visible = on
 
 
-class Fields:
-    """Markup with input fields of our own, whose values arrive when Enter is pressed or the field is left.
-
-    Make the fields with `field`; the page's script sends what a person typed through a hidden text control.
-
-    Parameters
-    ----------
-    gui : GuiApi
-    on_input : callable
-        Called with the cell and the text.
-    longest : int or None
-        Characters of a text that its reader takes; of a longer one it gets one more, and says that it is too long.
-        Where nothing is said, more than `LONGEST_TYPED` are refused here: reading is done where all students wait, and
-        some of it takes the square of the length.
-    scope : str
-        Class whose style they have besides the common one.
-    """
-
-    def __init__(
-        self, gui: viser.GuiApi, on_input: Callable[[str, str], None], longest: int | None = None, scope: str = ""
-    ) -> None:
-        self._class = f"al {scope}".rstrip()
-        self.channel = gui.add_text("channel", "", visible=False)
-        self.html = gui.add_html("")
-        self._on_input, self._longest = on_input, longest
-        self._revision = self._shown_revision = self._heard = 0
-        self._content = ""
-        self._mistake: tuple[str, str, str] | None = None
-        adapter.on_event(self.channel, "on_update", lambda _: self._receive())
-
-    def _receive(self) -> None:
-        try:
-            cell, text, number = json.loads(adapter.take_value(self.channel))
-        except (ValueError, TypeError, RecursionError):
-            log.warning("a page that is not ours wrote into a field")
-            return
-        self._mistake = None
-        self._heard = number if isinstance(number, int) and abs(number) < LARGEST_NUMBER else 0
-        self._revision += 1  # so that the next `show` also replaces a text that was not taken
-        longest = LONGEST_TYPED if self._longest is None else self._longest + 1
-        cell, read = _whole(_cut(cell, LONGEST_CELL)), _whole(_cut(text, longest))
-        if self._longest is None and isinstance(text, str) and len(text) > longest:
-            self.refuse(cell, read, f"expected at most {longest} characters, got {len(text)}")
-            self.show(self._content)
-        else:
-            self._on_input(cell, read)
-
-    @property
-    def stale(self) -> bool:
-        """Whether a person has typed or pressed since the markup was shown: what stands there may not hold."""
-        return self._revision != self._shown_revision
-
-    @property
-    def channel_id(self) -> str:
-        """Where buttons in the markup send their ``data-cell``: put it into their ``data-chan``."""
-        return adapter.gui_id(self.channel)
-
-    def refuse(self, cell: str, text: str, why: str) -> None:
-        """Show what was typed, marked, and below the fields why not: from the next `show` to the next input."""
-        self._mistake = cell, text, why
-
-    def forgive(self) -> None:
-        """Show the fields as they hold with the next `show`."""
-        self._mistake = None
-
-    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "") -> str:
-        """Return the markup of one input field; Enter goes on to the field ``below``."""
-        value, wrong = self._refused(cell, value)
-        more = {"inputmode": "decimal", "data_below": below, **wrong}
-        return markup.field(self.channel_id, cell, value, label, disabled, **more)
-
-    def area(self, cell: str, value: str, label: str, lines: int) -> str:
-        """Return the markup of an input field of several lines, for a table a person types."""
-        value, wrong = self._refused(cell, value)
-        return markup.area(self.channel_id, cell, value, label, lines, **wrong)
-
-    def _refused(self, cell: str, value: str) -> tuple[str, dict[str, str]]:
-        """Return what stands in a field, and the marks of what was refused there."""
-        if self._mistake is None or self._mistake[0] != cell:
-            return value, {}
-        return self._mistake[1], {"aria_invalid": "true", "title": self._mistake[2]}
-
-    def show(self, content: str) -> None:
-        """Show this markup, which holds the fields."""
-        self._shown_revision, self._content = self._revision, content
-        if self._mistake is not None:
-            content += f'<p class="no" role="alert">✕ {escaped(self._mistake[2])}</p>'
-        # The page numbers what it sends: fields whose text is not in here yet keep it.
-        marks = f'data-revision="{self._revision}" data-heard="{self._heard}"'
-        adapter.set_content(self.html, f'<div class="{self._class}" {marks}>{content}</div>')
-
-
-def _cut(said: object, longest: int) -> str:
-    """Return a text that is not longer; what is no text a page of ours does not send, and it may be large."""
-    return said[:longest] if isinstance(said, str) else ""
-
-
-def _whole(text: str) -> str:
-    """Return text without half characters, which could be kept but never sent to a page again."""
-    return text.encode("utf-8", "replace").decode("utf-8")
-
-
 def _remove(handles: Sequence[Any]) -> None:
     for handle in reversed(handles):
         if not adapter.is_removed(handle):
@@ -241,11 +130,14 @@ class Gui:
         Brings a panel to the front, by its key.
     scope : str
         Class under which the stylesheets of the bench hold.
+    again : callable
+        Shows once more what these controls belong to: something has changed, or was refused, that is in no state.
     """
 
     def __init__(self, client: viser.ClientHandle, camera: Camera, open_panel: Callable[[str], None]) -> None:
         self._client, self._gui, self.camera, self.open_panel = client, client.gui, camera, open_panel
         self.scope = ""
+        self.again: Callable[[], None] = lambda: None
         self._made: list[Any] = []
         self._channels: list[Any] = []
         self._drawing: set[asyncio.Task[None]] = set()
@@ -342,6 +234,10 @@ class Gui:
         self._channels.append(fields.channel)
         self._keep(fields.html)
         return fields
+
+    def form(self, post: Post, longest: int | None = None) -> Form:
+        """Add markup whose controls carry what they do; see `Form`, and `Fields` for the longest text."""
+        return Form(lambda on_input: self.fields(on_input, longest), post, lambda: self.again())
 
     def uplot(self, data: tuple[Any, ...], series: tuple[Any, ...], x: str, height: int) -> Any:
         """Add the bare chart of a `Plot`; returns the handle."""

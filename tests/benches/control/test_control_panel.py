@@ -8,21 +8,22 @@ import re
 import pytest
 
 from armlab.benches.control.follow.chosen import setup_of
-from armlab.benches.control.follow.commands import SetOffset, SetValue
+from armlab.benches.control.follow.commands import ChooseInverse, SetOffset, SetOption, SetStart, SetValue, SizePush
 from armlab.benches.control.follow.examples import EXAMPLES
 from armlab.benches.control.follow.runs import Peak
 from armlab.benches.control.follow.state import Control
-from armlab.benches.control.follow.ui.card import card_markup, small
-from armlab.benches.control.follow.ui.form import plant_words, sigma_unit
-from armlab.benches.control.follow.ui.page import commands
+from armlab.benches.control.follow.ui.card import card_markup, runs_markup, small
+from armlab.benches.control.follow.ui.form import law_markup, plant_markup, plant_words, reference_markup, sigma_unit
+from armlab.benches.control.follow.ui.page import clock_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
-from armlab.session.state import State
+from armlab.session.state import State, apply
 from armlab.ui.format import escaped
 from armlab.ui.units import Units
 from support.control import done, opened
+from support.forms import asked
 from support.student import run, student
 
 UNITS = Units(Notation())
@@ -67,9 +68,27 @@ def test_the_plant_in_words_and_the_unit_of_sigma():
     assert sigma_unit(catalogue()["puma560"].arm) == ""
 
 
-@pytest.mark.parametrize("cell", ["select x", "nothing", "start 9", "offset 5", "w-mass", "plant-K", "remove", ""])
-def test_cells_that_are_not_ours_are_no_commands(cell):
-    assert commands(State.initial(catalogue()["planar_2r"]), cell, "1") == ()
+def typed(state, cell, text=""):
+    def page(form):
+        return clock_markup(form, state) + reference_markup(form, state) + law_markup(form, state)
+
+    return asked(lambda form: page(form) + runs_markup(form, state) + plant_markup(form, state), cell, text)
+
+
+def test_what_is_typed_and_pressed_becomes_commands():
+    state = State.initial(catalogue()["planar_2r"])
+    run = state[Control].run
+    assert typed(state, "offset 1", "90") == (SetOffset((run.offset[0], pytest.approx(math.pi / 2))),)
+    assert typed(state, "start 0", "0") == (SetStart((0.0, run.start[1])),)
+    assert typed(state, "here") == (SetStart(),)
+    assert typed(state, "push-size", "20") == (SizePush(0.02),)
+    assert typed(state, "inverse", "transpose") == (ChooseInverse("transpose"),)
+    (set_step,) = typed(state, "w-step", "0,01")
+    assert (set_step.key, set_step.value) == ("step", 0.01)
+    # The only run cannot be taken away, and the page does not offer it.
+    assert typed(state, "remove 0") == ()
+    with pytest.raises(InputError, match="offset of joint 2: expected"):
+        typed(state, "offset 1", "much")
 
 
 def test_a_run_that_leaves_the_range_of_a_joint_says_where_and_when():
@@ -85,8 +104,8 @@ def test_a_run_that_leaves_the_range_of_a_joint_says_where_and_when():
 
 def test_an_option_the_law_does_not_have_is_refused_in_words():
     # The page still showed another law when it was typed.
-    with pytest.raises(InputError, match="option of the law: unknown name 'K'"):
-        commands(State.initial(catalogue()["planar_2r"]), "law-K", "1")
+    with pytest.raises(InputError, match="options of cartesian_tracking: unknown name 'K'"):
+        apply(State.initial(catalogue()["planar_2r"]), SetOption("law", "K", 1.0))
 
 
 def test_an_experiment_is_chosen_and_its_results_are_read(url):

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
-from armlab.benches.control.loop.state import ChooseLoopReference, Loop, SetLoop, present_time
+from armlab.benches.control.loop.state import Loop, present_time
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.bench import choosing
+from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
 from armlab.session.state import State, apply
@@ -48,26 +49,26 @@ def test_an_example_is_put_in_place_and_left_by_a_change(key):
     assert part.times[0] == 0.0
     assert part.times[-1] == part.end
     assert np.all(np.diff(part.times) > 0.0)
-    changed = apply(state, SetLoop("gain", part.gain * 2.0))[Loop]
+    changed = apply(state, Set(Loop, "gain", part.gain * 2.0))[Loop]
     assert (changed.example, changed.gain) == ("", part.gain * 2.0)
 
 
 def test_a_step_has_no_frequency_to_set():
-    part = opened(ChooseLoopReference("step"))[Loop]
+    part = opened(Set(Loop, "kind", "step"))[Loop]
     assert "omega" not in [field.key for field in part.fields]
-    assert opened(ChooseLoopReference("sine"))[Loop].example == "omega_2"
+    assert opened(Set(Loop, "kind", "sine"))[Loop].example == "omega_2"
 
 
 @pytest.mark.parametrize(
     ("command", "says"),
     [
-        (SetLoop("mass", 0.0), "mass: expected at least 0.001"),
-        (SetLoop("gain", math.nan), "gain: expected finite"),
-        (SetLoop("end", 1e4), "end: expected at least 0.001 and at most 600"),
-        (SetLoop("omega", None), "omega"),
-        (SetLoop("colour", 1.0), "unknown name 'colour'"),
-        (SetLoop("omega", 1000.0), "at most 40 can be shown: expected up to 0.251 s"),
-        (ChooseLoopReference("ramp"), "unknown name 'ramp'"),
+        (Set(Loop, "mass", 0.0), "mass: expected at least 0.001"),
+        (Set(Loop, "gain", math.nan), "gain: expected finite"),
+        (Set(Loop, "end", 1e4), "end: expected at least 0.001 and at most 600"),
+        (Set(Loop, "omega", None), "omega"),
+        (Set(Loop, "colour", 1.0), "unknown name 'colour'"),
+        (Set(Loop, "omega", 1000.0), "at most 40 can be shown: expected up to 0.251 s"),
+        (Set(Loop, "kind", "ramp"), "unknown name 'ramp'"),
         (ChooseLoopExample("nothing"), "unknown name 'nothing'"),
     ],
 )
@@ -87,13 +88,13 @@ def test_the_film_stops_at_quarters_of_the_sine_and_at_time_constants_of_a_step(
 
 def test_another_loop_rewinds_its_film_and_leaves_other_clips_alone():
     state = opened(OpenClip("loop"), Seek(3.0))
-    assert apply(state, SetLoop("gain", 20.0))[Timeline].time == 0.0
+    assert apply(state, Set(Loop, "gain", 20.0))[Timeline].time == 0.0
     other = opened(OpenClip("sweep"), Seek(3.0))
-    assert apply(other, SetLoop("gain", 20.0))[Timeline].time == 3.0
+    assert apply(other, Set(Loop, "gain", 20.0))[Timeline].time == 3.0
 
 
 def test_it_is_written_read_back_and_kept_with_another_arm():
-    state = opened(ChooseLoopExample("omega_20"), SetLoop("mass", 2.5))
+    state = opened(ChooseLoopExample("omega_20"), Set(Loop, "mass", 2.5))
     part, robot = state[Loop], state[RobotPart].robot
     assert Loop.from_json(json.loads(json.dumps(part.to_json())), robot) == part
     assert apply(state, ChooseRobot("puma560"))[Loop] == part

@@ -6,19 +6,21 @@ from dataclasses import replace
 import pytest
 
 from armlab.benches.control.exponential.examples import EXAMPLES as MATRICES
-from armlab.benches.control.exponential.state import Exponential, check
+from armlab.benches.control.exponential.state import Exponential, SetEntry, check
 from armlab.benches.control.exponential.ui import page as exponential
 from armlab.benches.control.exponential.ui.plane import plane
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
-from armlab.benches.control.loop.state import Loop, SetLoop
+from armlab.benches.control.loop.state import Loop
 from armlab.benches.control.loop.ui import page as loop
 from armlab.benches.control.loop.ui.pictures import bode, diagram
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Seek
 from armlab.session.state import State, apply
 from armlab.ui.units import Units
+from support.forms import asked
 from support.student import run, student
 
 
@@ -47,7 +49,7 @@ def test_the_pictures_of_the_loop_are_drawn_of_numbers(key):
 
 def test_extreme_loops_are_drawn_too():
     for changes in (("gain", 1e6), ("mass", 1e4), ("omega", 1e-3)):
-        part = opened(ChooseLoopExample("omega_2"), SetLoop("end", 1e-3), SetLoop(*changes))[Loop]
+        part = opened(ChooseLoopExample("omega_2"), Set(Loop, "end", 1e-3), Set(Loop, *changes))[Loop]
         assert "nan" not in bode(part, Units(Notation()))
 
 
@@ -68,16 +70,22 @@ def test_the_diagram_shows_the_numbers_at_the_time():
 
 def test_fields_become_commands_and_nonsense_is_said():
     state = opened()
-    assert loop.commands(state, "l-mass", "2") == (SetLoop("mass", 2.0),)
-    assert loop.commands(state, "time", "1.5") == (OpenClip("loop"), Seek(1.5))
-    assert loop.commands(state, "elsewhere", "1") == ()
-    assert exponential.commands("elsewhere", "1") == ()
-    assert exponential.commands("a21", "−1/2")[0].value == -0.5
+
+    def typed(cell, text):
+        return asked(lambda form: loop.form_markup(form, state[Loop]) + loop.clock_markup(form, state), cell, text)
+
+    def matrix(cell, text):
+        return asked(lambda form: exponential.head_markup(form, state[Exponential]), cell, text)
+
+    assert typed("l-mass", "2") == (Set(Loop, "mass", 2.0),)
+    assert typed("time", "1.5") == (OpenClip("loop"), Seek(1.5))
+    assert typed("elsewhere", "1") == ()
+    assert matrix("a21", "−1/2") == (SetEntry("a21", -0.5),)
     for call, says in (
-        (lambda: loop.commands(state, "l-mass", "heavy"), "mass: expected numbers"),
-        (lambda: loop.commands(state, "time", "9"), "t: expected 0 to 6 s"),
-        (lambda: loop.commands(state, "time", "x"), "t: expected seconds"),
-        (lambda: exponential.commands("a21", "x"), "a₂₁: expected a number"),
+        (lambda: typed("l-mass", "heavy"), "mass: expected numbers"),
+        (lambda: typed("time", "9"), "t: expected 0 to 6 s"),
+        (lambda: typed("time", "x"), "t: expected seconds"),
+        (lambda: matrix("a21", "x"), "a₂₁: expected a number"),
     ):
         with pytest.raises(InputError, match=says):
             call()

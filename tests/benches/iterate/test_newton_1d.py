@@ -67,8 +67,8 @@ def test_the_central_difference_gives_the_same_steps_to_many_digits():
         (TypeEquation(""), "got nothing"),
         (TypeEquation("y^2"), "unknown name 'y'"),
         (TypeEquation("sqrt(x - 5)"), "x₀ = 1"),
-        (StartAt(math.nan), "x₀: expected a number"),
-        (StartAt(1e9), "x₀: expected a number"),
+        (StartAt(math.nan), "x0: expected finite numbers, got nan"),
+        (StartAt(1e9), "x0: expected at least"),
         (ChooseEquation("nothing"), "unknown name"),
     ],
 )

@@ -12,7 +12,7 @@ from armlab.benches.motion.curves.commands import (
 )
 from armlab.benches.motion.curves.examples import EXAMPLES, ChooseExample, differences
 from armlab.benches.motion.curves.knots import MOST_KNOTS
-from armlab.benches.motion.curves.made import Drawn, form, grid, kinds, made, why_not
+from armlab.benches.motion.curves.made import Drawn, free_options, grid, kinds, made, why_not
 from armlab.benches.motion.curves.solved import lts_solved, normalised, one_polynomial, pieces, spline_solved
 from armlab.benches.motion.curves.state import Curves
 from armlab.content.robots import catalogue
@@ -253,7 +253,7 @@ def test_every_law_runs_through_a_path(law):
 
 def test_options_that_the_knots_give_are_not_asked_for():
     for kind in kinds().values():
-        assert not {"times", "duration", "spacing"} & {field.key for field in form(kind)}
+        assert not {"times", "duration", "spacing"} & {field.key for field in free_options(kind)}
 
 
 def test_exceeded_limits_are_told_with_their_times():

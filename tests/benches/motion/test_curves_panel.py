@@ -8,17 +8,29 @@ import re
 import numpy as np
 import pytest
 
-from armlab.benches.motion.curves.commands import AddKnot, SetLimit
+from armlab.benches.motion.curves.commands import (
+    AddKnot,
+    ChooseLaw,
+    ChoosePath,
+    SetKnot,
+    SetKnots,
+    SetLimit,
+    SetOption,
+    SetUnit,
+    ShowDegree,
+)
 from armlab.benches.motion.curves.examples import EXAMPLES, ChooseExample
 from armlab.benches.motion.curves.state import Curves
 from armlab.benches.motion.curves.ui.facts import facts, verdicts
-from armlab.benches.motion.curves.ui.listed import _summary
-from armlab.benches.motion.curves.ui.solved import solved_markup
+from armlab.benches.motion.curves.ui.listed import _summary, curves_markup, knots_markup, limits_markup
+from armlab.benches.motion.curves.ui.solved import rules_markup, solved_markup
 from armlab.benches.motion.curves.ui.words import figures, polynomial, read_rows
 from armlab.content.robots import catalogue
+from armlab.errors import InputError
 from armlab.session.state import State, apply
 from armlab.ui.format import lowered
 from armlab.ui.option_form import Scale
+from support.forms import asked
 from support.student import run, student
 
 
@@ -50,6 +62,35 @@ def plot_of(browser, name):
     await_order = [c["props"] for c in sorted(browser.controls.values(), key=lambda c: c["props"].get("order", 0))]
     headings = [i for i, props in enumerate(await_order) if props.get("content", "").find(f"<h3>{name}<") >= 0]
     return next(props for props in await_order[headings[0] :] if "series" in props)
+
+
+def test_what_is_typed_and_pressed_becomes_commands():
+    part = part_of("ends")
+
+    def typed(cell, text="", as_text=False):
+        def page(form):
+            knots = knots_markup(form, part, as_text, lambda: None)
+            return knots + curves_markup(form, part) + limits_markup(form, part) + rules_markup(form, part)
+
+        return asked(page, cell, text)
+
+    assert typed("q 1", "π/2") == (SetKnot(1, "q", np.pi / 2),)
+    assert typed("add-knot 1") == (AddKnot(1),)
+    assert typed("rows", "0 0; 1 2") == ()
+    assert typed("rows", "0 0; 1 2", as_text=True) == (SetKnots(((0.0, 0.0), (1.0, 2.0))),)
+    assert typed("unit mm") == (SetUnit("mm"),)
+    assert typed("v_max", " ") == (SetLimit("v_max", None),)
+    assert typed("path-1", "polynomial") == (ChoosePath(1, "polynomial"),)
+    assert typed("law-0", "cubic") == (ChooseLaw(0, "cubic"),)
+    assert typed("path0 ends", "natural") == (SetOption(0, "path", "ends", "natural"),)
+    assert typed("path1 ends", "natural") == ()  # only the options of the selected curve are there
+    assert typed("degree 7") == (ShowDegree(7),)
+    for cell, text, says in (
+        ("t 2", "soon", "knot 3, t: expected a number, got 'soon'"),
+        ("a_max", "much", "a_max: expected a number"),
+    ):
+        with pytest.raises(InputError, match=says):
+            typed(cell, text)
 
 
 def test_numbers_and_polynomials_are_written_as_in_the_notes():

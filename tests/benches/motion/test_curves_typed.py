@@ -2,7 +2,6 @@
 
 import json
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -34,6 +33,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.chosen import Chosen
 from armlab.session.state import State, apply
+from support.forms import BareForm
 
 ROBOT = catalogue()["puma560"]
 
@@ -57,9 +57,8 @@ def test_virtual_times_that_do_not_fit_other_knots_are_left_out_and_the_curve_sa
     assert part.curves[2].path.options == {"ends": "both"}
     assert [each.dropped for each in part.curves] == [False, False, True]
     assert all(isinstance(each, Made) for each in part.outcomes)
-    page = SimpleNamespace(channel_id="c", field=lambda *cell: "", area=lambda *cell: "")
-    assert curves_markup(page, part).count("were left out") == 1
-    assert "were left out" not in curves_markup(page, state[Curves])
+    assert curves_markup(BareForm(), part).count("were left out") == 1
+    assert "were left out" not in curves_markup(BareForm(), state[Curves])
     # What is chosen afterwards is kept, and nothing is said of the past.
     first, last = part.knots[0][0] + 0.1, part.knots[-1][0] - 0.1
     chosen = apply(apply(state, command), SetOption(2, "path", "virtual", [first, last]))[Curves].curves[2]

@@ -7,15 +7,18 @@ import re
 import numpy as np
 import pytest
 
-from armlab.benches.motion.laws.commands import SetQuantity, Stretch
+from armlab.benches.motion.laws.commands import ChooseLaw, SetQuantity, Stretch
 from armlab.benches.motion.laws.examples import EXAMPLES, ChooseLawExample
 from armlab.benches.motion.laws.state import Laws
-from armlab.benches.motion.laws.ui.page import commands
+from armlab.benches.motion.laws.ui.form import form_markup
+from armlab.benches.motion.laws.ui.page import clock_markup
 from armlab.benches.motion.laws.ui.plots import LawPlot, grid, race_markup
 from armlab.content.robots import catalogue
+from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.session.parts.timeline import OpenClip, Play, Seek
 from armlab.session.state import State, apply
+from support.forms import BareForm, asked
 from support.student import run, student
 
 
@@ -35,7 +38,7 @@ class Chart:
 
 class Element:
     def __init__(self):
-        self.content, self.channel_id = "", "c"
+        self.content = ""
 
     def show(self, content):
         self.content = content
@@ -47,8 +50,8 @@ class Maker:
     def __init__(self):
         self.chart = Chart()
 
-    def fields(self, on_input):
-        return Element()
+    def form(self, post):
+        return BareForm()
 
     def html(self, content=""):
         return Element()
@@ -134,18 +137,35 @@ def test_the_race_stands_where_the_laws_are():
 # -- what is pressed and typed -----------------------------------------------------------------------------------------
 
 
+def pressed(state, cell, text=""):
+    return asked(lambda form: clock_markup(form, state), cell, text)
+
+
 def test_play_goes_on_where_the_film_stands():
     state = opened()
-    assert commands(state, "play-laws", "") == (OpenClip("laws", play=True),)
+    assert pressed(state, "play-laws") == (OpenClip("laws", play=True),)
     on = opened(OpenClip("laws"))
-    assert commands(on, "play-laws", "") == (Play(True),)
-    assert commands(on, "time", "0,5") == (Seek(0.5),)
-    assert commands(state, "time", "1/2") == (OpenClip("laws"), Seek(0.5))
+    assert pressed(on, "play-laws") == (Play(True),)
+    assert pressed(on, "time", "0,5") == (Seek(0.5),)
+    assert pressed(state, "time", "1/2") == (OpenClip("laws"), Seek(0.5))
 
 
-@pytest.mark.parametrize("cell", ["nonsense", "law", "law x", "scale", "l9-ramp", "x-y", "remove"])
-def test_cells_that_no_page_sends_do_nothing(cell):
-    assert commands(opened(), cell, "") == ()
+@pytest.mark.parametrize(("text", "says"), [("soon", "t: expected seconds, got 'soon'"), ("9", "t: expected 0 to")])
+def test_a_time_that_the_film_has_not_is_refused_in_words(text, says):
+    with pytest.raises(InputError, match=says):
+        pressed(opened(), "time", text)
+
+
+def test_the_options_of_each_law_are_its_own():
+    part = opened(ChooseLawExample("bang_coast_bang"))[Laws]
+
+    def typed(cell, text):
+        return asked(lambda form: form_markup(form, part), cell, text)
+
+    assert typed("t-distance", "2") == (SetQuantity("distance", 2.0),)
+    assert typed("law 1", "septic") == (ChooseLaw(1, "septic"),)
+    assert typed("law 1", "no such law") == ()
+    assert typed("l9-ramp", "1") == ()
 
 
 async def at_laws(url):

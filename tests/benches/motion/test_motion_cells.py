@@ -1,37 +1,88 @@
-"""What a cell of the page Plan asks for: a joint the arm has not, as after a change of arm, is refused in words."""
+"""What a cell of the page Plan asks for, and what is refused in words: text, and joints another arm has not."""
+
+import math
 
 import pytest
 
-from armlab.benches.motion.plan.limits import LimitJoint
-from armlab.benches.motion.plan.points import SetWaypointJoint, SetWaypointPose
-from armlab.benches.motion.plan.ui.limits import limit_command
-from armlab.benches.motion.plan.ui.points import point_command
+from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
+from armlab.benches.motion.plan.limits import LastFor, LimitJoint, LimitTool, UseShare
+from armlab.benches.motion.plan.points import (
+    AddWaypoint,
+    SelectWaypoint,
+    SetWaypointJoint,
+    SetWaypointPose,
+    ShiftWaypoint,
+)
+from armlab.benches.motion.plan.ui.limits import time_markup
+from armlab.benches.motion.plan.ui.move import move_markup
+from armlab.benches.motion.plan.ui.points import points_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.state import State
+from armlab.session.state import State, apply
+from support.forms import asked
 
 STATE = State.initial(catalogue()["planar_2r"])
 
 
-@pytest.mark.parametrize(("asked", "cell"), [(point_command, "q"), (limit_command, "vmax"), (limit_command, "amax")])
-@pytest.mark.parametrize("joint", [2, 9])
-def test_a_joint_that_the_arm_has_not_is_refused(asked, cell, joint):
-    with pytest.raises(InputError, match=f"joint: expected 1 to 2, got {joint + 1}"):
-        asked(STATE, f"{cell} {joint}", "10")
+def typed(cell, text="", state=STATE):
+    def page(form):
+        return points_markup(form, state) + move_markup(form, state) + time_markup(form, state)
+
+    return asked(page, cell, text)
 
 
-@pytest.mark.parametrize("component", ["zz", "", "xy", "10"])
-def test_a_component_that_a_pose_has_not_is_refused(component):
-    with pytest.raises(InputError, match="component: unknown name"):
-        point_command(STATE, f"pose {component}", "10")
+@pytest.mark.parametrize(
+    "command", [SetWaypointJoint(0, 2, 0.1), LimitJoint(9, "velocity", 1.0), LimitJoint(2, "acceleration", 1.0)]
+)
+def test_a_joint_that_the_arm_has_not_is_refused(command):
+    # The page still showed another arm when it was typed.
+    with pytest.raises(InputError, match=f"joint: expected 1 to 2, got {command.joint + 1}"):
+        apply(STATE, command)
 
 
-def test_cells_that_there_are_make_commands():
-    (joint,) = point_command(STATE, "q 1", "10")
-    assert isinstance(joint, SetWaypointJoint)
-    assert joint.joint == 1
-    (pose,) = point_command(STATE, "pose x", "400")
+@pytest.mark.parametrize("cell", ["q 2", "vmax 9", "amax 2", "pose zz", "pose ", "pose z", "up-0", "remove-7", "stop"])
+def test_a_cell_that_is_not_on_the_page_or_off_asks_for_nothing(cell):
+    assert typed(cell, "10") == ()
+
+
+@pytest.mark.parametrize(
+    ("cell", "asks"),
+    [
+        ("add", AddWaypoint()),
+        ("down-0", ShiftWaypoint(0, 1)),
+        ("select-0", SelectWaypoint(0)),
+        ("drag", SelectWaypoint(1, True)),
+        ("space-cartesian", SetMove(1, space="cartesian")),
+        ("apart", SetMove(1, apart=True)),
+        ("time-fastest", LastFor(None)),
+        ("speed", LimitTool(None)),
+    ],
+)
+def test_what_is_pressed_or_emptied_becomes_a_command(cell, asks):
+    assert typed(cell) == (asks,)
+
+
+def test_what_is_typed_becomes_a_command_in_si_units():
+    (joint,) = typed("q 1", "10")
+    assert joint == SetWaypointJoint(1, 1, pytest.approx(math.radians(10.0)))
+    (pose,) = typed("pose x", "400")
     assert isinstance(pose, SetWaypointPose)
-    (limit,) = limit_command(STATE, "amax 0", "10")
-    assert isinstance(limit, LimitJoint)
-    assert (limit.joint, limit.of) == (0, "acceleration")
+    assert (pose.k, pose.pose[0, 3]) == (1, 0.4)
+    assert typed("amax 0", "10") == (LimitJoint(0, "acceleration", pytest.approx(math.radians(10.0))),)
+    assert typed("v", "50 ") == (UseShare(velocity=0.5),)
+    assert typed("all-like", state=apply(STATE, AddWaypoint())) == (AllMovesLike(2),)
+
+
+@pytest.mark.parametrize(
+    ("cell", "says"),
+    [
+        ("q 1", "joint 2 of waypoint 2: expected"),
+        ("pose x", "x: expected"),
+        ("vmax 0", "limit of joint 1: expected"),
+        ("a", "share of the accelerations: expected a number, got 'much'"),
+        ("jerk", "jerk time: expected a number"),
+    ],
+)
+def test_a_text_that_is_no_number_is_refused_with_the_name_of_its_field(cell, says):
+    with pytest.raises(InputError, match=says):
+        typed(cell, "much")

@@ -26,6 +26,7 @@ from armlab.session.state import State, apply
 from armlab.ui.colours import GREY, VERDICT, css, joint_colour
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.units import Units
+from support.forms import BareForm
 from support.student import run, student
 
 UNITS = Units(Notation())
@@ -36,7 +37,7 @@ class Element:
     """Stands for an element of the page."""
 
     def __init__(self):
-        self.content, self.channel_id = "", "c"
+        self.content = ""
 
     def show(self, content):
         self.content = content
@@ -48,8 +49,8 @@ class Maker:
     def __init__(self):
         self.elements, self.chart, self.lengths = [], None, []
 
-    def fields(self, on_input):
-        return self.html()
+    def form(self, post):
+        return BareForm()
 
     def html(self, content=""):
         self.elements.append(Element())

@@ -11,12 +11,16 @@ from armlab.benches.motion.plan.limits import SampleBy, UseShare
 from armlab.benches.motion.plan.points import AddWaypoint, SelectWaypoint, SetWaypointPose
 from armlab.benches.motion.plan.question import Feasible
 from armlab.benches.motion.plan.state import Plan
-from armlab.benches.motion.steps.state import PART, STEPS, PlanSteps, ShowStep
+from armlab.benches.motion.steps.state import PART, SAMPLING, STEPS, PlanSteps
+from armlab.benches.motion.steps.ui.page import MOST_CHIPS, steps_markup
 from armlab.benches.motion.steps.worked import BETWEEN, DRAWN_APART, UNSEEN, between, kept, length_of, nearest_on, steps
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.rotations import axis_angle
+from armlab.session.fields import Set
+from armlab.session.parts.joints import RandomPose
 from armlab.session.state import State, apply
+from support.forms import asked
 
 ARMS = ["puma560", "planar_2r", "cartesian_3p", "scara", "panda", "planar_3r"]
 CARTESIAN = SetMove(1, space="cartesian")
@@ -201,17 +205,17 @@ def test_the_step_that_is_shown_is_kept_and_checked():
     state = State.initial(catalogue()["planar_2r"])
     assert state[PlanSteps].shown == 1
     for k in STEPS:
-        state = apply(state, ShowStep(k))
+        state = apply(state, Set(PlanSteps, "shown", k))
         assert state[PlanSteps].shown == k
         assert PlanSteps.from_json(state[PlanSteps].to_json(), catalogue()["planar_2r"]) == state[PlanSteps]
-    assert apply(state, ShowStep(5)) is state
+    assert apply(state, Set(PlanSteps, "shown", 5)) is state
     assert state.with_robot(catalogue()["puma560"])[PlanSteps].shown == 5
     for wrong in (0, 6, 2.5, True, "1", None, [1]):
-        with pytest.raises(InputError, match="expected 1 to 5"):
-            apply(state, ShowStep(wrong))
-        with pytest.raises(InputError, match="expected 1 to 5"):
+        with pytest.raises(InputError, match="shown: expected a whole number"):
+            apply(state, Set(PlanSteps, "shown", wrong))
+        with pytest.raises(InputError, match="shown: expected a whole number"):
             PlanSteps.from_json(wrong, catalogue()["planar_2r"])
-    assert not ShowStep.undoable
+    assert not Set(PlanSteps, "shown", 5).undoable
     assert PART.part is PlanSteps
 
 
@@ -226,3 +230,22 @@ def test_small_distances_are_drawn_larger_but_never_large(key):
             assert found.larger * most >= 0.01
     assert steps(planned(key)).larger == 1.0
     assert steps(out_of_reach()).larger == 1.0
+
+
+def test_stretches_steps_and_samples_are_chosen_on_the_page():
+    state = planned("planar_2r", RandomPose(), AddWaypoint(), SetMove(1, space="cartesian"), SelectWaypoint(1))
+    state = apply(state, Set(PlanSteps, "shown", SAMPLING))
+
+    def typed(cell, text="", state=state):
+        return asked(lambda form: steps_markup(form, state, steps(state)), cell, text)
+
+    assert typed("step 4") == (Set(PlanSteps, "shown", 4),)
+    assert typed("stretch 2") == (SelectWaypoint(2),)
+    assert typed("stretch 7") == typed("step 6") == ()
+    assert typed("samples", "50") == (SampleBy(50.0),)
+    with pytest.raises(InputError, match="expected a number, got 'many'"):
+        typed("samples", "many")
+    # Where there are many, by a list.
+    state = planned("planar_2r", *[RandomPose(), AddWaypoint()] * MOST_CHIPS, SelectWaypoint(1))
+    assert typed("stretch", "3", state) == (SelectWaypoint(3),)
+    assert typed("stretch", "99", state) == ()

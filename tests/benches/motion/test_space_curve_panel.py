@@ -7,28 +7,22 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.motion.space_curve.commands import ChooseCurve, GoTo, SetAngle, SetDuration, SetPoint, UseLength
 from armlab.benches.motion.space_curve.examples import EXAMPLES, ChooseExample
-from armlab.benches.motion.space_curve.state import SpaceCurve
+from armlab.benches.motion.space_curve.state import SpaceCurve, curve_of
+from armlab.benches.motion.space_curve.ui.form import curve_form, head, law_form, marks
 from armlab.benches.motion.space_curve.ui.frenet import arc
 from armlab.benches.motion.space_curve.ui.numbers import at_present, moving, whole
-from armlab.benches.motion.space_curve.ui.page import commands
 from armlab.benches.motion.space_curve.ui.plots import without_poles
+from armlab.benches.motion.space_curve.ui.turn import turn_form
 from armlab.benches.motion.space_curve.ui.words import length, lengths
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.parts.notation import Label, Notation
 from armlab.session.state import State, apply
 from armlab.ui.units import Units
+from support.forms import BareForm, asked
 from support.student import run, student
-
-
-class Cells:
-    """Stands for the fields of a panel: shows what is in a cell."""
-
-    channel_id = "channel"
-
-    def field(self, cell, value, label, disabled=False, below=""):
-        return f"[{cell}={value}]"
 
 
 def opened():
@@ -126,23 +120,41 @@ def test_the_turn_is_shown_with_both_ways_and_takes_the_tool(url):
 def test_the_numbers_of_every_example_have_units_and_no_rounding_errors(key):
     for label in (Label("length", "mm"), Label("length", "m")):
         state = apply(apply(opened(), label), ChooseExample(key))
-        html = at_present(Cells(), state) + moving(state) + whole(state)
+        html = at_present(BareForm(), state) + moving(state) + whole(state)
         assert "nan" not in html
         assert "−0.0<" not in html
         assert f"<small>{label.value}</small>" in html
         assert "1/m" in html
 
 
-def test_what_no_page_of_ours_sends_makes_no_command_or_a_reason():
-    state = opened()
-    for cell, text in (("nothing", "x"), ("p 0", "1"), ("f 9", "s"), ("example", ""), ("drop x", "")):
-        assert commands(state, cell, text) == ()
-    for cell, text in (("o-nothing", "1"), ("T", "long"), ("s", "far")):
-        with pytest.raises(InputError, match=r"option|T: expected|s: expected"):
-            commands(state, cell, text)
-    (command,) = commands(state, "p 0 2", "250")
-    assert (command.point, command.axis, command.value) == (0, 2, 0.25)
-    assert apply(state, commands(state, "frame off", "")[0])[SpaceCurve].frame is False
+def typed(state, cell, text=""):
+    def page(form):
+        return head(form, state) + marks(form, state) + curve_form(form, state) + law_form(form, state)
+
+    return asked(lambda form: page(form) + at_present(form, state), cell, text)
+
+
+@pytest.mark.parametrize(
+    ("cell", "says"), [("T", "T: expected a number"), ("s", "s: expected a number"), ("p 1 2", "waypoint 2, z")]
+)
+def test_what_is_no_number_is_refused_in_words(cell, says):
+    state = apply(opened(), ChooseCurve("spline"))
+    with pytest.raises(InputError, match=says):
+        typed(state, cell, "far")
+
+
+def test_what_is_typed_and_pressed_becomes_commands():
+    state = apply(opened(), ChooseCurve("spline"))
+    assert typed(state, "p 0 2", "250") == (SetPoint(0, 2, 0.25),)
+    assert typed(state, "T", "3,5") == (SetDuration(3.5),)
+    assert typed(state, "s", "0.25") == (GoTo(0.25),)
+    assert apply(state, typed(state, "frame off")[0])[SpaceCurve].frame is False
+    by_length = apply(opened(), UseLength(True))
+    half = 500.0 * by_length.derived(curve_of).arc.length
+    assert typed(by_length, "sigma", f"{half}") == (GoTo(pytest.approx(0.5)),)
+    assert typed(by_length, "length off") == (UseLength(False),)
+    turned = asked(lambda form: turn_form(form, state), "a B 1", "90")
+    assert turned == (SetAngle("B", 1, pytest.approx(np.pi / 2)),)
 
 
 def test_lengths_that_would_not_fit_are_written_with_a_power_of_ten():

@@ -9,26 +9,33 @@ from armlab.benches.pose.tool.state import (
     Invert,
     LookAt,
     PoseView,
-    WriteAngles,
     frame_names,
     link_parameters,
     pair_of,
     step_of,
 )
+from armlab.benches.pose.tool.ui.chooser import chooser_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin.dh import link_transform
 from armlab.kin.transforms import inverse
 from armlab.session.edits import RemoveJoint
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, RandomPose
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import State, apply
+from support.forms import asked
 
 
 @pytest.fixture
 def state():
     return State.initial(catalogue()["puma560"])
+
+
+def written(state, axes):
+    """Return the state with the angles written in a sequence about axes that stay."""
+    return apply(apply(state, Set(PoseView, "axes", axes)), Set(PoseView, "fixed", True))
 
 
 def looked_at(state, reference, frame):
@@ -114,15 +121,15 @@ def test_a_frame_in_itself_is_refused(state):
 
 
 def test_sequences_are_chosen_or_refused(state):
-    view = apply(apply(state, WriteAngles(axes="zxz")), WriteAngles(fixed=True))[PoseView]
+    view = written(state, "zxz")[PoseView]
     assert (view.axes, view.fixed) == ("zxz", True)
-    assert apply(state, WriteAngles()) is state
+    assert apply(state, Set(PoseView, "axes", state[PoseView].axes)) is state
     with pytest.raises(UnknownName, match="axes: unknown name 'zzx'"):
-        apply(state, WriteAngles(axes="zzx"))
+        apply(state, Set(PoseView, "axes", "zzx"))
 
 
 def test_another_arm_keeps_what_it_has_and_a_removed_joint_takes_its_frame_along(state):
-    three = apply(apply(state, LookAt("0", "3")), WriteAngles(axes="xyz", fixed=True))
+    three = written(apply(state, LookAt("0", "3")), "xyz")
     other = apply(three, ChooseRobot("scara"))[PoseView]
     assert (other.n, other.reference, other.frame, other.axes, other.fixed) == (4, "0", "3", "xyz", True)
     six = apply(state, LookAt("5", "6"))
@@ -130,16 +137,27 @@ def test_another_arm_keeps_what_it_has_and_a_removed_joint_takes_its_frame_along
     assert (shorter.n, shorter.reference, shorter.frame) == (5, "w", "E")
 
 
+def test_the_buttons_look_at_their_pair_in_the_sense_that_is_chosen(state):
+    def pressed(state, cell):
+        return asked(lambda form: chooser_markup(form, state[PoseView]), cell)
+
+    assert pressed(state, "0-3") == (LookAt("0", "3", keeps_sense=True),)
+    assert pressed(state, "inverse") == (Invert(),)
+    assert pressed(state, "0-7") == ()
+    inverse = apply(state, Invert())
+    assert looked_at(inverse, "E", "0").tolist() == pair_of(apply(inverse, *pressed(inverse, "0-E"))).transform.tolist()
+
+
 def test_looking_and_selecting_are_no_steps_of_undo():
     assert not LookAt.undoable
-    assert not WriteAngles.undoable
+    assert not Set(PoseView, "axes", "zxz").undoable
     assert not Select.undoable
     assert PoseView.kept_by_undo
     assert Selection.kept_by_undo
 
 
 def test_it_is_written_and_read_back(state):
-    changed = apply(apply(state, LookAt("E", "2")), WriteAngles(axes="yzy", fixed=True))
+    changed = written(apply(state, LookAt("E", "2")), "yzy")
     robot = catalogue()["puma560"]
     assert PoseView.from_json(changed[PoseView].to_json(), robot) == changed[PoseView]
 
@@ -149,7 +167,7 @@ def test_it_is_written_and_read_back(state):
 )
 def test_damaged_data_are_refused(state, damage):
     data = state[PoseView].to_json() | damage
-    with pytest.raises(InputError, match="pose_view: not usable"):
+    with pytest.raises(InputError, match=r"reference|frame|axes"):
         PoseView.from_json(data, catalogue()["puma560"])
 
 

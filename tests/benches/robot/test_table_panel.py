@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.robot.table.ui.editor import DhEditor
-from armlab.benches.robot.table.ui.ends import ends_typed
+from armlab.benches.robot.table.ui.ends import ends_markup
 from armlab.benches.robot.table.ui.facts import axes_section, closed_form_card, facts_of
 from armlab.benches.robot.table.ui.page import moved_lines
 from armlab.content.robots import catalogue, own_robot
@@ -24,6 +24,7 @@ from armlab.session.state import State, apply
 from armlab.ui.file_names import file_name
 from armlab.ui.units import Units, units_of
 from support.fake_browser import cookie_of
+from support.forms import BareForm, asked
 from support.student import run, student
 
 PUMA = catalogue()["puma560"]
@@ -34,22 +35,21 @@ TILTED = Arm.from_dh(
 """A planar arm on a slope: its task means nothing in the frame 0 of the standard table."""
 
 
-class FieldsWithoutPage:
-    """Stands for the fields of a page: keeps the markup."""
-
-    channel_id = "channel"
-    stale = False
-
-    def field(self, cell, value, label, disabled=False, below=""):
-        return f'<input data-cell="{cell}" value="{value}" aria-label="{label}">'
-
-    def show(self, content):
-        self.content = content
-
-
 @pytest.fixture
 def editor():
-    return DhEditor(FieldsWithoutPage(), Units(Notation()))
+    return editor_of(Notation())
+
+
+def editor_of(notation):
+    return DhEditor(BareForm(), Units(notation))
+
+
+def typed(editor, arm, cell, text):
+    """Return what a control of the table asks for."""
+    editor._form.posted.clear()
+    editor.show(arm)
+    editor._form.fields.send(cell, text)
+    return [each for posted in editor._form.posted for each in posted.commands]
 
 
 def value_of(browser, cell):
@@ -81,30 +81,30 @@ async def at_the_table(url, cookie=None, path="/"):
         ("dh-1-theta", "90", SetCell(0, "theta", np.pi / 2)),
         ("dh-1-theta", "q1", SetCell(0, "theta", 0.0)),
         ("dh-1-theta", "", SetCell(0, "theta", 0.0)),
-        ("dh-1-add", "", AddJoint(0)),
+        ("dh-6-add", "", AddJoint(5)),
     ],
 )
 def test_what_is_typed_becomes_a_command(editor, cell, text, command):
-    assert editor.typed(PUMA.arm, cell, text) == command
+    assert typed(editor, PUMA.arm, cell, text) == [command]
 
 
 def test_the_text_on_screen_typed_again_changes_nothing(editor):
     """What is rounded on screen is not put into the table by leaving a cell."""
     arm = Arm.from_dh([("R", 1 / 3, 1.0, 0.123456789, 0.0), ("R", 0.1, 0.0, 0.0, 2.0)])
     editor.show(arm)
-    content = editor._fields.content
-    found = re.findall(r'data-cell="(dh-\d-(?:a|alpha|d|theta))" value="([^"]*)"', content)
+    content = editor._form.fields.content
+    found = re.findall(r'value="([^"]*)"[^>]* data-cell="(dh-\d-(?:a|alpha|d|theta))"', content)
     assert len(found) == 8
-    for cell, text in found:
-        assert editor.typed(arm, cell, text) is None
+    for text, cell in found:
+        assert typed(editor, arm, cell, text) == []
 
 
 def test_columns_and_names_follow_the_book():
     orders = {}
     for book in ("notes", "craig", "corke"):
-        editor = DhEditor(FieldsWithoutPage(), Units(Notation(book=book)))
+        editor = editor_of(Notation(book=book))
         editor.show(PUMA.arm)
-        orders[book] = re.findall(r'<th class="[a-z]*" title="([^"]*)">', editor._fields.content)
+        orders[book] = re.findall(r'<th class="[a-z]*" title="([^"]*)">', editor._form.fields.content)
     assert orders["notes"] == ["link length", "link twist", "link offset", "joint angle"]
     assert orders["craig"] == ["link twist", "link length", "link offset", "joint angle"]
     assert orders["corke"] == ["joint angle", "link offset", "link length", "link twist"]
@@ -114,32 +114,39 @@ def test_a_field_of_base_tool_or_point_changes_one_number():
     state = State.initial(catalogue()["panda"])
     units = units_of(state)
     tool = state[RobotPart].robot.arm.tool
-    command = ends_typed(state, "tool-x", "12.5", units)
+
+    def typed(cell, text):
+        return asked(lambda form: ends_markup(form, state, units), cell, text)
+
+    (command,) = typed("tool-x", "12.5")
     expected = np.array(tool)
     expected[0, 3] = 0.0125
     np.testing.assert_array_equal(command.pose, expected)
-    turned = apply(state, ends_typed(state, "base-yaw", "90", units))
+    turned = apply(state, *typed("base-yaw", "90"))
     np.testing.assert_array_equal(turned[RobotPart].robot.arm.base[:3, 0], [0.0, 1.0, 0.0])
-    assert ends_typed(state, "point-z", "0", units) is None
-    assert ends_typed(state, "point-z", "10", units).xyz == (0.0, 0.0, 0.01)
+    assert typed("point-z", "0") == ()
+    assert typed("point-z", "10")[0].xyz == (0.0, 0.0, 0.01)
 
 
 # -- what the table says -----------------------------------------------------------------------------------------
 
 
+def free(facts, chosen):
+    return axes_section(BareForm(), facts, chosen, Units(Notation()), lambda chosen: None)
+
+
 def test_each_pair_of_axes_is_flagged_with_its_freedom():
-    units = Units(Notation())
     facts = facts_of(PUMA.arm)
-    shown = axes_section(facts, 2, "c", units)
+    shown = free(facts, 2)
     assert "1 × 2" in shown
     assert "2 ∥ 3" in shown
     assert "z₁ and z₂ are parallel: they have infinitely many common normals" in shown
-    assert "direction of x₀ around it" in axes_section(facts, 0, "c", units)
-    assert "Frame 6" in axes_section(facts, 99, "c", units)
+    assert "direction of x₀ around it" in free(facts, 0)
+    assert "Frame 6" in free(facts, 99)
     in_line = Arm.from_dh([("R", 0.0, 0.0, 0.2, 0.0), ("R", 0.3, 0.0, 0.0, 0.0)])
-    assert "1 ≡ 2" in axes_section(facts_of(in_line), 1, "c", units)
+    assert "1 ≡ 2" in free(facts_of(in_line), 1)
     skew = Arm.from_dh([("R", 0.2, 1.0, 0.2, 0.0), ("R", 0.3, 0.0, 0.0, 0.0)])
-    assert "exactly one common normal" in axes_section(facts_of(skew), 1, "c", units)
+    assert "exactly one common normal" in free(facts_of(skew), 1)
 
 
 def test_the_closed_form_is_told_with_its_reason():
@@ -234,7 +241,6 @@ def test_wrong_input_stays_marked_with_the_reason_below_until_the_next(url, cell
         field = next(c for c in browser.controls.values() if marker in c["props"].get("content", ""))
         old, before = value_of(browser, cell), field["props"]["content"]
         await browser.press(cell, text)
-        await browser.until(lambda: any(words in notice for notice in browser.notices))
         # Written anew with another revision, so that the page drops what was typed.
         await browser.until(lambda: field["props"]["content"] != before)
         assert value_of(browser, cell) == html.escape(text)
@@ -303,7 +309,7 @@ def test_tables_are_pasted_and_files_loaded(url):
             browser.html()
         )
         await browser.press("load", "[[joints]]\ntype = 3")
-        await browser.until(lambda: any("pasted file" in notice for notice in browser.notices))
+        await browser.until(lambda: re.search('role="alert">[^<]*pasted file', browser.html()) is not None)
         assert 'data-cell="dh-7-a"' in browser.html()
         await browser.close()
 
@@ -332,8 +338,8 @@ def test_the_cells_stay_in_place_while_the_table_is_edited(url):
 
 def test_a_pasted_table_opens_in_the_other_units(url):
     state = apply(State.initial(PUMA), PasteTable("a, alpha, d, theta\n0.5, pi/2, 0, q1 + 0.5"))
-    editor = DhEditor(FieldsWithoutPage(), Units(Notation(angle="rad", length="m", variable="theta")))
+    editor = editor_of(Notation(angle="rad", length="m", variable="theta"))
     editor.show(state[RobotPart].robot.arm)
-    assert 'value="1.5708"' in editor._fields.content
-    assert 'value="0.5"' in editor._fields.content
-    assert "θ₁" in editor._fields.content
+    assert 'value="1.5708"' in editor._form.fields.content
+    assert 'value="0.5"' in editor._form.fields.content
+    assert "θ₁" in editor._form.fields.content

@@ -83,7 +83,7 @@ def test_the_list_follows_a_drag_and_rows_out_of_limits_say_why(url):
         assert [row[1] for row in now] == [row[1] for row in before]
         assert np.abs(np.array(now[0][3]) - before[0][3]).max() < 20.0
         await browser.press(f"go{off[0][1]}")
-        await browser.until(lambda: any("out of limits" in text for text in browser.notices))
+        await browser.until(lambda: re.search('role="alert">[^<]*out of limits', browser.html()) is not None)
         await browser.close()
 
     run(main())

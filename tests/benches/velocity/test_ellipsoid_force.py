@@ -9,7 +9,6 @@ from armlab.benches.motion.plan.clip import CLIP
 from armlab.benches.velocity.ellipsoid.curves import MOST, along_motion, over_distance, present_distance
 from armlab.benches.velocity.ellipsoid.state import (
     LookAtBlock,
-    LookAtEllipsoid,
     Manipulability,
     VelocityBlock,
     blocks_of,
@@ -19,6 +18,7 @@ from armlab.benches.velocity.ellipsoid.state import (
 from armlab.benches.velocity.ellipsoid.state_circle import MarkSpeeds, UnitCircle, mapped
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.round_numbers import round_above, round_below
@@ -49,16 +49,16 @@ def test_force_half_axes_are_the_inverses_and_never_nan(robot, rng):
 
 def test_the_choice_is_kept_written_and_read():
     robot = catalogue()["puma560"]
-    state = apply(apply(state_of("puma560"), LookAtEllipsoid("both")), LookAtBlock("rotation"))
+    state = apply(apply(state_of("puma560"), Set(Manipulability, "shown", "both")), LookAtBlock("rotation"))
     part = state[Manipulability]
     assert (part.shown, part.block.key, part.velocity, part.force) == ("both", "rotation", True, True)
     assert Manipulability.from_json(part.to_json(), robot) == part
     assert Manipulability.from_json("rotation", robot).shown == "velocity"
-    assert apply(state, LookAtEllipsoid("both")) is state
+    assert apply(state, Set(Manipulability, "shown", "both")) is state
     assert apply(state, ChooseRobot("planar_2r"))[Manipulability].shown == "both"
-    with pytest.raises(UnknownName, match="ellipsoid"):
-        apply(state, LookAtEllipsoid("power"))
-    with pytest.raises(UnknownName, match="ellipsoid"):
+    with pytest.raises(UnknownName, match=r"shown: unknown name 'power'\. Available: both, force, velocity"):
+        apply(state, Set(Manipulability, "shown", "power"))
+    with pytest.raises(UnknownName, match=r"shown: unknown name 'power'\. Available: both, force, velocity"):
         Manipulability.from_json(["rotation", "power"], robot)
 
 
@@ -84,8 +84,9 @@ def test_the_mark_is_checked_written_and_read():
     robot = catalogue()["planar_2r"]
     part = apply(state_of("planar_2r"), MarkSpeeds(1.2))[UnitCircle]
     assert UnitCircle.from_json(part.to_json(), robot) == part
+    assert part.for_robot(catalogue()["puma560"]) == part.for_edited(robot, (0, 1)) == part
     for bad in (math.nan, math.inf):
-        with pytest.raises(InputError, match="direction"):
+        with pytest.raises(InputError, match="angle: expected finite"):
             apply(state_of("planar_2r"), MarkSpeeds(bad))
 
 

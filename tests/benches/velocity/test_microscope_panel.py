@@ -12,13 +12,15 @@ from armlab.benches.velocity.microscope.state import (
     BringNear,
     Microscope,
     SetComponent,
+    SetDamping,
     SetDistance,
+    WatchMethod,
     known_places,
     looked,
     near,
 )
 from armlab.benches.velocity.microscope.ui.bars import bars, scale_of
-from armlab.benches.velocity.microscope.ui.page import _damping, _speed_unit, commands
+from armlab.benches.velocity.microscope.ui.page import damping_markup, head_markup, speed_unit, wish_markup
 from armlab.benches.velocity.microscope.ui.scene import names_of
 from armlab.benches.velocity.microscope.ui.words import NAMES, components, condition_card, sigma_bars, table
 from armlab.content.robots import catalogue
@@ -27,6 +29,7 @@ from armlab.kin.rotations import rotation_from_quaternion
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
 from armlab.ui.units import units_of
+from support.forms import BareForm, asked
 from support.student import run, student
 
 
@@ -42,7 +45,7 @@ def page_of(state):
     return (
         condition_card(look, state.derived(near), units)
         + bars(look, units)
-        + table(look, "c", units)
+        + table(look, BareForm(), units)
         + sigma_bars(look)
     )
 
@@ -66,7 +69,7 @@ def test_bars_are_finite_but_for_the_inverse_which_says_it_does_not_exist():
     heights = [float(height) for height in re.findall(r'<rect[^>]* height="([^"]+)"', picture)]
     assert np.isfinite(heights).all()
     assert max(heights) <= 47.0
-    words = table(state.derived(looked), "c", units_of(state))
+    words = table(state.derived(looked), BareForm(), units_of(state))
     assert "J is singular here: J⁻¹ does not exist" in words
 
 
@@ -90,7 +93,7 @@ def test_what_is_too_long_is_cut_and_told():
 
 def test_speeds_above_the_limits_of_the_joints_are_marked():
     state = opened("planar_2r", ChooseMicroscopeExample("near_stretched"))
-    words = table(state.derived(looked), "c", units_of(state))
+    words = table(state.derived(looked), BareForm(), units_of(state))
     limits = state[Joints].arm.speed_limits
     rows = dict(zip(NAMES, words.split("<tr>")[2:], strict=True))
     for each in state.derived(looked).answers:
@@ -110,11 +113,22 @@ def test_joints_that_slide_have_speeds_of_their_own():
 
 def test_fields_become_commands_and_nonsense_is_said():
     state = opened("planar_2r")
-    units = units_of(state)
-    assert commands(state, "v 0", "250 mm", units) == (SetComponent(0, 0.25),)
-    assert commands(state, "place 1", "", units) == (BringNear(1),)
-    assert commands(state, "v 7", "1", units) == ()
-    assert commands(state, "elsewhere", "1", units) == ()
+    look, units = state.derived(looked), units_of(state)
+
+    def typed(cell, text=""):
+        def made(form):
+            wish = head_markup(form, state, units) + wish_markup(form, look, units)
+            return wish + table(look, form, units) + damping_markup(form, look)
+
+        return asked(made, cell, text)
+
+    assert typed("v 0", "250 mm") == (SetComponent(0, 0.25),)
+    assert typed("place 1") == (BringNear(1),)
+    assert typed("aim across") == (AimVelocity("across"),)
+    assert typed("along 1") == (AimAlong(1),)
+    assert typed("watch pinv") == (WatchMethod("pinv"),)
+    assert typed("distance", "90") == (SetDistance(np.pi / 2),)
+    assert typed("d epsilon", "0,5") == (SetDamping("epsilon", 0.5),)
     for cell, text, says in (
         ("v 0", "fast", "v_x: expected a number in mm"),
         ("speed", "x", "size: expected a number"),
@@ -122,7 +136,7 @@ def test_fields_become_commands_and_nonsense_is_said():
         ("distance", "x", "distance: expected a number in degrees"),
     ):
         with pytest.raises(InputError, match=says):
-            commands(state, cell, text, units)
+            typed(cell, text)
 
 
 def test_a_look_costs_one_decomposition_for_each_method_at_most(monkeypatch):
@@ -176,9 +190,8 @@ def test_the_example_frees_held_joints():
 def test_a_size_and_a_damping_have_units():
     for key, size, squared in (("planar_2r", "m/s", " m² here"), ("puma560", "1/s, scaled", " here")):
         state = opened(key)
-        assert _speed_unit(state.derived(looked)) == size
-        field = type("Markup", (), {"channel_id": "c", "field": lambda self, cell, value, label: value})()
-        assert re.search(rf"λ\(σ\) is [\d.]+{squared}<", _damping(field, state.derived(looked)))
+        assert speed_unit(state.derived(looked)) == size
+        assert re.search(rf"λ\(σ\) is [\d.]+{squared}<", damping_markup(BareForm(), state.derived(looked)))
 
 
 def test_where_wish_and_reached_meet_they_have_one_name():
@@ -190,19 +203,13 @@ def test_where_wish_and_reached_meet_they_have_one_name():
     assert names_of(np.array([0.01, 0, 0, 1.0, 0, 0]), still)[1] == ("reached", "ω reached")
 
 
-def test_no_list_is_as_long_as_that():
-    state = opened("planar_2r")
-    for cell in ("place ", "along ", "v "):
-        assert commands(state, cell + "9" * 5000, "1", units_of(state)) == ()
-
-
 def test_the_speed_of_a_sliding_joint_is_in_true_metres():
     """v_z of the SCARA is the speed of joint 3, whatever length the picture is scaled by."""
     state = opened("scara", AimAlong(2), SetComponent(2, 0.25))
     look, units = state.derived(looked), units_of(state)
     assert look.task.length != 1.0
     assert re.search(r"q₃: −?250\.0 mm/s", bars(look, units))
-    row = table(look, "c", units).split("<tr>")[2:][list(NAMES).index("pinv")]
+    row = table(look, BareForm(), units).split("<tr>")[2:][list(NAMES).index("pinv")]
     assert re.findall(r">(−?[\d.]+)<", row) == ["0.0", "250.0"]
 
 

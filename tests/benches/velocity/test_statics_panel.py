@@ -10,21 +10,24 @@ from armlab.benches.velocity.ellipsoid.state_circle import mapped
 from armlab.benches.velocity.ellipsoid.ui.force import force_axes, force_numbers, force_verdict, torque_words
 from armlab.benches.velocity.ellipsoid.ui.map import pictures
 from armlab.benches.velocity.ellipsoid.ui.scene import force, force_half, speed_half
+from armlab.benches.velocity.statics.examples import ChooseExample
 from armlab.benches.velocity.statics.state import (
     DrawDisplacement,
     ReleaseWrench,
     SetComponent,
+    Statics,
     WriteAlong,
     balance,
 )
-from armlab.benches.velocity.statics.ui.page import commands
+from armlab.benches.velocity.statics.ui.page import head_markup
 from armlab.benches.velocity.statics.ui.scene import torque_name
-from armlab.benches.velocity.statics.ui.words import duality_markup, free_markup, torques_markup, verdict
+from armlab.benches.velocity.statics.ui.words import duality_markup, free_markup, torques_markup, verdict, work_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.bench import PutInPlace
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
+from support.forms import asked
 from support.student import run, student
 
 
@@ -32,16 +35,21 @@ def put(key):
     return apply(State.initial(catalogue()["puma560"]), PutInPlace(f"statics/{key}"))
 
 
-def test_cells_become_commands():
-    assert commands("force 0", "12,5 N") == (SetComponent("force", 0, 12.5),)
-    assert commands("moment 2", "−3 Nm") == (SetComponent("moment", 2, -3.0),)
-    assert commands("release", "") == (ReleaseWrench(),)
-    assert commands("displacement", "") == (DrawDisplacement(),)
-    assert commands("tool", "") == (WriteAlong("tool"),)
-    assert commands("example", "") == ()
-    assert commands("force 7", "1") == ()
+def test_fields_and_buttons_become_commands():
+    state = put("along")
+
+    def typed(cell, text=""):
+        return asked(lambda form: head_markup(form, state[Statics]) + work_markup(form, state), cell, text)
+
+    assert typed("force 0", "12,5 N") == (SetComponent("force", 0, 12.5),)
+    assert typed("moment 2", "−3 Nm") == (SetComponent("moment", 2, -3.0),)
+    assert typed("release") == (ReleaseWrench(),)
+    assert typed("displacement") == (DrawDisplacement(),)
+    assert typed("tool") == (WriteAlong("tool"),)
+    assert typed("example", "press") == (ChooseExample("press"),)
+    assert typed("example") == ()
     with pytest.raises(InputError, match="moment, y: expected a number in N m, got 'strong'"):
-        commands("moment 1", "strong")
+        typed("moment 1", "strong")
 
 
 def test_the_card_says_which_joint_works_or_why_none_does():
@@ -132,6 +140,10 @@ def test_the_page_shows_torques_and_takes_a_wrench(url):
         await browser.until(lambda: "No torque needed" in browser.html())
         await browser.press("force 0", "much")
         await browser.until(lambda: "force, x: expected a number in N" in browser.html())
+        await browser.press("force 0", "2000000")
+        await browser.until(lambda: "force: expected at most 1e+06 N" in browser.html())
+        assert 'value="2000000"' in browser.html()
+        assert not browser.notices
         await browser.press("force 0", "0")
         await browser.press("force 1", "20")
         await browser.until(lambda: "works hardest" in browser.html())

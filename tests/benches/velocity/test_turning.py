@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.velocity.speeds.commands import SetSpeed
-from armlab.benches.velocity.turning.commands import LookAtTurning, SetTurning, TakeToolAngles, WriteAngles
+from armlab.benches.velocity.turning.commands import SetTurning, TakeToolAngles, WriteAngles
 from armlab.benches.velocity.turning.motion import (
     LAWS,
     between,
@@ -23,6 +23,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.rotations import rotation_from_sequence
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
 from armlab.session.state import State, apply
@@ -83,7 +84,7 @@ def test_the_film_grows_the_angles_with_their_rates():
     R = rotation_from_sequence(part.axes, expected, fixed=part.fixed)
     np.testing.assert_allclose(turned_of(state).R, R, rtol=0, atol=1e-14)
     # A typed angle, another sequence, and another view begin anew.
-    for command in (SetTurning("angles", 0, 1.0), WriteAngles("zyz"), LookAtTurning("laws"), TakeToolAngles()):
+    for command in (SetTurning("angles", 0, 1.0), WriteAngles("zyz"), Set(Turning, "shown", "laws"), TakeToolAngles()):
         assert apply(state, command)[Timeline].time == 0.0
 
 
@@ -96,7 +97,7 @@ def test_equal_integrals_lead_to_different_orientations():
     for law, pieces in enumerate(LAWS):
         # Each piece turns about axes that stay.
         np.testing.assert_allclose(law_rotation(law, 1.0) @ pieces[0], pieces[0], rtol=0, atol=1e-15)
-    state = apply(opened(LookAtTurning("laws")), OpenClip("turning"))
+    state = apply(opened(Set(Turning, "shown", "laws")), OpenClip("turning"))
     assert duration(state) == 2.0
     assert laws_time(state) == 0.0
     assert laws_time(opened()) == 2.0
@@ -138,7 +139,7 @@ def test_the_rates_of_the_tools_angles_give_its_omega():
 
 
 def test_it_is_written_down_and_read_back():
-    part = opened(WriteAngles("zyz", False), LookAtTurning("laws"))[Turning]
+    part = opened(WriteAngles("zyz", False), Set(Turning, "shown", "laws"))[Turning]
     assert Turning.from_json(json.loads(json.dumps(part.to_json())), catalogue()["puma560"]) == part
 
 
@@ -157,9 +158,9 @@ def test_damaged_files_are_refused(name, value):
     [
         (SetTurning("angles", 3, 0.0), "angles: expected 1 to 3, got 4"),
         (SetTurning("speeds", 0, 0.0), "speeds"),
-        (SetTurning("rates", 1, float("nan")), "rate 2"),
+        (SetTurning("rates", 1, float("nan")), "rates: expected finite numbers"),
         (WriteAngles("zzx"), "zzx"),
-        (LookAtTurning("none"), "none"),
+        (Set(Turning, "shown", "none"), "none"),
     ],
 )
 def test_what_cannot_be_is_refused_in_words(command, told):

@@ -5,27 +5,37 @@ import re
 import numpy as np
 import pytest
 
-from armlab.benches.velocity.speeds.commands import DrawVelocities, SetAllSpeeds, SetSpeed, WriteJacobianIn
+from armlab.benches.velocity.speeds.commands import (
+    DrawVelocities,
+    LookAtLink,
+    SetAllSpeeds,
+    SetLinkPoint,
+    SetSpeed,
+    Unfold,
+    WriteJacobianIn,
+)
 from armlab.benches.velocity.speeds.examples import EXAMPLES, ChooseVelocityExample
 from armlab.benches.velocity.speeds.motion import moving_of, two_points_of
 from armlab.benches.velocity.speeds.state import MATRIX, Velocity, drawn_scales, fastest
 from armlab.benches.velocity.speeds.ui import page as velocity
 from armlab.benches.velocity.speeds.ui.marks import LEAST, UNIT, unit_scale
-from armlab.benches.velocity.speeds.ui.numbers import higher_markup, size_markup, sum_markup
+from armlab.benches.velocity.speeds.ui.numbers import higher_markup, points_markup, size_markup, sum_markup
 from armlab.benches.velocity.speeds.ui.scene import marks_of
 from armlab.benches.velocity.speeds.ui.words import in_words
-from armlab.benches.velocity.turning.commands import LookAtTurning, SetTurning, WriteAngles
+from armlab.benches.velocity.turning.commands import SetTurning, WriteAngles
 from armlab.benches.velocity.turning.state import Turning
 from armlab.benches.velocity.turning.ui import page as turning
-from armlab.benches.velocity.turning.ui.numbers import laws_markup, rates_markup, small_markup, tool_markup
+from armlab.benches.velocity.turning.ui.numbers import form_markup, laws_markup, rates_markup, small_markup, tool_markup
 from armlab.benches.velocity.turning.ui.scene import axes_marks, omega_marks
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.notation import Label
 from armlab.session.parts.selection import Select
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import State, apply
+from support.forms import BareForm, asked
 from support.student import run, student
 
 
@@ -162,11 +172,11 @@ def test_the_analytic_jacobian_of_the_tool_is_there_or_says_why_not():
 
 
 def test_the_two_laws_and_the_small_turns_are_told():
-    text = laws_markup(opened("planar_2r", LookAtTurning("laws")))
+    text = laws_markup(opened("planar_2r", Set(Turning, "shown", "laws")))
     assert text.count("90.0&ensp;0.0&ensp;90.0") == 2
     assert "120.0°" in text
     assert "Same integral, other orientation" in text
-    on = laws_markup(opened("planar_2r", LookAtTurning("laws"), OpenClip("turning")))
+    on = laws_markup(opened("planar_2r", Set(Turning, "shown", "laws"), OpenClip("turning")))
     assert "Same integral" not in on  # nothing has turned
     assert "0.0°" in on
     assert "1.01·10⁻⁴" in small_markup()
@@ -175,45 +185,48 @@ def test_the_two_laws_and_the_small_turns_are_told():
 # -- what is pressed and typed -----------------------------------------------------------------------------------------
 
 
+def pressed(state, cell, text=""):
+    """Return what follows on the pages of velocities and of turning, with all that can be folded away unfolded."""
+
+    def made(form):
+        points = velocity.folded_markup("points", "", form, unfolded, points_markup)
+        return velocity.head_markup(form, state) + velocity.below_markup(form, state) + points
+
+    unfolded = apply(state, Unfold("points", True))
+    return asked(made, cell, text)
+
+
+def turned(state, cell, text=""):
+    return asked(lambda form: turning.clock_markup(form, state) + form_markup(form, state), cell, text)
+
+
 def test_drive_goes_on_where_it_stands():
     state = opened()
-    assert velocity.commands(state, "drive", "") == (OpenClip("speeds", play=True),)
-    assert velocity.commands(apply(state, OpenClip("speeds")), "drive", "") == (Play(True),)
-    assert turning.commands(apply(state, OpenClip("turning")), "play", "") == (Play(True),)
+    assert pressed(state, "drive") == (OpenClip("speeds", play=True),)
+    assert pressed(apply(state, OpenClip("speeds")), "drive") == (Play(True),)
+    assert turned(apply(state, OpenClip("turning")), "play") == (Play(True),)
 
 
-@pytest.mark.parametrize(
-    "cell",
-    [
-        "alone " + "9" * 5000,
-        "nonsense",
-        "alone",
-        "alone x",
-        "point",
-        "point 2 0",
-        "point 0 3",
-        "link",
-        "example",
-        "angles 3",
-        "axes",
-    ],
-)
-def test_cells_that_no_page_sends_do_nothing(cell):
-    if cell != "axes":
-        assert velocity.commands(opened(), cell, "") == ()
-    if cell != "example":
-        assert turning.commands(opened(), cell, "") == ()
+def test_what_is_switched_is_turned_round():
+    state = opened()
+    assert pressed(state, "mark v off") == (DrawVelocities("v", False),)
+    assert pressed(state, "mark points on") == (DrawVelocities("points", True),)
+    assert pressed(state, "fold points off") == (Unfold("points", False),)
+    assert turned(state, "about moving") == (WriteAngles(fixed=False),)
 
 
 def test_what_is_typed_is_read_in_the_units_on_screen():
-    (command,) = velocity.commands(opened(), "point 1 2", "250")
-    assert command.xyz[2] == 0.25
+    points = opened()[Velocity].points
+    (command,) = pressed(opened(), "point 1 2", "250")
+    assert command == SetLinkPoint(1, (*points[1][:2], 0.25))
+    assert pressed(opened(), "link", "1") == (LookAtLink(1),)
+    assert pressed(opened(), "link", "3") == ()
     with pytest.raises(InputError, match="point 2, z: expected a number in mm"):
-        velocity.commands(opened(), "point 1 2", "far")
-    (command,) = turning.commands(opened(), "rates 0", "90")
-    assert command.value == pytest.approx(np.pi / 2)
+        pressed(opened(), "point 1 2", "far")
+    (command,) = turned(opened(), "rates 0", "90")
+    assert command == SetTurning("rates", 0, pytest.approx(np.pi / 2))
     with pytest.raises(InputError, match="angle 1: expected a number in degrees"):
-        turning.commands(opened(), "angles 0", "much")
+        turned(opened(), "angles 0", "much")
 
 
 async def says(browser, text):
@@ -287,7 +300,7 @@ def test_the_acceleration_is_told_along_v_and_across_it():
 
 @pytest.mark.parametrize("shown", ["angles", "laws"])
 def test_the_clock_of_turning_tells_the_time_of_what_is_shown(shown):
-    state = opened("planar_2r", LookAtTurning(shown))
-    fields = type("Markup", (), {"channel_id": "c"})()
-    assert ("t = 2.00 s" in turning._clock(fields, state)) == (shown == "laws")
-    assert "t = 0.50 s" in turning._clock(fields, apply(apply(state, OpenClip("turning")), Seek(0.5)))
+    state = opened("planar_2r", Set(Turning, "shown", shown))
+    form = BareForm()
+    assert ("t = 2.00 s" in turning.clock_markup(form, state)) == (shown == "laws")
+    assert "t = 0.50 s" in turning.clock_markup(form, apply(apply(state, OpenClip("turning")), Seek(0.5)))

@@ -18,7 +18,6 @@ from armlab.benches.workspace.section.state import (
     SLICES,
     GoInSection,
     GoToPoint,
-    LookAtSection,
     PlaceSlice,
     SectionView,
     found_of,
@@ -28,6 +27,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, InputError
 from armlab.kin.workspace.section import section
 from armlab.kin.workspace.section_size import Size
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import DragTarget
@@ -115,7 +115,7 @@ def test_what_belongs_to_another_arm_is_let_go():
 
 def test_another_colour_keeps_the_section_and_is_an_average_of_what_the_measure_can_be():
     state = whole("elbow_3r")
-    coloured = found_section(after(state, LookAtSection(colour="manipulability")))
+    coloured = found_section(after(state, Set(SectionView, "colour", "manipulability")))
     found = found_of(coloured)
     assert found.section is found_of(state).section
     assert found.size == found_of(state).size
@@ -190,7 +190,7 @@ def test_tool_and_target_know_their_way_to_the_boundary():
 def test_every_point_of_a_slice_is_reached_and_lies_in_it(key, kind):
     state = whole(key)
     place = tool(state) @ np.eye(3)["xyz".index(kind)] if kind != "axis" else None
-    state = after(state, LookAtSection(slice=kind), PlaceSlice(place))
+    state = after(state, Set(SectionView, "slice", kind), PlaceSlice(place))
     drawn, found = slice_of(state), found_of(state)
     rows, columns = np.nonzero(drawn.reached)
     assert len(rows) > 200
@@ -207,7 +207,7 @@ def test_every_point_of_a_slice_is_reached_and_lies_in_it(key, kind):
 
 
 def test_a_slice_across_the_axis_has_the_area_it_must_have():
-    state = after(whole("elbow_3r"), LookAtSection(slice="z"), PlaceSlice(0.75))
+    state = after(whole("elbow_3r"), Set(SectionView, "slice", "z"), PlaceSlice(0.75))
     drawn = slice_of(state)
     pixel = drawn.plane.width / drawn.reached.shape[1] * drawn.plane.height / drawn.reached.shape[0]
     # A ball of radius 1.3 about z = 0.6 without one of 0.3.
@@ -232,7 +232,8 @@ def test_the_arm_seen_from_the_side_ends_at_the_tool(key):
 
 
 def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
-    state = after(whole("elbow_3r"), LookAtSection(colour="sigma_min", slice="y"), PlaceSlice(0.2))
+    looked = (Set(SectionView, "colour", "sigma_min"), Set(SectionView, "slice", "y"))
+    state = after(whole("elbow_3r"), *looked, PlaceSlice(0.2))
     data = json.loads(json.dumps(state[SectionView].to_json()))
     robot = catalogue()["elbow_3r"]
     back = SectionView.from_json(data, robot)
@@ -245,5 +246,5 @@ def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
     with pytest.raises(InputError, match=r"at most 100 m, got 9000000 m$"):
         PlaceSlice(9e6).apply(state)
     with pytest.raises(InputError, match=r"at most 100 rad, got 157 rad$"):
-        PlaceSlice(157.0).apply(after(state, LookAtSection(slice="axis")))
+        PlaceSlice(157.0).apply(after(state, Set(SectionView, "slice", "axis")))
     assert replace(back, found=None).for_robot(robot).slice == "y"

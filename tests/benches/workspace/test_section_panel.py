@@ -9,19 +9,21 @@ import pytest
 
 from armlab.benches.workspace.section.found import Question, finding
 from armlab.benches.workspace.section.job import found_section
-from armlab.benches.workspace.section.state import GoInSection, GoToPoint, LookAtSection, PlaceSlice, found_of
-from armlab.benches.workspace.section.ui.page import _choices, commands
-from armlab.benches.workspace.section.ui.picture import SPECK, _outlines, frame_of, image_rule, view
-from armlab.benches.workspace.section.ui.words import distances, facts, scale
+from armlab.benches.workspace.section.state import GoInSection, GoToPoint, PlaceSlice, SectionView, found_of
+from armlab.benches.workspace.section.ui.page import choices_markup, view_markup
+from armlab.benches.workspace.section.ui.picture import SPECK, _outlines, frame_of, image_rule
+from armlab.benches.workspace.section.ui.words import facts, scale
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.dh import Row
 from armlab.kin.workspace.section_size import Size
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Label
 from armlab.session.state import State, apply
 from armlab.ui.measured import with_error
 from armlab.ui.units import units_of
+from support.forms import BareForm, asked
 from support.student import run, student
 
 ARMS = ("planar_2r_unequal", "elbow_3r", "cartesian_3p", "scara")
@@ -60,11 +62,16 @@ def test_specks_are_left_out_until_a_section_is_finished():
     assert _outlines(finished).count("M") == len(lines)
 
 
+def commands(state, cell, text):
+    units, found = units_of(state), found_of(state)
+    return asked(lambda form: choices_markup(form, state, units) + view_markup(form, state, found, units), cell, text)
+
+
 @pytest.mark.parametrize("key", ARMS)
 def test_no_page_holds_a_number_that_is_none(key):
-    state = whole(key, LookAtSection(colour="sigma_min"))
+    state = whole(key, Set(SectionView, "colour", "sigma_min"))
     found, units = found_of(state), units_of(state)
-    page = view(state, found, units, "c") + scale(found) + distances(state, units, "c") + facts(found, units)
+    page = view_markup(BareForm(), state, found, units) + facts(found, units)
     assert not re.search(r"\bnan\b|\binf\b|∞", page)
     assert "data:image/png;base64," in image_rule(found, "x")
     assert ("Area" in page) == (key == "planar_2r_unequal")
@@ -79,7 +86,7 @@ def test_a_click_on_the_tool_goes_where_the_tool_is(key):
     point = joints.tool_pose[:3, 3]
     place = ((point - joint.origin) @ joint.axes)[:2] if found.section.grid.flat else joint.split(point)[:2]
     x, y = (place - frame.low) / (frame.high - frame.low)
-    (command,) = commands(state, "go", f"{x:.9f},{1.0 - y:.9f}", units_of(state))
+    (command,) = commands(state, "go", f"{x:.9f},{1.0 - y:.9f}")
     if isinstance(command, GoInSection):
         np.testing.assert_allclose([command.u, command.v], place, atol=1e-6)
     else:
@@ -117,37 +124,32 @@ def test_the_directions_across_a_sliding_joint_1_have_names():
 @pytest.mark.parametrize(("unit", "shown"), [("deg", "−29.8"), ("rad", "−0.520")])
 def test_the_place_of_the_slice_has_the_usual_decimals(unit, shown):
     state = apply(apply(whole("elbow_3r"), PlaceSlice(-0.52)), Label("angle", unit))
-
-    class Seen:
-        channel_id = "c"
-        field = staticmethod(lambda cell, value, label: f"<{value}>")
-
-    assert f"<{shown}>" in _choices(Seen, state, units_of(state))
+    assert f'value="{shown}"' in choices_markup(BareForm(), state, units_of(state))
 
 
 def test_what_is_still_averaged_is_said_in_a_sentence():
-    found = replace(found_of(whole("elbow_3r", LookAtSection(colour="manipulability"))), coloured=False)
+    found = replace(found_of(whole("elbow_3r", Set(SectionView, "colour", "manipulability"))), coloured=False)
     assert "each cell. Being averaged …</p>" in scale(found)
 
 
 def test_a_measure_that_is_the_same_everywhere_has_no_scale():
-    found = found_of(whole("cartesian_3p", LookAtSection(colour="sigma_min")))
+    found = found_of(whole("cartesian_3p", Set(SectionView, "colour", "sigma_min")))
     assert "the same everywhere: 1</div>" in scale(found)
 
 
 def test_what_is_pressed_and_typed_becomes_commands():
     state = whole("elbow_3r")
-    units = units_of(state)
-    assert commands(state, "slice z", "", units) == (LookAtSection(slice="z"),)
-    assert commands(state, "colour", "sigma_min", units) == (LookAtSection(colour="sigma_min"),)
-    assert commands(state, "follow", "", units) == (PlaceSlice(None),)
-    (turned,) = commands(state, "at", "90", units)
+    assert commands(state, "slice z", "") == (Set(SectionView, "slice", "z"),)
+    assert commands(state, "colour", "sigma_min") == (Set(SectionView, "colour", "sigma_min"),)
+    assert commands(state, "follow", "") == (PlaceSlice(None),)
+    (turned,) = commands(state, "at", "90")
     np.testing.assert_allclose(turned.at, np.pi / 2)
-    (moved,) = commands(apply(state, LookAtSection(slice="x")), "at", "250", units)
+    (moved,) = commands(apply(state, Set(SectionView, "slice", "x")), "at", "250")
     np.testing.assert_allclose(moved.at, 0.25)
     with pytest.raises(InputError, match="place of the slice"):
-        commands(state, "at", "there", units)
-    assert commands(state, "go", "somewhere", units) == ()
+        commands(state, "at", "there")
+    with pytest.raises(InputError, match="expected a place"):
+        commands(state, "go", "somewhere")
 
 
 def test_the_page_is_filled_clicked_and_sliced(url):

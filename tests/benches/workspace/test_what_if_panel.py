@@ -9,8 +9,15 @@ import pytest
 
 from armlab.benches.workspace.section.ui.words import across
 from armlab.benches.workspace.what_if.job import compared
-from armlab.benches.workspace.what_if.state import ChooseQuantity, ForgetChanges, Suppose, TakeOver, WhatIf
-from armlab.benches.workspace.what_if.ui.page import PANEL, commands
+from armlab.benches.workspace.what_if.state import (
+    ChooseQuantity,
+    ForgetChanges,
+    Suppose,
+    SupposeTyped,
+    TakeOver,
+    WhatIf,
+)
+from armlab.benches.workspace.what_if.ui.page import PANEL, choices_markup, exact_markup, told_markup
 from armlab.benches.workspace.what_if.ui.picture import picture
 from armlab.benches.workspace.what_if.ui.words import (
     changes_markup,
@@ -26,6 +33,7 @@ from armlab.kin.workspace.first_joint import first_joint
 from armlab.session.parts.notation import Label
 from armlab.session.state import State, apply
 from armlab.ui.units import units_of
+from support.forms import BareForm, asked
 from support.student import run, student
 
 
@@ -42,8 +50,15 @@ def known(key, *wished):
     return compared(opened(key, *wished))
 
 
-def asked(state, cell, text=""):
-    return commands(state, cell, text, units_of(state))
+def commands(state, cell, text=""):
+    part, units = state[WhatIf], units_of(state)
+    return asked(
+        lambda form: (
+            choices_markup(form, part, units) + exact_markup(form, part, units) + told_markup(form, state, units)
+        ),
+        cell,
+        text,
+    )
 
 
 def plain(markup):
@@ -52,19 +67,17 @@ def plain(markup):
 
 def test_cells_become_commands():
     state = opened("planar_2r", Suppose(0, "a", 1.2))
-    assert asked(state, "take") == (TakeOver(),)
-    assert asked(state, "forget") == (ForgetChanges(),)
-    assert asked(state, "joint 1") == (ChooseQuantity(1),)
-    assert asked(state, "field low") == (ChooseQuantity(0, "low"),)
-    assert asked(state, "value", "750") == (Suppose(0, "a", 0.75),)
-    assert asked(state, "value", "80 cm") == (Suppose(0, "a", 0.8),)
-    assert asked(state, "back 0 a") == (Suppose(0, "a", 1.0),)
-    assert asked(state, "joint up") == ()
-    assert asked(state, "somewhere") == ()
+    assert commands(state, "take") == (TakeOver(),)
+    assert commands(state, "forget") == (ForgetChanges(),)
+    assert commands(state, "joint 1") == (ChooseQuantity(1),)
+    assert commands(state, "field low") == (ChooseQuantity(0, "low"),)
+    assert commands(state, "value", "750") == (SupposeTyped(0, "a", 0.75),)
+    assert commands(state, "value", "80 cm") == (SupposeTyped(0, "a", 0.8),)
+    assert commands(state, "back 0 a") == (Suppose(0, "a", 1.0),)
     with pytest.raises(InputError, match="a₁: expected a number in mm, got 'long'"):
-        asked(state, "value", "long")
+        commands(state, "value", "long")
     turned = apply(state, ChooseQuantity(1, "high"))
-    (command,) = asked(turned, "value", "90")
+    (command,) = commands(turned, "value", "90")
     assert (command.row, command.field) == (1, "high")
     assert command.value == pytest.approx(1.5707963, abs=1e-6)
 
@@ -88,10 +101,10 @@ def test_quantities_have_the_names_of_the_table():
 
 def test_changes_are_listed_in_the_units_on_screen():
     state = opened("puma560", Suppose(1, "a", 0.5), Suppose(1, "high", 1.0))
-    words = plain(changes_markup("c", state[WhatIf], units_of(state)))
+    words = plain(changes_markup(BareForm(), state[WhatIf], units_of(state)))
     assert words == "Changes in thought a₂ 431.8 mm → 500.0 mm × q₂ to 225.0° → 57.3° ×"
     state = apply(apply(state, Label("length", "m")), Label("angle", "rad"))
-    words = plain(changes_markup("c", state[WhatIf], units_of(state)))
+    words = plain(changes_markup(BareForm(), state[WhatIf], units_of(state)))
     assert words == "Changes in thought a₂ 0.4318 m → 0.5000 m × q₂ to 3.927 rad → 1.000 rad ×"
 
 

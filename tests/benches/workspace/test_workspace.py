@@ -171,10 +171,12 @@ def test_held_joints_stay_when_the_arm_goes_to_a_sample():
     [
         ({"measure": "w"}, "measure"),
         ({"count": 5}, "samples"),
-        ({"seed": -1}, "seed: expected a whole number from 0"),
-        ({"draw": "fog"}, "drawing"),
+        ({"seed": -1}, "seed: expected a whole number, at least 0, got -1"),
+        ({"draw": "fog"}, "draw: unknown name 'fog'"),
         ({"cut": "q"}, "cut"),
-        ({"offset": float("nan")}, "place of the slice"),
+        ({"offset": float("nan")}, "offset: expected finite numbers, got nan"),
+        ({"offset": -200.0}, "place of the slice: expected at most 100 m either way, got -200 m"),
+        ({"seed": 2**31}, "seed: expected a whole number, at most 2.14748e"),
     ],
 )
 def test_settings_that_are_none_are_refused(settings, said):

@@ -5,7 +5,7 @@ import pytest
 
 from armlab.benches.workspace.cloud.job import sampled
 from armlab.benches.workspace.cloud.state import LookAtWorkspace, SampleWorkspace, Workspace
-from armlab.benches.workspace.cloud.ui.page import commands
+from armlab.benches.workspace.cloud.ui.page import choices_markup
 from armlab.benches.workspace.cloud.ui.scene import outside, parts_of
 from armlab.benches.workspace.cloud.ui.words import counted, scale
 from armlab.content.robots import catalogue
@@ -15,6 +15,7 @@ from armlab.session.state import State, apply
 from armlab.ui.colours import viridis
 from armlab.ui.measured import DECADES
 from armlab.ui.units import units_of
+from support.forms import asked
 from support.student import run, student
 
 
@@ -23,7 +24,7 @@ def test_sampling_shows_points_and_a_click_moves_the_arm(url):
         browser = await student(url, path="/robot/elbow_3r")
         await browser.open("workspace")
         await browser.until(lambda: "reachable workspace" in browser.html())
-        await browser.press("count", "count 26000")
+        await browser.press("count", "26000")
         await browser.press("sample")
         await browser.until(lambda: "Manipulability" in browser.html() and "26\u202f000</span>" in browser.html())
         await browser.until(lambda: any(name.endswith("workspace/points") for name in browser.nodes))
@@ -110,13 +111,7 @@ def test_only_voxels_that_can_be_seen_are_drawn(rng):
 def test_wrong_input_is_said(cell, text):
     state = apply(State.initial(catalogue()["elbow_3r"]), LookAtWorkspace(cut="x"))
     with pytest.raises(InputError, match="expected"):
-        commands(state, cell, text, units_of(state))
-
-
-def test_what_no_page_of_ours_sends_does_nothing():
-    state = State.initial(catalogue()["elbow_3r"])
-    for cell, text in (("", ""), ("count", "many"), ("slice 7", ""), ("dance", "x"), ("again", ""), ("example", "")):
-        assert commands(state, cell, text, units_of(state)) == ()
+        asked(lambda form: choices_markup(form, state, units_of(state)), cell, text)
 
 
 def test_numbers_of_samples_are_readable():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field, seen_fields
+from armlab.kin.field import Field, seen_fields
 from armlab.kin.motion.law_types import law_types
 from armlab.kin.motion.path_types import path_type, path_types
 

@@ -27,6 +27,11 @@ class AllOf:
         return any(getattr(check, "of_motion", False) for check in self.checks)
 
     @property
+    def facts(self) -> tuple[str, ...]:
+        """Words of the facts of benches that they look at."""
+        return tuple(word for check in self.checks for word in getattr(check, "facts", ()))
+
+    @property
     def noted(self) -> tuple[str, ...]:
         """What of them no file proves."""
         return tuple(name for check in self.checks for name in getattr(check, "noted", ()))
@@ -59,7 +64,10 @@ def read(table: Table, robot: Robot) -> AllOf:
             raise entry.fail("kind", f"{CHECK.key!r} cannot stand in itself; put all checks into one list")
     if not any(kinds[entry.choice("kind", kinds)].alone for entry in entries):
         raise table.fail("checks", "expected one that asks more than time")
-    return AllOf(tuple(read_check(entry, robot) for entry in entries))
+    found = AllOf(tuple(read_check(entry, robot) for entry in entries))
+    if found.of_table and found.facts:
+        raise table.fail("checks", "a fact of a bench is judged with the arm of the lesson, not with an edited table")
+    return found
 
 
 CHECK = CheckType("all_of", 100, read)

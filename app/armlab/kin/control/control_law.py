@@ -19,7 +19,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.control import laws as _folder
 from armlab.kin.control.controller import Aim, Controller, Told
 from armlab.kin.control.scaled_task import ScaledTask
-from armlab.kin.motion.field import Field, checked_options
+from armlab.kin.field import Field, checked_options
 from armlab.plugins import discover
 
 Floats = NDArray[np.float64]

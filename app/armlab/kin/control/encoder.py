@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import whole_number
-from armlab.kin.motion.field import positive
+from armlab.kin.field import positive
 
 Floats = NDArray[np.float64]
 

@@ -19,7 +19,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats, whole_number, wrong
 from armlab.kin.control.encoder import Encoder
 from armlab.kin.control.saturation import checked_saturation
-from armlab.kin.motion.field import positive_bounds
+from armlab.kin.field import positive_bounds
 
 Floats = NDArray[np.float64]
 

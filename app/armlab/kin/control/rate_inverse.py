@@ -18,7 +18,7 @@ from armlab.errors import UnknownName
 from armlab.kin.checks import as_floats, finite_floats, wrong
 from armlab.kin.control import inverses as _folder
 from armlab.kin.control.decomposed import Decomposed
-from armlab.kin.motion.field import Field, checked_options
+from armlab.kin.field import Field, checked_options
 from armlab.plugins import discover
 
 Floats = NDArray[np.float64]

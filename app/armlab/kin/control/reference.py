@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
+from armlab.kin.field import positive
 from armlab.kin.motion import Law, Motion, ToolPath
-from armlab.kin.motion.field import positive
 from armlab.kin.transforms import as_pose
 
 Floats = NDArray[np.float64]

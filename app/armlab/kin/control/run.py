@@ -30,7 +30,7 @@ from armlab.kin.control.record import Run
 from armlab.kin.control.reference import JointAims, Reference, ToolAims
 from armlab.kin.control.saturation import saturate
 from armlab.kin.control.scaled_task import ScaledTask
-from armlab.kin.motion.field import positive
+from armlab.kin.field import positive
 
 Floats = NDArray[np.float64]
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import Any
 
 from armlab.errors import InputError
 from armlab.kin.motion.bounds import law_bounds
@@ -12,9 +13,6 @@ from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.scaling import as_fast_as_allowed
 from armlab.kin.motion.trajectory import Trajectory
-
-if TYPE_CHECKING:
-    from armlab.kin.motion.law_types import LawType
 
 RESTLESS = ("sdot_start", "sdot_end")
 """Options by which a law begins or ends with a speed: stretched in time it would be another one."""
@@ -26,14 +24,22 @@ def restless(options: dict[str, Any]) -> bool:
 
 
 def fastest_along(
-    kind: LawType, path: Path, limits: Limits, shape: Limits, jumps: bool, options: dict[str, Any]
+    title: str,
+    shaped: Callable[..., Law],
+    path: Path,
+    limits: Limits,
+    shape: Limits,
+    jumps: bool,
+    options: dict[str, Any],
 ) -> Law:
     """Return the law; see `armlab.kin.motion.law_types.LawType.along`.
 
     Parameters
     ----------
-    kind : LawType
-        One that does not depend on the path.
+    title : str
+        Of the law, which does not depend on the path.
+    shaped : callable
+        ``shaped(limits, **options)`` makes the law of a path whose length is 1.
     path : Path
     limits, shape : Limits
         To be met, and to shape the law; with a number for each joint.
@@ -43,14 +49,14 @@ def fastest_along(
         Of the law.
     """
     bounds = law_bounds(path, shape).usable
-    law = kind.shaped(Limits(bounds.V, bounds.A, bounds.jerk), **options)
+    law = shaped(Limits(bounds.V, bounds.A, bounds.jerk), **options)
     found, scaling = as_fast_as_allowed(Trajectory(path, law), limits, jumps=jumps or restless(options))
     if not restless(options):
         assert isinstance(found, Trajectory)
         return found.law
     if scaling.k > 1.0 + SLACK:
         raise InputError(
-            f"{kind.title}: with these speeds at its ends joint {scaling.joint} exceeds its limit of "
+            f"{title}: with these speeds at its ends joint {scaling.joint} exceeds its limit of "
             f"{scaling.quantity}; lower sdot_start or sdot_end"
         )
     return law

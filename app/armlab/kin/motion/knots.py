@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.checks import as_floats, wrong
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 
 Floats = NDArray[np.float64]
 

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.kin.checks import wrong
+from armlab.kin.field import positive
 from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, stopped
 from armlab.kin.motion.extremes import Extremes, extremes
-from armlab.kin.motion.field import positive
 from armlab.kin.motion.piecewise import Piecewise
 
 Floats = NDArray[np.float64]

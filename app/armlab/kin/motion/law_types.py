@@ -14,9 +14,9 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin import timing as _folder
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
+from armlab.kin.field import Field, checked_options, positive
 from armlab.kin.motion.along import fastest_along, restless
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
-from armlab.kin.motion.field import Field, checked_options, positive
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path import Path
@@ -154,7 +154,8 @@ class LawType:
         """
         held = limits_of(limits, path.m)
         if self.on_path is None:
-            return fastest_along(self, path, held, held if shape is None else shape.for_joints(path.m), jumps, options)
+            shaping = held if shape is None else shape.for_joints(path.m)
+            return fastest_along(self.title, self.shaped, path, held, shaping, jumps, options)
         if held.bounded[2] and not jumps:
             raise InputError(f"limit of jerk: {jumping(self.title, 'acceleration')}")
         values = checked_options(self.key, self.fields, options)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.errors import InputError, UnknownName
 from armlab.kin import paths as _folder
 from armlab.kin.checks import as_floats, finite_floats, wrong
-from armlab.kin.motion.field import Field, checked_options
+from armlab.kin.field import Field, checked_options
 from armlab.kin.motion.knots import checked_knots
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.scaled_path import ScaledPath, in_scales

@@ -8,9 +8,9 @@ import numpy as np
 
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.field import positive
 from armlab.kin.motion.along import restless
 from armlab.kin.motion.extremes import SLACK
-from armlab.kin.motion.field import positive
 from armlab.kin.motion.law_types import LawType, law_type
 from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path import Path

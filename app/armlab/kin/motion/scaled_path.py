@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.motion.field import Field, Options
+from armlab.kin.field import Field, Options
 from armlab.kin.motion.path import Path
 
 Floats = NDArray[np.float64]

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
+from armlab.kin.field import positive
 from armlab.kin.motion.breaks import ORDERS, merged
-from armlab.kin.motion.field import positive
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.trajectory import Motion, in_time
 

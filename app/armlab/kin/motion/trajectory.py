@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.checks import whole_number, wrong
+from armlab.kin.field import positive
 from armlab.kin.motion.breaks import ORDERS, SMOOTH, classes, jumps, merged, stopped
-from armlab.kin.motion.field import positive
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.series import roots_inside, series_of

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.piecewise import Piecewise
 
 Floats = NDArray[np.float64]

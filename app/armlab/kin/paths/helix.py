@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import PathType
 from armlab.kin.paths._plane import across

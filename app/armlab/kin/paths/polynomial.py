@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError
 from armlab.kin.checks import as_floats, whole_number, wrong
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.path import PolynomialPath
 from armlab.kin.motion.path_types import PathType
 from armlab.kin.paths._boundary import MOST_DEGREE, boundary_polynomial, in_seconds

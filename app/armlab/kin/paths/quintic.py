@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.path import PolynomialPath
 from armlab.kin.motion.path_types import PathType, coordinates
 from armlab.kin.motion.piecewise import Piecewise

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.knots import TIMES, knot_times
 from armlab.kin.motion.path import PolynomialPath, timed
 from armlab.kin.motion.path_types import PathType, coordinates

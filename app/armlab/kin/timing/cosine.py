@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.kin.motion.field import positive
+from armlab.kin.field import positive
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.law_types import LawType
 

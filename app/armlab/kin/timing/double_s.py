@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.law import Law, PolynomialLaw
 from armlab.kin.motion.law_types import LawType
 from armlab.kin.motion.limits import Limits

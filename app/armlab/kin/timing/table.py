@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.law import Law, PolynomialLaw
 from armlab.kin.motion.law_types import LawType
 from armlab.kin.motion.piecewise import Piecewise, integrated

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.kin.motion.law import Law, PolynomialLaw
 from armlab.kin.motion.law_types import LawType
 from armlab.kin.motion.limits import Limits

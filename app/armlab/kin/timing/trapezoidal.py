@@ -6,8 +6,8 @@ import math
 from typing import Any
 
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.kin.motion.extremes import SLACK
-from armlab.kin.motion.field import Field
 from armlab.kin.motion.law import Law, PolynomialLaw
 from armlab.kin.motion.law_types import LawType
 from armlab.kin.motion.limits import Limits

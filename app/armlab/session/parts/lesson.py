@@ -16,6 +16,7 @@ from armlab.content.observation import BEYOND, Observation, same_table
 from armlab.content.question import Verdict
 from armlab.content.robots import OWN, Robot
 from armlab.errors import InputError
+from armlab.session.facts import benches_of, evidence_of, facts_asked, seen_facts
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
@@ -116,6 +117,12 @@ class LessonPart(Part):
         return frozenset(each.key for each in taught() if each.asked(found, step, met))
 
     @property
+    def facts(self) -> tuple[str, ...]:
+        """Words of the facts of benches that the shown step looks at."""
+        found, step = self.lesson, self.step
+        return () if found is None or step is None else facts_asked(found, step, self.name in self.progress.met)
+
+    @property
     def hides(self) -> tuple[str, ...]:
         """What the question of the shown step hides until it is answered."""
         step = self.step
@@ -163,7 +170,9 @@ class LessonPart(Part):
         was = before[LessonPart]
         if (was.open, was.set_up, was.progress.step) != (self.open, self.set_up, self.progress.step):
             return False
-        changed = any(now[kind] is not before[kind] for kind in (Joints, Target, RobotPart, Display, Timeline))
+        of_benches = (part for found in benches_of(self.facts) for part in found.parts)
+        looked_at = (Joints, Target, RobotPart, Display, Timeline, *of_benches)
+        changed = any(now[kind] is not before[kind] for kind in looked_at)
         return changed or any(each.changed(before, now) for each in taught())
 
     def with_progress(self, progress: Progress) -> Self:
@@ -236,7 +245,8 @@ def has_its_arm(state: State) -> bool:
 
 def observed(state: State) -> Observation:
     """Return what the check of the shown step sees."""
-    joints, progress, asked = state[Joints], state[LessonPart].progress, state[LessonPart].asked
+    part = state[LessonPart]
+    joints, progress, asked = state[Joints], part.progress, part.asked
     target = state[Target].pose
     return Observation(
         arm=joints.arm,
@@ -245,8 +255,9 @@ def observed(state: State) -> Observation:
         target=target,
         seconds=progress.seconds(state.at),
         switches=frozenset(name for name, on in state[Display].switches.items() if on),
-        panel=state[LessonPart].panel,
+        panel=part.panel,
         films=progress.films,
+        facts=seen_facts(state, part.facts),
         **{each.key: each.seen(state, each.clip in progress.films) for each in taught() if each.key in asked},
     )
 
@@ -271,7 +282,8 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
         return progress
     # What follows from the work on a bench is judged again from that work.
     work = {each.part.key: now[each.part].to_json() for each in taught() if getattr(seen, each.key) is not None}
-    evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **work}})
+    facts = {"facts": evidence_of(now, step.check.facts)} if step.check.facts else {}
+    evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **work, **facts}})
     return replace(progress, met=progress.met | {name}, evidence=evidence)
 
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from armlab.content.question import Choices, Field, Form, Grid, Question, Verdict
+from armlab.content.question import Choices, Field, Grid, Question, Verdict
+from armlab.content.question import Form as Answered
+from armlab.session.lesson_commands import Answer
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button, field
 
 UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m"}
 """How units are written where they are not so in lesson files."""
@@ -46,7 +48,7 @@ class Draft:
         The whole answer, as it was handed in last.
     """
 
-    def __init__(self, form: Form, typed: str) -> None:
+    def __init__(self, form: Answered, typed: str) -> None:
         self._form = form
         self.whole = typed
         self.chosen = {int(word) for word in typed.replace(",", " ").split() if word.isdecimal()}
@@ -56,23 +58,24 @@ class Draft:
             entries = {(i, j): entry for i, row in enumerate(rows) for j, entry in enumerate(row)}
             self.entries = {place: entry for place, entry in entries.items() if entry != MISSING}
 
-    def take(self, cell: str, text: str) -> str | None:
-        """Take what a person did; return the whole answer when it is handed in, else None."""
-        if cell == ANSWER:
-            return text
-        if cell == CHECK:
-            whole = self._whole()
-            self.whole = self.whole if whole is None else whole
-            return whole
-        if cell.startswith(CHOICE) and isinstance(self._form, Choices):
-            option = int(cell.removeprefix(CHOICE))
-            if not self._form.several:
-                return str(option)
-            self.chosen ^= {option}
-        elif cell.startswith(ENTRY) and isinstance(self._form, Grid):
-            i, j = (int(part) for part in cell.removeprefix(ENTRY).split("-"))
-            self.entries[i, j] = text
+    def choose(self, option: int) -> Answer | None:
+        """Choose an option, or no longer; the answer where one is enough."""
+        if isinstance(self._form, Choices) and not self._form.several:
+            return Answer(str(option))
+        self.chosen ^= {option}
         return None
+
+    def enter(self, i: int, j: int, text: str) -> None:
+        """Fill in an entry of a grid."""
+        self.entries[i, j] = text
+
+    def hand_in(self) -> Answer | tuple[()]:
+        """Return the whole answer; none of one field, which has told already."""
+        whole = self._whole()
+        if whole is None:
+            return ()
+        self.whole = whole
+        return Answer(whole)
 
     def _whole(self) -> str | None:
         if isinstance(self._form, Choices):
@@ -80,7 +83,7 @@ class Draft:
         if isinstance(self._form, Grid):
             rows, columns = range(self._form.rows), range(self._form.columns)
             return "; ".join(" ".join(_entry(self.entries.get((i, j), "")) or MISSING for j in columns) for i in rows)
-        return None  # the field beside it has told already
+        return None
 
 
 def _entry(text: str) -> str:
@@ -98,18 +101,18 @@ def _entry(text: str) -> str:
     return text
 
 
-def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: str, order: Sequence[int] = ()) -> str:
+def asked(form: Form, question: Question, typed: str, draft: Draft, settled: bool, order: Sequence[int] = ()) -> str:
     """Return the question with what it is answered with.
 
     Parameters
     ----------
+    form : Form
     question : Question
     typed : str
         The last answer.
     draft : Draft
     settled : bool
         Whether the answer counts and cannot be changed.
-    channel : str
     order : sequence of int, optional
         In which options are shown, from 1.
     """
@@ -117,39 +120,41 @@ def asked(question: Question, typed: str, draft: Draft, settled: bool, channel: 
     if question.hide:
         said = "Your prediction is noted." if settled else "Predict: your first answer counts."
         note = f'<p class="dim">{said}</p>'
-    return f'<div class="ask">{question.html}{note}{_form(question.form, typed, draft, settled, channel, order)}</div>'
+    return f'<div class="ask">{question.html}{note}{_form(form, question.form, typed, draft, settled, order)}</div>'
 
 
-def _form(form: Form, typed: str, draft: Draft, settled: bool, channel: str, order: Sequence[int]) -> str:
-    check = "" if settled else button(channel, CHECK, "Check", "chip")
-    if isinstance(form, Field):
-        unit = escaped(UNIT_SIGNS.get(form.unit, form.unit))
+def _form(form: Form, kind: Answered, typed: str, draft: Draft, settled: bool, order: Sequence[int]) -> str:
+    check = "" if settled else form.button(CHECK, "Check", draft.hand_in, "chip")
+    if isinstance(kind, Field):
+        unit = escaped(UNIT_SIGNS.get(kind.unit, kind.unit))
         label = f"Your answer in {unit}" if unit else "Your answer"
-        line = field(channel, ANSWER, typed, label, settled, spellcheck="false", placeholder="your answer")
-        return f'<div class="answer">{line}<i>{unit}</i>{check}</div>'
-    if isinstance(form, Choices):
-        return _choices(form, draft, settled, channel, check if form.several else "", order)
-    return _grid(form, draft, settled, channel, check)
-
-
-def _choices(form: Choices, draft: Draft, settled: bool, channel: str, check: str, order: Sequence[int]) -> str:
-    offered = "".join(
-        button(channel, f"{CHOICE}{k}", form.options[k - 1], "choice", pressed=k in draft.chosen, off=settled)
-        for k in order or range(1, len(form.options) + 1)
-    )
-    hint = '<p class="dim">Choose all that hold.</p>' if form.several else ""
-    return f'{hint}<div class="choices">{offered}</div>{check}'
-
-
-def _grid(form: Grid, draft: Draft, settled: bool, channel: str, check: str) -> str:
-    rows = []
-    for i in range(form.rows):
-        cells = (
-            field(channel, f"{ENTRY}{i}-{j}", draft.entries.get((i, j), ""), f"Row {i + 1}, column {j + 1}", settled)
-            for j in range(form.columns)
+        line = form.field(
+            ANSWER, typed, label, Answer, off=settled, inputmode="", spellcheck="false", placeholder="your answer"
         )
-        rows.append(f"<div>{''.join(cells)}</div>")
-    unit = f"<i>{escaped(UNIT_SIGNS.get(form.unit, form.unit))}</i>" if form.unit else ""
+        return f'<div class="answer">{line}<i>{unit}</i>{check}</div>'
+    if isinstance(kind, Choices):
+        return _choices(form, kind, draft, settled, check if kind.several else "", order)
+    return _grid(form, kind, draft, settled, check)
+
+
+def _choices(form: Form, kind: Choices, draft: Draft, settled: bool, check: str, order: Sequence[int]) -> str:
+    def offered(k: int) -> str:
+        chosen, said = k in draft.chosen, kind.options[k - 1]
+        return form.button(f"{CHOICE}{k}", said, lambda: draft.choose(k), "choice", pressed=chosen, off=settled)
+
+    hint = '<p class="dim">Choose all that hold.</p>' if kind.several else ""
+    return f'{hint}<div class="choices">{"".join(map(offered, order or range(1, len(kind.options) + 1)))}</div>{check}'
+
+
+def _grid(form: Form, kind: Grid, draft: Draft, settled: bool, check: str) -> str:
+    def entry(i: int, j: int) -> str:
+        label, value = f"Row {i + 1}, column {j + 1}", draft.entries.get((i, j), "")
+        return form.field(
+            f"{ENTRY}{i}-{j}", value, label, lambda text: draft.enter(i, j, text), off=settled, inputmode=""
+        )
+
+    rows = [f"<div>{''.join(entry(i, j) for j in range(kind.columns))}</div>" for i in range(kind.rows)]
+    unit = f"<i>{escaped(UNIT_SIGNS.get(kind.unit, kind.unit))}</i>" if kind.unit else ""
     return f'<div class="entries">{"".join(rows)}</div><div class="answer">{unit}{check}</div>'
 
 

@@ -13,9 +13,8 @@ from typing import Any
 import viser
 
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.lesson.page import LessonPage
-from armlab.ui.plugin import Post
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)

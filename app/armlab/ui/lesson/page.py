@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import logging
 import re
-from itertools import groupby
+from collections.abc import Callable
 
 from armlab.content.lessons import Lesson, lessons
-from armlab.content.question import Choices, Form
-from armlab.session.hand_in import hand_in, hand_in_name
-from armlab.session.hand_in_open import OpenWork
+from armlab.content.question import Choices
+from armlab.content.question import Form as Answered
+from armlab.errors import InputError
+from armlab.session.hand_in import MOST, hand_in, hand_in_name
 from armlab.session.lesson_commands import (
-    Answer,
     CloseLesson,
     GoToStep,
     OpenLesson,
@@ -21,17 +20,13 @@ from armlab.session.lesson_commands import (
 )
 from armlab.session.parts.lesson import LessonPart, check_line, has_its_arm
 from armlab.session.parts.shelf import ToSandbox
-from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
+from armlab.ui.form import Form, Wish
 from armlab.ui.format import escaped
 from armlab.ui.lesson.asking import Draft, asked, said
 from armlab.ui.lesson.load import load_work
 from armlab.ui.lesson.text import step_text, words_of
-from armlab.ui.markup import button, chip, field, options, select
-from armlab.ui.plugin import Post
 from armlab.ui.widgets import Gui
-
-log = logging.getLogger(__name__)
 
 STEP = "lesson-step-"
 _WHOLE = re.compile(r"[0-9]{1,9}")
@@ -48,14 +43,11 @@ class LessonPage:
 
     def __init__(self, gui: Gui, post: Post) -> None:
         self._gui, self._post = gui, post
-        self._state: State | None = None
-        self._draft: tuple[tuple[str, str, str, Form], Draft] | None = None
-        self._head = gui.fields(self._pressed)
+        self._draft: tuple[tuple[str, str, str, Answered], Draft] | None = None
+        self._head = gui.form(post)
         self._text = gui.html()
-        self._task = gui.fields(self._pressed)
-        self._question = gui.fields(self._answered)
-        self._foot = gui.fields(self._pressed)
-        self._more = gui.fields(self._pressed)
+        self._task, self._question, self._foot = (gui.form(post) for _ in range(3))
+        self._more = gui.form(post, MOST)
 
     @property
     def stale(self) -> bool:
@@ -68,14 +60,13 @@ class LessonPage:
         lesson, step = part.lesson, part.step
         if lesson is None or step is None:
             return
-        self._state = state
-        channel = self._head.channel_id
-        self._head.show(_choice(lesson, channel) + _strips(lesson, part, channel))
+        choice = _choice(self._head, lesson, lambda: self._begin_again(part))
+        self._head.show(choice + _strips(self._head, lesson, part))
         self._text.show(step_text(state, lesson, part.index))
-        self._task.show(_task(state, lesson, self._task.channel_id))
+        self._task.show(_task(self._task, state, lesson))
         self._show_question(part, lesson)
-        self._foot.show(_foot(lesson, part, self._foot.channel_id))
-        self._more.show(_more(lesson, part, self._more.channel_id))
+        self._foot.show(_foot(self._foot, lesson, part))
+        self._more.show(_more(self._more, lesson, part, lambda: self._save(state)))
 
     def fail(self) -> None:
         """Say that the lesson cannot be shown; what was there before may not hold."""
@@ -90,94 +81,57 @@ class LessonPage:
             return
         typed, settled = part.progress.answers.get(part.name, ""), part.progress.committed(lesson, part.index)
         key = (part.open, part.name, typed, question.form)
-        place, name, _, form = self._draft[0] if self._draft is not None else ("", "", "", None)
-        if self._draft is not None and self._draft[1].whole == typed and (place, name, form) == (*key[:2], key[3]):
+        place, name, _, kind = self._draft[0] if self._draft is not None else ("", "", "", None)
+        if self._draft is not None and self._draft[1].whole == typed and (place, name, kind) == (*key[:2], key[3]):
             self._draft = key, self._draft[1]  # its own answer has come back: the fields stay as they were typed
         if self._draft is None or self._draft[0] != key:
             self._draft = key, Draft(question.form, typed)
         choices = question.form if isinstance(question.form, Choices) else None
         order = choices.order(lesson.variant, part.name) if choices else ()
-        fields = asked(question, typed, self._draft[1], settled, self._question.channel_id, order)
+        fields = asked(self._question, question, typed, self._draft[1], settled, order)
         right = part.progress.right.get(part.name)
         self._question.show(fields + said(part.verdict, settled, right.typed if right else ""))
 
-    def _answered(self, cell: str, text: str) -> None:
-        if self._state is None or self._draft is None:
-            return
-        try:
-            whole = self._draft[1].take(cell, text)
-        except ValueError:
-            log.warning("a page that is not ours answered a question")
-            return
-        if whole is not None:
-            self._post(Answer(whole))
-        else:
-            self.show(self._state)
+    def _begin_again(self, part: LessonPart) -> Wish:
+        key, _, variant = part.open.partition("/")
+        again = OpenLesson(key, anew=True, variant=int(variant) if variant else None)
+        self._gui.confirm(
+            "Begin again?",
+            "Your answers in this lesson are forgotten, and the arm goes to its start.",
+            "Begin again",
+            lambda: self._post(again),
+        )
+        return ()
 
-    def _pressed(self, cell: str, text: str) -> None:
-        if self._state is None:
-            return
-        part = self._state[LessonPart]
-        if cell == "lesson-anew":
-            key, _, variant = part.open.partition("/")
-            again = OpenLesson(key, anew=True, variant=int(variant) if variant else None)
-            self._gui.confirm(
-                "Begin again?",
-                "Your answers in this lesson are forgotten, and the arm goes to its start.",
-                "Begin again",
-                lambda: self._post(again),
-            )
-        elif cell == "lesson-save":
-            self._gui.save(hand_in_name(self._state), hand_in(self._state))
-        else:
-            command = _command(part, cell, text)
-            if command is None:
-                log.warning("a page that is not ours pressed the lesson")
-            else:
-                self._post(command)
+    def _save(self, state: State) -> Wish:
+        self._gui.save(hand_in_name(state), hand_in(state))
+        return ()
 
 
-def _command(part: LessonPart, cell: str, text: str) -> Command | None:
-    if cell.startswith(STEP) and _WHOLE.fullmatch(cell.removeprefix(STEP)):
-        return GoToStep(int(cell.removeprefix(STEP)))
-    if cell == "lesson-variant":
-        if not _WHOLE.fullmatch(text.strip()):
-            return Refuse(f"variant: expected a whole number, got {text[:40]!r}")
-        return OpenLesson(part.open.partition("/")[0], variant=int(text))
-    commands: dict[str, Command] = {
-        "lesson-key": OpenLesson(text),
-        "lesson-close": CloseLesson(),
-        "lesson-back": GoToStep(part.index - 1),
-        "lesson-next": GoToStep(part.index + 1),
-        "lesson-arm": TakeLessonArm(),
-        "lesson-setup": TakeLessonArm(),
-        "lesson-hint": UnlockHint(),
-        "lesson-name": SignAs(text),
-        "lesson-sandbox": ToSandbox(),
-        "lesson-load": OpenWork(text),
-    }
-    return commands.get(cell)
+def _variant(part: LessonPart, text: str) -> OpenLesson:
+    if not _WHOLE.fullmatch(text.strip()):
+        raise InputError(f"variant: expected a whole number, got {text[:40]!r}")
+    return OpenLesson(part.open.partition("/")[0], variant=int(text))
 
 
-def _choice(lesson: Lesson, channel: str) -> str:
+def _choice(form: Form, lesson: Lesson, anew: Callable[[], Wish]) -> str:
     """Return the list of lessons by chapter, with the buttons beside it."""
-    groups = []
     there = lessons().lessons
+    groups: dict[str, dict[str, str]] = {}
     if lesson.key not in there:  # its file was taken away
-        groups.append(options({lesson.key: lesson.title}, lesson.key))
-    for chapter, found in groupby(there.values(), lambda each: each.chapter):
-        titles = options({each.key: each.title for each in found}, lesson.key)
-        groups.append(f'<optgroup label="{escaped(chapter)}">{titles}</optgroup>')
-    anew, close = "Begin this lesson again", "Close the lesson"
+        groups[""] = {lesson.key: lesson.title}
+    for each in there.values():
+        groups.setdefault(each.chapter, {})[each.key] = each.title
+    again, close = "Begin this lesson again", "Close the lesson"
     return (
-        f'<div class="lesson-head">{select(channel, "lesson-key", "Lesson", "".join(groups))}'
-        + button(channel, "lesson-anew", "↺", "chip", anew, anew)
-        + button(channel, "lesson-close", "✕", "chip", close, close)
+        f'<div class="lesson-head">{form.select_in_groups("lesson-key", "Lesson", groups, lesson.key, OpenLesson)}'
+        + form.button("lesson-anew", "↺", anew, "chip", again, again)
+        + form.button("lesson-close", "✕", CloseLesson(), "chip", close, close)
         + "</div>"
     )
 
 
-def _strips(lesson: Lesson, part: LessonPart, channel: str) -> str:
+def _strips(form: Form, lesson: Lesson, part: LessonPart) -> str:
     """Return one strip for each step: done, shown, or to come."""
     passed = part.progress.passed(lesson)
     strips = []
@@ -186,17 +140,17 @@ def _strips(lesson: Lesson, part: LessonPart, channel: str) -> str:
         kind = " ".join(["strip"] + ["done"] * (i in passed))
         shown = "step" if i == part.index else ""
         title = f"Step {i + 1}{done}: {step.title}"
-        strips.append(button(channel, f"{STEP}{i}", "", kind, title, title, aria_current=shown))
+        strips.append(form.button(f"{STEP}{i}", "", GoToStep(i), kind, title, title, aria_current=shown))
     return f'<div class="strips">{"".join(strips)}</div>'
 
 
-def _task(state: State, lesson: Lesson, channel: str) -> str:
+def _task(form: Form, state: State, lesson: Lesson) -> str:
     """Return how the check stands, or the way back to the lesson's arm."""
     if not has_its_arm(state):
         name = lesson.robot_used.name
         return (
             f'<div class="verdict warn"><b>◐ Another arm is on the table</b>This lesson is about the {escaped(name)}. '
-            f"{chip(channel, 'lesson-arm', f'Bring back the {name}')}</div>"
+            f"{form.chip('lesson-arm', f'Bring back the {name}', TakeLessonArm())}</div>"
         )
     step = state[LessonPart].step
     if step is None or step.check is None:
@@ -211,44 +165,53 @@ def _task(state: State, lesson: Lesson, channel: str) -> str:
     return f'<div class="verdict todo"><b>◐ Not there yet</b>{says}</div>'
 
 
-def _foot(lesson: Lesson, part: LessonPart, channel: str) -> str:
+def _foot(form: Form, lesson: Lesson, part: LessonPart) -> str:
     """Return the way back and on, with the next hint between."""
     i, last, progress = part.index, len(lesson.steps) - 1, part.progress
     passed = progress.passed(lesson)
-    back = button(channel, "lesson-back", "‹ Back", "way") if i else "<span></span>"
-    hint = _hint(lesson, part, i, channel)
+    back = form.button("lesson-back", "‹ Back", GoToStep(i - 1), "way") if i else "<span></span>"
+    hint = _hint(form, lesson, part, i)
     if i < last:
         word, kind = ("Next ›", "way on") if i in passed else ("Skip ›", "way")
-        return f'<div class="lesson-foot">{back}{hint}{button(channel, "lesson-next", word, kind)}</div>'
-    return f'<div class="lesson-foot">{back}{hint}{_end(last, passed, channel)}</div>'
+        return f'<div class="lesson-foot">{back}{hint}{form.button("lesson-next", word, GoToStep(i + 1), kind)}</div>'
+    return f'<div class="lesson-foot">{back}{hint}{_end(form, last, passed)}</div>'
 
 
-def _hint(lesson: Lesson, part: LessonPart, i: int, channel: str) -> str:
+def _hint(form: Form, lesson: Lesson, part: LessonPart, i: int) -> str:
     count, shown = len(lesson.steps[i].hints), part.progress.hints.get(part.name, 0)
     if shown >= count or i in part.progress.passed(lesson):
         return ""
-    return button(channel, "lesson-hint", f"Hint {shown + 1} of {count}" if count > 1 else "Hint", "way")
+    return form.button("lesson-hint", f"Hint {shown + 1} of {count}" if count > 1 else "Hint", UnlockHint(), "way")
 
 
-def _end(last: int, passed: frozenset[int], channel: str) -> str:
+def _end(form: Form, last: int, passed: frozenset[int]) -> str:
     missing = [str(k + 1) for k in range(last + 1) if k not in passed]
     if missing:
         return f'<span class="dim" title="Not done yet: step {", ".join(missing)}">{len(missing)} to do</span>'
-    return f'<b class="ok">✓ Lesson done</b>{button(channel, "lesson-close", "Close", "way on")}'
+    return f'<b class="ok">✓ Lesson done</b>{form.button("lesson-close", "Close", CloseLesson(), "way on")}'
 
 
-def _more(lesson: Lesson, part: LessonPart, channel: str) -> str:
+def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]) -> str:
     """Return what is needed now and then: the own sandbox, the variant, and the work to hand in."""
     variant = ""
     if lesson.varies:
-        number = field(channel, "lesson-variant", str(lesson.variant), "Number of your variant", inputmode="numeric")
+        number = form.field(
+            "lesson-variant",
+            str(lesson.variant),
+            "Number of your variant",
+            lambda text: _variant(part, text),
+            inputmode="numeric",
+        )
         variant = f'<div class="row"><span>Variant</span><div class="answer">{number}</div></div>'
-    name = field(channel, "lesson-name", part.student, "Your name", placeholder="your name", maxlength="80")
+    name = form.field(
+        "lesson-name", part.student, "Your name", SignAs, inputmode="", placeholder="your name", maxlength="80"
+    )
+    again, own = "Arm and example as this step finds them; your answers stay", "An arm of your own; the lesson waits"
     return (
         f'<details class="lesson-more"><summary>Sandbox, save my work</summary>{variant}'
         f'<div class="row"><span>Name</span><div class="answer">{name}</div></div>'
-        f'<div class="chips">{chip(channel, "lesson-save", "Save my work", "A file to hand in or to go on with")}'
-        f"{load_work(channel, 'lesson-load')}"
-        f"{chip(channel, 'lesson-setup', 'Set up again', 'Arm and example as this step finds them; your answers stay')}"
-        f"{chip(channel, 'lesson-sandbox', 'My sandbox', 'An arm of your own; the lesson waits')}</div></details>"
+        f'<div class="chips">{form.chip("lesson-save", "Save my work", save, "A file to hand in or to go on with")}'
+        f"{load_work(form)}"
+        f"{form.chip('lesson-setup', 'Set up again', TakeLessonArm(), again)}"
+        f"{form.chip('lesson-sandbox', 'My sandbox', ToSandbox(), own)}</div></details>"
     )

@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import cache
 
 from armlab.content.check import Words, metres, spaced
+from armlab.content.fact_words import said
 from armlab.content.lesson import Lesson
 from armlab.content.live import NONE, all_live_values
 from armlab.content.markdown import IN_METRES
@@ -74,8 +75,12 @@ def _with_values(state: State, html: str) -> str:
 
     def value(found: re.Match[str]) -> str:
         name, _, unit = (part.strip() for part in found[2].partition(":"))
-        live, said = values.get(name), replace(words, length=metres) if unit == IN_METRES else words
-        text = HIDDEN if hidden else NONE if live is None else live(seen, said)
+        live, units = values.get(name), replace(words, length=metres) if unit == IN_METRES else words
+        if name in seen.facts:
+            shown = said(seen.facts[name].value, seen.facts[name].unit, units)
+        else:
+            shown = NONE if live is None else live(seen, units)
+        text = HIDDEN if hidden else shown
         return f"{found[1]}{escaped(text)}"
 
     return _LIVE.sub(value, html)

@@ -21,7 +21,7 @@ from armlab.kin.control.plant import MOST_WRONG
 from armlab.kin.control.rate_inverse import RateInverse, rate_inverse
 from armlab.kin.control.run import INTEGRATORS
 from armlab.kin.control.saturation import SATURATIONS
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.session.parts.target import FARTHEST
 from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Json

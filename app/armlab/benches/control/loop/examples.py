@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from armlab.benches.control.loop.state import Loop, with_loop
+from armlab.benches.control.loop.state import Loop
 from armlab.session.examples import PartExample, example_of, part_examples
+from armlab.session.fields import put
 from armlab.session.state import Command, State
 
 EXAMPLES = part_examples(
@@ -40,7 +41,7 @@ EXAMPLES = part_examples(
     PartExample(
         "step",
         "Step from 0.4 to 2 m/s, M = 1.5 kg, K = 3 N s/m",
-        Loop(1.5, 3.0, "step", 2.0, 2.0, 0.4, 3.0),
+        Loop(1.5, 3.0, 2.0, 2.0, 0.4, 3.0, "step"),
         "After M/K = 0.5 s the error has fallen to 1/e = 37 %, after five times that to less than 1 %; the force "
         "falls with it.",
     ),
@@ -56,4 +57,4 @@ class ChooseLoopExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        return with_loop(state, example_of(EXAMPLES, self.key).part)
+        return put(state, example_of(EXAMPLES, self.key).part)

@@ -322,24 +322,12 @@ class StartInMap(Command):
     label: ClassVar[str] = "start of the iterations"
 
     def apply(self, state: State) -> State:
-        """Return the state with the film at its first picture.
-
-        Raises
-        ------
-        InputError
-            There is no map, the place is not in it, or other joints are locked than were.
-        """
-        found, joints = state[Basins].map, state[Joints]
-        if found is None:
-            raise InputError("there is no map yet: draw one first")
-        start, asked = found.start(self.x, self.y), found.question
-        held = np.array(asked.locked)
-        if joints.locked != asked.locked or not np.allclose(joints.q[held], np.array(asked.rest)[held], atol=1e-9):
-            raise InputError("locked joints have changed since the map was drawn: draw it again")
+        """Return the state with the film at its first picture; `InputError` as `start_in_map` says."""
+        start, asked = start_in_map(state, self.x, self.y)
         part = state[Iterations]
         target = np.frombuffer(asked.target).reshape(4, 4).copy()
         target.setflags(write=False)
-        same = asked.task == TaskVector(joints.arm.task)
+        same = asked.task == TaskVector(state[Joints].arm.task)
         begun = replace(
             _with_selected(part, asked.run),
             target=target,
@@ -348,6 +336,24 @@ class StartInMap(Command):
             most=asked.most,
         )
         return StartIterations(start).apply(state.replace(begun))
+
+
+def start_in_map(state: State, x: float, y: float) -> tuple[tuple[float, ...], Question]:
+    """Return the start at a place of the map, 0 to 1 from its lower left corner, and what the map was asked.
+
+    Raises
+    ------
+    InputError
+        There is no map, the place is not in it, or other joints are locked than were.
+    """
+    found, joints = state[Basins].map, state[Joints]
+    if found is None:
+        raise InputError("there is no map yet: draw one first")
+    start, asked = found.start(x, y), found.question
+    held = np.array(asked.locked)
+    if joints.locked != asked.locked or not np.allclose(joints.q[held], np.array(asked.rest)[held], atol=1e-9):
+        raise InputError("locked joints have changed since the map was drawn: draw it again")
+    return start, asked
 
 
 def _with_selected(part: Iterations, run: Run) -> Iterations:

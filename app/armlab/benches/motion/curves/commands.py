@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal
 
 from armlab.benches.motion.curves.fastest import Asked
 from armlab.benches.motion.curves.knots import Knot, checked, inserted, without
-from armlab.benches.motion.curves.made import Drawn, fitted, form, in_knots, kinds, made, why_not
+from armlab.benches.motion.curves.made import Drawn, fitted, free_options, in_knots, kinds, made, why_not
 from armlab.benches.motion.curves.state import MOST_CURVES, Curves, checked_degree, checked_limit, checked_unit
 from armlab.errors import InputError, UnknownName
 from armlab.kin.motion.law_types import free_law_types
@@ -131,7 +131,7 @@ class AddCurve(Command):
         there = {each.path.key for each in part.curves}
         fitting = [kind for kind in kinds().values() if not why_not(kind, part.knots)]
         # Those that know of time first, and the last in the list before the plain ones.
-        fitting.sort(key=lambda kind: (len(form(kind)) == len(kind.fields), -kind.order))
+        fitting.sort(key=lambda kind: (len(free_options(kind)) == len(kind.fields), -kind.order))
         key = next((kind.key for kind in fitting if kind.key not in there), fitting[0].key)
         drawn = Drawn(colour, Chosen(key))
         made(part.knots, drawn)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.curves.knots import Knot
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.kin.motion.breaks import ORDERS
 from armlab.kin.motion.extremes import exceeding, extremes_of_series
-from armlab.kin.motion.field import Field
 from armlab.kin.motion.law_types import law_type
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.path_types import PathType, path_type, path_types
@@ -49,7 +49,7 @@ def kinds() -> dict[str, PathType]:
     return {key: kind for key, kind in path_types().items() if "joint" in kind.spaces}
 
 
-def form(kind: PathType) -> tuple[Field, ...]:
+def free_options(kind: PathType) -> tuple[Field, ...]:
     """Return the options of a kind that are left to choose when the knots have times."""
     return tuple(replace(field, title=in_knots(field.title)) for field in kind.fields if field.key not in FROM_KNOTS)
 

@@ -22,6 +22,9 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.state import Command, Json, State
 
+By = Literal["time", "shape"]
+"""How places of a recorded motion are chosen."""
+
 BOM = "\ufeff"
 """What some editors put before a text."""
 
@@ -103,7 +106,7 @@ class MakeWaypoints(PlanCommand):
     """
 
     count: int
-    by: Literal["time", "shape"] = "shape"
+    by: By = "shape"
     label: ClassVar[str] = "waypoints of a motion"
 
     def apply(self, state: State) -> State:

@@ -11,8 +11,8 @@ import numpy as np
 
 from armlab.benches.motion.laws.timing import LARGEST, SMALLEST
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.kin.motion import LawBounds, Limits, PathType, law_bounds, path_types
-from armlab.kin.motion.field import Field
 from armlab.session.chosen import Chosen
 from armlab.session.state import Json
 

@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.extremes import exceeding
-from armlab.kin.motion.field import Field
 from armlab.kin.motion.law import Law
 from armlab.kin.motion.law_types import law_type
 from armlab.kin.motion.limits import Limits

@@ -25,7 +25,7 @@ from armlab.benches.motion.plan.read import entry, route_from
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin.arm import Arm
-from armlab.kin.motion.field import positive
+from armlab.kin.field import positive
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Json, Part, PartType, State

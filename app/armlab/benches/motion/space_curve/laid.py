@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.motion.space_curve.formula import FARTHEST, formula_path
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.kin.motion import (
     ArcLength,
     ByLength,
@@ -25,7 +26,6 @@ from armlab.kin.motion import (
     path_types,
 )
 from armlab.kin.motion import standstills as standstills_of
-from armlab.kin.motion.field import Field
 from armlab.session.chosen import Chosen
 
 Floats = NDArray[np.float64]

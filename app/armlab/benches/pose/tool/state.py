@@ -14,8 +14,9 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.transforms import inverse
+from armlab.session.fields import FieldPart, choice, flag, text
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, PartType, State
 
 WORLD, TOOL = "w", "E"
 
@@ -29,7 +30,7 @@ def frame_names(n: int) -> tuple[str, ...]:
 
 
 @dataclass(frozen=True)
-class PoseView(Part):
+class PoseView(FieldPart):
     """What the Pose bench shows.
 
     Attributes
@@ -48,10 +49,10 @@ class PoseView(Part):
     kept_by_undo: ClassVar[bool] = True
 
     n: int
-    reference: str = WORLD
-    frame: str = TOOL
-    axes: str = "zyx"
-    fixed: bool = False
+    reference: str = text("frame of reference", WORLD)
+    frame: str = text("frame", TOOL)
+    axes: str = choice("sequence of axes", "zyx", SEQUENCES)
+    fixed: bool = flag("axes that stay", False)
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -60,9 +61,19 @@ class PoseView(Part):
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep the sequence, and the two frames if the arm has them."""
-        n = robot.arm.n
-        kept = {self.reference, self.frame} <= set(frame_names(n))
-        return replace(self, n=n) if kept else replace(self, n=n, reference=WORLD, frame=TOOL)
+        return replace(super().for_robot(robot), axes=self.axes, fixed=self.fixed)
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep what another arm would keep."""
+        return self.for_robot(robot)
+
+    def check(self) -> None:
+        """Refuse frames there are not, and a frame in itself."""
+        for name in (self.reference, self.frame):
+            if name not in frame_names(self.n):
+                raise UnknownName("frame", name, frame_names(self.n))
+        if self.reference == self.frame:
+            raise InputError(f"transform: expected two different frames, got {self.frame!r} twice")
 
     @property
     def inward(self) -> bool:
@@ -78,19 +89,6 @@ class PoseView(Part):
     def exchanged(self) -> Self:
         """Return the part that looks at the inverse."""
         return replace(self, reference=self.frame, frame=self.reference)
-
-    def to_json(self) -> Json:
-        """Write everything but the number of joints."""
-        return {"reference": self.reference, "frame": self.frame, "axes": self.axes, "fixed": self.fixed}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable with this arm."""
-        names = frame_names(robot.arm.n)
-        reference, frame, axes, fixed = (data[name] for name in ("reference", "frame", "axes", "fixed"))
-        if reference not in names or frame not in names or reference == frame or axes not in SEQUENCES:
-            raise InputError(f"pose_view: not usable: {data}")
-        return cls(robot.arm.n, reference, frame, axes, bool(fixed))
 
 
 PART = PartType(PoseView, order=81)
@@ -115,12 +113,7 @@ class LookAt(Command):
     def apply(self, state: State) -> State:
         """Return the state with this transform chosen."""
         view = state[PoseView]
-        for name in (self.reference, self.frame):
-            if name not in frame_names(view.n):
-                raise UnknownName("frame", name, frame_names(view.n))
-        if self.reference == self.frame:
-            raise InputError(f"transform: expected two different frames, got {self.frame!r} twice")
-        changed = replace(view, reference=self.reference, frame=self.frame)
+        changed = view.with_values({"reference": self.reference, "frame": self.frame})
         if self.keeps_sense and view.inward:
             changed = changed.exchanged()
         return state if changed == view else state.replace(changed)
@@ -135,24 +128,6 @@ class Invert(Command):
     def apply(self, state: State) -> State:
         """Return the state with reference and frame exchanged."""
         return state.replace(state[PoseView].exchanged())
-
-
-@dataclass(frozen=True)
-class WriteAngles(Command):
-    """Write rotations in another sequence of angles, or about moving or fixed axes; None leaves as it is."""
-
-    axes: str | None = None
-    fixed: bool | None = None
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made."""
-        view = state[PoseView]
-        axes = view.axes if self.axes is None else self.axes
-        if axes not in SEQUENCES:
-            raise UnknownName("axes", axes, SEQUENCES)
-        changed = replace(view, axes=axes, fixed=view.fixed if self.fixed is None else self.fixed)
-        return state if changed == view else state.replace(changed)
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,13 +13,14 @@ from armlab.benches.target.solutions.found import Found, Row
 from armlab.benches.target.solutions.motion import Motion
 from armlab.benches.target.solutions.proof import Proof
 from armlab.benches.target.solutions.question import question
-from armlab.content.robots import Robot, catalogue
+from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin import ik
+from armlab.session.fields import FieldPart
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target, jumped_to, target_pose
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, PartType, State
 from armlab.session.way_to_solution import HERE, gap
 
 PRESETS: dict[str, tuple[str, str, str]] = {
@@ -35,8 +36,8 @@ PRESETS: dict[str, tuple[str, str, str]] = {
 
 
 @dataclass(frozen=True, eq=False)
-class Solutions(Part):
-    """What is known of all solutions.
+class Solutions(FieldPart):
+    """What is known of all solutions; nothing of it is saved: it is found again.
 
     Attributes
     ----------
@@ -54,20 +55,6 @@ class Solutions(Part):
     found: Found | None = None
     chosen: int = -1
     proof: Proof | None = None
-
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return a part that knows nothing."""
-        return cls()
-
-    def to_json(self) -> Json:
-        """Write nothing: it is found again."""
-        return {}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Return a part that knows nothing."""
-        return cls()
 
 
 PART = PartType(Solutions, order=30)

@@ -15,9 +15,10 @@ from armlab.kin.arm import Arm
 from armlab.kin.ellipsoid import RANK_TOLERANCE, Ellipsoid, velocity_ellipsoid
 from armlab.kin.force_ellipsoid import ForceEllipsoid
 from armlab.kin.joint_scale import counted_speeds
+from armlab.session.fields import FieldPart, choice
 from armlab.session.parts.joints import Joints
 from armlab.session.round_numbers import round_below
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 
 Array = NDArray[np.float64]
 Block = Literal["translation", "rotation"]
@@ -199,7 +200,7 @@ def blocks_of(arm: Arm) -> tuple[Block, ...]:
 
 
 @dataclass(frozen=True)
-class Manipulability(Part):
+class Manipulability(FieldPart):
     """Of which velocities or forces the ellipsoid is.
 
     Attributes
@@ -212,7 +213,7 @@ class Manipulability(Part):
     kept_by_undo: ClassVar[bool] = True
 
     block: VelocityBlock
-    shown: Kinds = "velocity"
+    shown: Kinds = choice("ellipsoid", "velocity", KINDS)
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -224,6 +225,10 @@ class Manipulability(Part):
         has = self.block.key in blocks_of(robot.arm)
         key = self.block.key if has else blocks_of(robot.arm)[0]
         return type(self)(VelocityBlock(robot.arm, key), self.shown)
+
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep what another arm would keep."""
+        return self.for_robot(robot)
 
     @property
     def velocity(self) -> bool:
@@ -243,7 +248,7 @@ class Manipulability(Part):
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read the choice."""
         key, shown = data if isinstance(data, list) else (data, "velocity")
-        return cls(VelocityBlock(robot.arm, _block_named(robot.arm, key)), _kinds_named(shown))
+        return cls(VelocityBlock(robot.arm, _block_named(robot.arm, key))).with_values({"shown": shown})
 
 
 PART = PartType(Manipulability, order=25)
@@ -269,27 +274,8 @@ class LookAtBlock(Command):
         return state if key == block.key else state.replace(part)
 
 
-@dataclass(frozen=True)
-class LookAtEllipsoid(Command):
-    """Look at the velocity ellipsoid, the force ellipsoid, or both."""
-
-    shown: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made."""
-        part, shown = state[Manipulability], _kinds_named(self.shown)
-        return state if shown == part.shown else state.replace(replace(part, shown=shown))
-
-
 def _block_named(arm: Arm, key: Json) -> Block:
     known = blocks_of(arm)
     if not isinstance(key, str) or key not in known:
         raise UnknownName("velocities", key, known)
     return next(block for block in known if block == key)
-
-
-def _kinds_named(key: Json) -> Kinds:
-    if not isinstance(key, str) or key not in KINDS:
-        raise UnknownName("ellipsoid", key, KINDS)
-    return next(kinds for kinds in KINDS if kinds == key)

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.ellipsoid.state import Manipulability
 from armlab.content.robots import Robot
-from armlab.kin.checks import finite_floats
+from armlab.session.fields import FieldPart, Set, number
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 
 Array = NDArray[np.float64]
 
@@ -22,8 +22,8 @@ POINTS = 73
 
 
 @dataclass(frozen=True)
-class UnitCircle(Part):
-    """Which joint speeds of length 1 are marked.
+class UnitCircle(FieldPart):
+    """Which joint speeds of length 1 are marked; they are not of an arm.
 
     Attributes
     ----------
@@ -34,16 +34,7 @@ class UnitCircle(Part):
     key: ClassVar[str] = "unit_circle"
     kept_by_undo: ClassVar[bool] = True
 
-    angle: float = math.radians(30.0)
-
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return speeds of both joints."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep the point: it is not of an arm."""
-        return self
+    angle: float = number("", "direction of the joint speeds", math.radians(30.0), unit="rad")
 
     def to_json(self) -> Json:
         """Write the angle."""
@@ -52,7 +43,7 @@ class UnitCircle(Part):
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read it back; `InputError` when it is not finite."""
-        return cls(_checked(data))
+        return cls().with_values({"angle": data})
 
 
 PART = PartType(UnitCircle, order=96)
@@ -108,9 +99,4 @@ class MarkSpeeds(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the point there."""
-        changed = UnitCircle(_checked(self.angle))
-        return state if changed == state[UnitCircle] else state.replace(changed)
-
-
-def _checked(angle: float) -> float:
-    return float(finite_floats(angle, "direction of the joint speeds", (), "a finite angle"))
+        return Set(UnitCircle, "angle", self.angle).apply(state)

@@ -17,7 +17,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.control.rate_inverse import rate_inverse
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.control.side_by_side import METHODS
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, Json, Part, PartType, State

@@ -8,26 +8,13 @@ from typing import ClassVar
 import numpy as np
 
 from armlab.benches.velocity.turning.motion import turned_of
-from armlab.benches.velocity.turning.state import CLIP_KEY, MOST, Triple, Turning, changed
+from armlab.benches.velocity.turning.state import MOST, Triple, Turning
 from armlab.errors import InputError, UnknownName
 from armlab.kin.euler import SEQUENCES, SINGULAR_SINE, euler_angles
 from armlab.kin.velocity.rates import angle_rates, rate_determinant
+from armlab.session.fields import Set, put
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, State
-
-
-@dataclass(frozen=True)
-class LookAtTurning(Command):
-    """Look at the angles and their rates, or at the two time laws; the film begins anew."""
-
-    shown: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the view."""
-        part = changed(state[Turning], shown=self.shown)
-        return state if part is state[Turning] else _rewound(state.replace(part))
 
 
 @dataclass(frozen=True)
@@ -47,14 +34,14 @@ class WriteAngles(Command):
             raise UnknownName("axes", axes, SEQUENCES)
         if (axes, fixed) == (part.axes, part.fixed):
             return state
-        state = _rewound(state)
-        now = turned_of(state)
+        now = turned_of(put(state, part))  # with the film at its beginning, as below
         angles = euler_angles(now.R, axes, fixed=fixed).solutions[0]
         regular = abs(float(rate_determinant(angles, axes, fixed))) >= 10.0 * SINGULAR_SINE
         rates = _triple(angle_rates(now.omega, angles, axes, fixed)) if regular else part.rates
         if max(map(abs, rates)) > MOST:
             rates = part.rates
-        return state.replace(changed(part, axes=axes, fixed=fixed, angles=_triple(angles), rates=rates))
+        found = {"axes": axes, "fixed": fixed, "angles": _triple(angles), "rates": rates}
+        return put(state, part.with_values(found))
 
 
 @dataclass(frozen=True)
@@ -73,10 +60,9 @@ class SetTurning(Command):
         if not 0 <= self.index < 3:
             raise InputError(f"{self.what}: expected 1 to 3, got {self.index + 1}")
         part = state[Turning]
-        values = list(part.angles if self.what == "angles" else part.rates)
+        values = list(getattr(part, self.what))
         values[self.index] = self.value
-        after = changed(part, **{self.what: _triple(np.array(values))})
-        return state if after is part else _rewound(state.replace(after))
+        return Set(Turning, self.what, values).apply(state)
 
 
 @dataclass(frozen=True)
@@ -90,16 +76,9 @@ class TakeToolAngles(Command):
         part = state[Turning]
         R = state[Joints].tool_pose[:3, :3]
         angles = euler_angles(R, part.axes, fixed=part.fixed).solutions[0]
-        return _rewound(state.replace(changed(part, angles=_triple(angles))))
+        return Set(Turning, "angles", _triple(angles)).apply(state)
 
 
 def _triple(values: np.ndarray) -> Triple:
     x, y, z = (float(value) for value in values)
     return x, y, z
-
-
-def _rewound(state: State) -> State:
-    timeline = state[Timeline]
-    if timeline.clip != CLIP_KEY or (timeline.time == 0.0 and not timeline.playing):
-        return state
-    return state.replace(Timeline(CLIP_KEY, 0.0, False, timeline.speed, timeline.loop))

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from typing import ClassVar
 
 import numpy as np
 
 from armlab.benches.workspace.cloud.samples import Question, Sampled
-from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
-from armlab.kin.workspace.measures import measure_named
+from armlab.kin.workspace.measures import MEASURES
 from armlab.kin.workspace.section import Section
+from armlab.session.fields import FieldPart, choice, flag, number, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import PlaceTarget, brought_to
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, PartType, State
 
 COUNTS = (26_000, 100_000, 1_000_000, 10_000_000)
 """Numbers of samples to choose from."""
@@ -32,7 +32,7 @@ LARGEST_SEED = 2**31
 
 
 @dataclass(frozen=True, eq=False)
-class Workspace(Part):
+class Workspace(FieldPart):
     """The workspace that was asked for, and the picture of it.
 
     Attributes
@@ -66,48 +66,26 @@ class Workspace(Part):
     key: ClassVar[str] = "workspace"
     kept_by_undo: ClassVar[bool] = True
 
-    measure: str = "manipulability"
-    count: int = COUNTS[1]
-    seed: int = 0
-    draw: str = "cloud"
-    cut: str = "front"
-    offset: float = 0.0
-    edge: bool = False
-    clicks: bool = True
+    measure: str = choice("measure", "manipulability", {key: each.title for key, each in MEASURES.items()})
+    count: int = whole("samples", COUNTS[1], 1)
+    seed: int = whole("seed", 0, 0, LARGEST_SEED - 1)
+    draw: str = choice("drawing", "cloud", DRAWINGS)
+    cut: str = choice("cut", "front", CUTS)
+    offset: float = number("", "place of the slice", 0.0, unit="m", kept="")
+    edge: bool = flag("only near the boundary", False)
+    clicks: bool = flag("a click chooses a point", True)
     asked: Question | None = None
     found: Sampled | None = None
     section: Section | None = None
     chosen: int | None = None
     example: str = ""
 
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return the settings of a first look."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep how it is looked at; what was found is of another arm."""
-        return replace(self, asked=None, found=None, section=None, chosen=None, offset=0.0, example="")
-
-    def to_json(self) -> Json:
-        """Write the settings; samples are taken anew."""
-        return {
-            "measure": self.measure,
-            "count": self.count,
-            "seed": self.seed,
-            "draw": self.draw,
-            "cut": self.cut,
-            "offset": self.offset,
-            "edge": self.edge,
-            "clicks": self.clicks,
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read them back; raises when they are not usable."""
-        part = cls(**{name: data[name] for name in cls.initial(robot).to_json()})
-        checked(part)
-        return part
+    def check(self) -> None:
+        """Refuse a number of samples that is not offered, and a slice far away."""
+        if self.count not in COUNTS:
+            raise UnknownName("samples", self.count, [str(count) for count in COUNTS])
+        if not abs(self.offset) <= FARTHEST:
+            raise InputError(f"place of the slice: expected at most {FARTHEST:g} m either way, got {self.offset:g} m")
 
 
 PART = PartType(Workspace, order=120)
@@ -123,23 +101,6 @@ def asks_for_boundary(part: Workspace, arm: Arm) -> bool:
     """Return whether the boundary is to be drawn, or to be near, and is not known yet."""
     drawn = part.edge or part.draw == "surface"
     return drawn and part.found is not None and (part.section is None or part.section.joint.arm is not arm)
-
-
-def checked(part: Workspace) -> Workspace:
-    """Return the part; `InputError` where a setting is none."""
-    measure_named(part.measure)
-    for name, value, options in (("drawing", part.draw, DRAWINGS), ("cut", part.cut, CUTS)):
-        if value not in options:
-            raise UnknownName(name, value, options)
-    if type(part.count) is not int or part.count not in COUNTS:
-        raise UnknownName("samples", part.count, [str(count) for count in COUNTS])
-    if type(part.seed) is not int or not 0 <= part.seed < LARGEST_SEED:
-        raise InputError(f"seed: expected a whole number from 0 to {LARGEST_SEED - 1}, got {part.seed!r}")
-    if not isinstance(part.offset, (int, float)) or not abs(part.offset) <= FARTHEST:
-        raise InputError(f"place of the slice: expected at most {FARTHEST:g} m either way, got {part.offset!r}")
-    if type(part.edge) is not bool or type(part.clicks) is not bool:
-        raise InputError("workspace: expected yes or no for what is drawn and clicked")
-    return part
 
 
 @dataclass(frozen=True)
@@ -194,7 +155,7 @@ class LookAtWorkspace(Command):
         """Return the state with the settings; `InputError` where one is none."""
         before = state[Workspace]
         given = {name: value for name, value in vars(self).items() if value is not None}
-        part = checked(replace(before, **given))
+        part = before.with_values(given)
         if any(getattr(part, name) != getattr(before, name) for name in ("measure", "draw", "cut")):
             part = replace(part, example="")
         changed = state.replace(part)

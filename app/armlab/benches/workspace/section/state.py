@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from armlab.benches.workspace.section.found import REACH, Found, Question
-from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.workspace.measures import MEASURES
 from armlab.kin.workspace.nearest import with_first
+from armlab.session.fields import FieldPart, choice, number, put
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import brought_to
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, PartType, State
 
 COLOURS: dict[str, str] = {REACH: "reach", **{key: measure.title for key, measure in MEASURES.items()}}
 
@@ -23,12 +22,14 @@ SLICES = ("none", "axis", "x", "y", "z")
 """No slice; the half plane through the axis of joint 1, or the plane across it where it slides; across an axis of
 frame 0."""
 
+PLACE = "place of the slice"
+
 FARTHEST = 100.0
 """Metres or radians; a slice farther away is a slip of the pen."""
 
 
 @dataclass(frozen=True, eq=False)
-class SectionView(Part):
+class SectionView(FieldPart):
     """How the section is looked at, and what was found.
 
     Attributes
@@ -48,32 +49,11 @@ class SectionView(Part):
     key: ClassVar[str] = "section"
     kept_by_undo: ClassVar[bool] = True
 
-    colour: str = REACH
-    slice: str = "axis"
-    offset: float = 0.0
-    turn: float | None = None
+    colour: str = choice("colour", REACH, COLOURS)
+    slice: str = choice("slice", "axis", SLICES)
+    offset: float = number("", PLACE, 0.0, -FARTHEST, FARTHEST, "m", kept="")
+    turn: float | None = number("", PLACE, None, -FARTHEST, FARTHEST, kept="")
     found: Found | None = None
-
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return the half plane in which the tool is, in one colour."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep how it is looked at; what was found is of another arm."""
-        return replace(self, found=None, offset=0.0, turn=None)
-
-    def to_json(self) -> Json:
-        """Write how it is looked at."""
-        return {"colour": self.colour, "slice": self.slice, "offset": self.offset, "turn": self.turn}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable."""
-        turn = data["turn"]
-        part = cls(data["colour"], data["slice"], float(data["offset"]), None if turn is None else float(turn))
-        _checked(part)
-        return part
 
 
 PART = PartType(SectionView, order=121)
@@ -94,33 +74,6 @@ def question_of(state: State) -> Question | None:
     return Question(state[Joints].arm, part.colour, known)
 
 
-def _checked(part: SectionView, turn_unit: str = "rad or m") -> SectionView:
-    if part.colour not in COLOURS:
-        raise UnknownName("colour", part.colour, COLOURS)
-    if part.slice not in SLICES:
-        raise UnknownName("slice", part.slice, SLICES)
-    for value, unit in ((part.offset, "m"), (part.turn or 0.0, turn_unit)):
-        if not (math.isfinite(value) and abs(value) <= FARTHEST):
-            raise InputError(f"place of the slice: expected at most {FARTHEST:g} {unit}, got {value:.10g} {unit}")
-    return part
-
-
-@dataclass(frozen=True)
-class LookAtSection(Command):
-    """Choose the colour or the slice; None leaves as it is."""
-
-    colour: str | None = None
-    slice: str | None = None
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made; `InputError` where there is no such choice."""
-        part = state[SectionView]
-        chosen = replace(part, colour=self.colour or part.colour, slice=self.slice or part.slice)
-        same = (chosen.colour, chosen.slice) == (part.colour, part.slice)
-        return state if same else state.replace(_checked(chosen))
-
-
 @dataclass(frozen=True)
 class PlaceSlice(Command):
     """Put the slice somewhere: a hand on its handle, or a typed number; only the newest counts.
@@ -139,10 +92,18 @@ class PlaceSlice(Command):
     def apply(self, state: State) -> State:
         """Return the state with the slice there; `InputError` where that is far away."""
         part = state[SectionView]
-        if part.slice == "axis":
-            unit = "rad" if state[Joints].arm.revolute[0] else "m"
-            return state.replace(_checked(replace(part, turn=self.at), unit))
-        return state.replace(_checked(replace(part, offset=self.at or 0.0)))
+        turned = part.slice == "axis"
+        unit = "rad" if turned and state[Joints].arm.revolute[0] else "m"
+        if self.at is not None and not abs(self.at) <= FARTHEST:
+            raise InputError(f"{PLACE}: expected at most {FARTHEST:g} {unit}, got {self.at:.10g} {unit}")
+        return put(state, part.with_values({"turn": self.at} if turned else {"offset": self.at or 0.0}))
+
+
+@dataclass(frozen=True)
+class PlaceSliceTyped(PlaceSlice):
+    """Put the slice where it was typed: each counts, and a refusal is said at the field."""
+
+    snapshot: ClassVar[bool] = False
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from typing import Any
 
 from armlab.kin.control.decomposed import decomposed
 from armlab.kin.control.rate_inverse import Floats, RateInverse, RateStep, damped_speeds
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 
 
 def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:

@@ -16,7 +16,7 @@ from typing import Any
 
 from armlab.kin.control.decomposed import decomposed
 from armlab.kin.control.rate_inverse import CUTOFF, Floats, RateInverse, RateStep, pseudo_inverse_speeds
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 
 
 def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:

@@ -17,7 +17,7 @@ import numpy as np
 
 from armlab.kin.control.decomposed import decomposed
 from armlab.kin.control.rate_inverse import Floats, RateInverse, RateStep
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 
 NOTHING = 1e-12
 """|J J^T v| below this part of sigma_max^2 |v|: no joint moves the tool along v."""

@@ -20,7 +20,7 @@ import numpy as np
 from armlab.errors import InputError
 from armlab.kin.control.decomposed import decomposed
 from armlab.kin.control.rate_inverse import Floats, RateInverse, RateStep, pseudo_inverse_speeds
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 
 
 def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:

@@ -20,7 +20,7 @@ import numpy as np
 from armlab.kin.control.control_law import ControlLaw
 from armlab.kin.control.controller import Aim, Controller, Told
 from armlab.kin.control.scaled_task import Floats
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 
 CLOSE = 1e-12
 """Scaled error below which nothing is left to do."""

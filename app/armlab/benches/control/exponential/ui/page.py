@@ -20,16 +20,16 @@ from armlab.benches.control.exponential.ui.plane import EIGEN, plane
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.session.amounts import amount
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE, GREY, css
-from armlab.ui.examples import examples_markup
+from armlab.ui.examples import examples
+from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, escaped, mathml, number, readable, scientific
 from armlab.ui.matrices import copy_buttons
 from armlab.ui.plot import Curve, Plot
-from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 Array = NDArray[np.float64]
 
@@ -56,13 +56,7 @@ KINDS = {"good": "ok", "poor": "warn", "none": "no"}
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make matrix, sliders, picture, the three results and the plot of the errors."""
-    present = state
-
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: commands(cell, text), present, post):
-            show(present)
-
-    head = gui.fields(lambda cell, text: typed(head, cell, text))
+    head = gui.form(post)
     end = state[Exponential].end
     time = gui.slider("t, s", 0.0, end, end / STEPS, 0.0, lambda t: post(MoveTime(t)), None)
     terms = gui.slider("terms", 1.0, MOST_TERMS, 1.0, 4.0, lambda count: post(SumTerms(round(count))), None)
@@ -70,9 +64,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     plot = _ErrorPlot(gui)
 
     def show(state: State) -> None:
-        nonlocal present
-        present, part = state, state[Exponential]
-        head.show(_head(head, part))
+        part = state[Exponential]
+        head.show(head_markup(head, part))
         if time.handle.max != part.end:
             time.handle.max, time.handle.step = part.end, part.end / STEPS
         time.show(part.t)
@@ -116,23 +109,31 @@ class _ErrorPlot(Plot):
         self.show(np.arange(1.0, count + 1.0), [error, above])
 
 
-def _head(fields: Fields, part: Exponential) -> str:
-    examples = examples_markup(fields.channel_id, EXAMPLES, part.example)
+def head_markup(form: Form, part: Exponential) -> str:
+    """Return the choice of an example, and the fields of matrix, start and end."""
+    chooser = examples(form, EXAMPLES, part.example, ChooseExponentialExample)
     values = {"x1": part.x0[0], "x2": part.x0[1], "end": part.end}
     values |= {f"a{i + 1}{j + 1}": part.A[i][j] for i in (0, 1) for j in (0, 1)}
 
     def cell(key: str) -> str:
-        return fields.field(key, readable(values[key], 4), ENTRIES[key])
+        return form.field(key, readable(values[key], 4), ENTRIES[key], lambda text: SetEntry(key, _read(key, text)))
 
     matrix = "".join(f"<tr><td>{cell(f'a{i}1')}</td><td>{cell(f'a{i}2')}</td></tr>" for i in (1, 2))
     start = "".join(f"<tr><td>{cell(key)}</td></tr>" for key in ("x1", "x2"))
     return (
-        f"{examples}"
+        f"{chooser}"
         f'<div class="eq small" title="Notes 1.50-1.52, 1.58 corrected">&emsp;{mathml(SYSTEM)}'
         f'</div><div class="exp-typed"><span>A =</span><table class="mat">{matrix}</table><i>1/s</i>'
         f'<span>x(0) =</span><table class="mat">{start}</table>'
         f"<label><span>until</span>{cell('end')}<i>s</i></label></div>"
     )
+
+
+def _read(key: str, text: str) -> float:
+    try:
+        return evaluate(text.strip().replace("−", "-").replace(",", "."))
+    except InputError:
+        raise InputError(f"{ENTRIES[key]}: expected a number, got {text.strip()[:40]!r}") from None
 
 
 def results_markup(part: Exponential) -> str:
@@ -199,25 +200,6 @@ def _eigen(found: Found) -> str:
         for i in (0, 1)
     ]
     return f'<p class="exp-eigen">{"<br>".join(said)}</p>'
-
-
-def commands(cell: str, text: str) -> tuple[Command, ...]:
-    """Return what a person asked for.
-
-    Raises
-    ------
-    InputError
-        Not a number; the text names the field.
-    """
-    if cell == "example":
-        return (ChooseExponentialExample(text),) if text else ()
-    if cell not in ENTRIES:
-        return ()
-    try:
-        value = evaluate(text.strip().replace("−", "-").replace(",", "."))
-    except InputError:
-        raise InputError(f"{ENTRIES[cell]}: expected a number, got {text.strip()[:40]!r}") from None
-    return (SetEntry(cell, value),)
 
 
 PANEL = Panel((Exponential,), build, rebuilds=())

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 
 from armlab.benches.control.follow.chosen import MOST_RUNS, Setup
+from armlab.benches.control.follow.commands import AddRun, RemoveRun, SelectRun
 from armlab.benches.control.follow.runs import Figures, Outcome, Peak
 from armlab.benches.control.follow.state import Control, questions
 from armlab.benches.control.follow.ui.form import sigma_unit
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import RUN_COLOURS, css
+from armlab.ui.form import Form
 from armlab.ui.format import dot, escaped, number, scientific
-from armlab.ui.markup import button
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 SMALL = 5e-3
 """In the unit on screen; what is smaller than that and not nothing has a power of ten."""
@@ -27,23 +27,23 @@ ZERO = '<span class="zero">0</span>'
 Row = tuple[str, list[str]]
 
 
-def runs_markup(fields: Fields, state: State) -> str:
+def runs_markup(form: Form, state: State) -> str:
     """Return all runs, a name for the selected one, and a button for one more."""
-    part, channel = state[Control], fields.channel_id
-    full, last = len(part.runs) == MOST_RUNS, len(part.runs) == 1
-    rows = "".join(_run(channel, state, i, run, last) for i, run in enumerate(part.runs))
+    part = state[Control]
+    full = len(part.runs) == MOST_RUNS
+    rows = "".join(_run(form, part, i, run) for i, run in enumerate(part.runs))
     hint = f"At most {MOST_RUNS} runs" if full else "Keep this run for comparison, and change a copy of it"
-    more = button(channel, "add", "+ Run", "chip", hint, off=full)
+    more = form.button("add", "+ Run", AddRun(), "chip", hint, off=full)
     return f'<h3>Runs<span class="copies">{more}</span></h3><div class="ct-runs">{rows}</div>'
 
 
-def _run(channel: str, state: State, i: int, run: Setup, last: bool) -> str:
-    part = state[Control]
+def _run(form: Form, part: Control, i: int, run: Setup) -> str:
     mark = f"{dot(css(RUN_COLOURS[run.colour]))}<span>{escaped(run.title)}</span>"
-    chosen = button(
-        channel, f"select {i}", mark, "chip", "Show and play this run", f"Run {i + 1}", pressed=i == part.selected
-    )
-    away = "" if last else button(channel, f"remove {i}", "✕", "chip", "Remove this run", f"Remove run {i + 1}")
+    hint, selected = "Show and play this run", i == part.selected
+    chosen = form.button(f"select {i}", mark, SelectRun(i), "chip", hint, f"Run {i + 1}", pressed=selected)
+    away = ""
+    if len(part.runs) > 1:
+        away = form.button(f"remove {i}", "✕", RemoveRun(i), "chip", "Remove this run", f"Remove run {i + 1}")
     return f'<div class="ct-run">{chosen}{away}</div>'
 
 

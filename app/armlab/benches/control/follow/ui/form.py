@@ -3,26 +3,34 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
-from armlab.benches.control.follow.chosen import CLOCK, FIELDS, KNOWLEDGE, MOTORS, NULL, REFERENCES, WAY, Setup
+from armlab.benches.control.follow.chosen import CLOCK, KNOWLEDGE, MOTORS, NULL, REFERENCES, WAY, Setup
+from armlab.benches.control.follow.commands import (
+    AimAt,
+    ChooseInverse,
+    ChooseLaw,
+    ChooseReference,
+    SetOffset,
+    SetOption,
+    SetStart,
+    SetValue,
+)
 from armlab.benches.control.follow.state import Control
-from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.control.control_law import control_laws
 from armlab.kin.control.rate_inverse import rate_inverses
 from armlab.kin.control.scaled_task import ScaledTask
-from armlab.kin.motion.field import Field
+from armlab.kin.field import Field
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.state import Command, State
+from armlab.ui.form import Form
 from armlab.ui.format import mathml, trimmed
-from armlab.ui.markup import button, options, select
-from armlab.ui.option_form import PLAIN, Scale, option_markup, option_value
+from armlab.ui.option_form import PLAIN, Scale, option_form
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 PERCENT = (Scale("%", 0.01),)
 
@@ -36,60 +44,48 @@ def scales_of(key: str, units: Units) -> Sequence[Scale]:
     return PERCENT if key == "wrong" else PLAIN
 
 
-def value_of(state: State, key: str, text: str) -> Any:
-    """Return what a person typed for a value of the selected run."""
-    now = getattr(state[Control].run, key)
-    return option_value(FIELDS[key], text, now, scales_of(key, units_of(state)))
-
-
-def option_of(state: State, of: str, key: str, text: str) -> Any:
-    """Return what a person typed for an option of the law or the inverse of the selected run."""
-    run = state[Control].run
-    owner = run.kind if of == "law" else run.method
-    field = next((each for each in owner.fields if each.key == key), None)
-    if field is None:
-        raise UnknownName(f"option of the {of}", key, [each.key for each in owner.fields])
-    return option_value(field, text)
-
-
-def reference_markup(fields: Fields, state: State) -> str:
+def reference_markup(form: Form, state: State) -> str:
     """Return what is followed, and from where."""
-    run, units, channel = state[Control].run, units_of(state), fields.channel_id
-    chooser = select(channel, "ref", "Reference", options(REFERENCES, run.reference), "What the tool is to follow")
+    run, units = state[Control].run, units_of(state)
+    chooser = form.select("ref", "Reference", REFERENCES, run.reference, ChooseReference, "What the tool is to follow")
     level = "z" not in state[Joints].arm.task.position
-    way = _values(fields, run, [each for each in WAY if not (level and each.key == "elevation")], units)
-    return (
-        f'<h3>Reference</h3><div class="kit-head">{chooser}</div>'
-        + (f'<div class="options">{way}</div>' if way else "")
-        + (_target(channel, state, units) if run.reference == "target" else "")
-        + (_joints(fields, state, "start", run.start, "Start", _here(channel)) if run.reference != "planned" else "")
-        + _joints(fields, state, "offset", run.offset, "Initial error", "")
-    )
+    way = _values(form, run, [each for each in WAY if not (level and each.key == "elevation")], units)
+    found = f'<h3>Reference</h3><div class="kit-head">{chooser}</div>'
+    found += f'<div class="options">{way}</div>' if way else ""
+    if run.reference == "target":
+        found += _target(form, state, units)
+    if run.reference != "planned":
+        hint = "Let the reference begin where the arm stands"
+        here = form.button("here", "Present pose", SetStart(), "chip", hint)
+        found += _joints(form, state, "start", run.start, SetStart, "Start", here)
+    return found + _joints(form, state, "offset", run.offset, SetOffset, "Initial error", "")
 
 
-def law_markup(fields: Fields, state: State) -> str:
+def law_markup(form: Form, state: State) -> str:
     """Return law and inverse with their formulas and options, and the self-motion of a redundant arm."""
-    run, arm, channel = state[Control].run, state[Joints].arm, fields.channel_id
-    units = units_of(state)
+    run, arm, units = state[Control].run, state[Joints].arm, units_of(state)
     sigma = sigma_unit(arm)
+    laws = {key: law.title for key, law in control_laws().items()}
     found = (
         "<h3>Control law</h3>"
-        + f'<div class="kit-head">{select(channel, "law", "Control law", _laws(run.law))}</div>'
+        + f'<div class="kit-head">{form.select("law", "Control law", laws, run.law, ChooseLaw)}</div>'
         + f'<p class="ct-formula">{mathml(run.kind.formula)}</p>'
-        + _options(fields, "law", _gains(run.kind.fields, arm), dict(run.law_options), sigma)
+        + _options(form, "law", _gains(run.kind.fields, arm), dict(run.law_options), sigma)
     )
     if run.kind.inverts:
+        inverses = {key: method.title for key, method in rate_inverses().items()}
+        chooser = form.select("inverse", "Inverse of J", inverses, run.inverse, ChooseInverse)
         found += (
-            f'<div class="kit-head">{select(channel, "inverse", "Inverse of J", _inverses(run.inverse))}</div>'
+            f'<div class="kit-head">{chooser}</div>'
             + f'<p class="ct-formula">{mathml(run.method.formula)}</p>'
-            + _options(fields, "inverse", run.method.fields, dict(run.inverse_options), sigma)
+            + _options(form, "inverse", run.method.fields, dict(run.inverse_options), sigma)
         )
         if arm.n > arm.task.m:
-            found += f'<div class="options">{_values(fields, run, NULL, units)}</div>'
+            found += f'<div class="options">{_values(form, run, NULL, units)}</div>'
     return found
 
 
-def plant_markup(fields: Fields, state: State) -> str:
+def plant_markup(form: Form, state: State) -> str:
     """Return what is not ideal about the arm."""
     run, units, arm = state[Control].run, units_of(state), state[Joints].arm
     motors = tuple(
@@ -97,7 +93,7 @@ def plant_markup(fields: Fields, state: State) -> str:
     )
     encoder = KNOWLEDGE if run.counts else tuple(each for each in KNOWLEDGE if each.key not in ("shaft", "ratio"))
     return "".join(
-        f'<div class="options">{_values(fields, run, group, units)}</div>' for group in (motors, CLOCK, encoder)
+        f'<div class="options">{_values(form, run, group, units)}</div>' for group in (motors, CLOCK, encoder)
     )
 
 
@@ -117,17 +113,17 @@ def plant_words(run: Setup) -> str:
     return ", ".join(found) or "ideal"
 
 
-def _values(fields: Fields, run: Setup, group: Sequence[Field], units: Units) -> str:
+def _values(form: Form, run: Setup, group: Sequence[Field], units: Units) -> str:
     """Return the fields of a group that can be used, each in its own unit."""
     seen = run.seen(tuple(group))
-    return "".join(option_markup(fields, "w-", (each,), run.given, scales_of(each.key, units)) for each in seen)
+    return "".join(option_form(form, "w-", (each,), run.given, SetValue, scales_of(each.key, units)) for each in seen)
 
 
-def _options(fields: Fields, of: str, kinds: Sequence[Field], given: dict[str, Any], sigma: str) -> str:
+def _options(form: Form, of: str, kinds: Sequence[Field], given: dict[str, Any], sigma: str) -> str:
     """Return the options of a law or an inverse, with the units of singular values as they are for this arm."""
     texts = {"sigma": sigma or "1", "sigma²": f"{sigma}²" if sigma else "1", "1/sigma²": f"{sigma}⁻²" if sigma else "1"}
     shown = [replace(each, unit=texts.get(each.unit, each.unit)) for each in kinds]
-    markup = option_markup(fields, f"{of}-", shown, given)
+    markup = option_form(form, f"{of}-", shown, given, partial(SetOption, of))
     return f'<div class="options">{markup}</div>' if markup else ""
 
 
@@ -137,39 +133,41 @@ def _gains(kinds: Sequence[Field], arm: Arm) -> list[Field]:
     return [each for each in kinds if each.key not in without]
 
 
-def _here(channel: str) -> str:
-    return button(channel, "here", "Present pose", "chip", "Let the reference begin where the arm stands")
-
-
-def _joints(fields: Fields, state: State, cell: str, values: Sequence[float], title: str, more: str) -> str:
-    """Return a field for each joint."""
+def _joints(
+    form: Form,
+    state: State,
+    cell: str,
+    values: Sequence[float],
+    command: Callable[[tuple[float, ...]], Command],
+    title: str,
+    more: str,
+) -> str:
+    """Return a field for each joint; the command gets the values of all."""
     units, arm = units_of(state), state[Joints].arm
+
+    def field(i: int, revolute: bool, label: str) -> str:
+        def typed(text: str) -> Command:
+            value = units.read(text, revolute, f"{cell} of joint {i + 1}")
+            return command((*values[:i], value, *values[i + 1 :]))
+
+        return form.field(f"{cell} {i}", trimmed(values[i] / units.factor(revolute), 2), label, typed)
+
     cells = []
-    for i, value in enumerate(values):
+    for i in range(len(values)):
         revolute = bool(arm.revolute[i])
         name, unit = units.variable(i, revolute), units.unit(revolute)
-        typed = fields.field(f"{cell} {i}", trimmed(value / units.factor(revolute), 2), f"{title} of {name} in {unit}")
-        cells.append(f"<label><span>{name}</span>{typed}<i>{unit}</i></label>")
+        cells.append(
+            f"<label><span>{name}</span>{field(i, revolute, f'{title} of {name} in {unit}')}<i>{unit}</i></label>"
+        )
     copies = f'<span class="copies">{more}</span>' if more else ""
     return f'<div class="ct-joints"><b>{title}</b>{copies}<div class="kit-numbers">{"".join(cells)}</div></div>'
 
 
-def _target(channel: str, state: State, units: Units) -> str:
+def _target(form: Form, state: State, units: Units) -> str:
     place = ", ".join(units.text(float(value), False) for value in state[Control].target[:3, 3])
-    take = button(
-        channel, "aim", "From the handle", "chip", "Take the target of the lab; dragged, it is taken by itself"
-    )
+    hint = "Take the target of the lab; dragged, it is taken by itself"
+    take = form.button("aim", "From the handle", AimAt(), "chip", hint)
     return f'<div class="bar"><span>Target ({place}) {units.length_unit}</span>{take}</div>'
-
-
-@cache
-def _laws(chosen: str) -> str:
-    return options({key: law.title for key, law in control_laws().items()}, chosen)
-
-
-@cache
-def _inverses(chosen: str) -> str:
-    return options({key: method.title for key, method in rate_inverses().items()}, chosen)
 
 
 @cache

@@ -3,93 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
-from armlab.benches.control.follow.chosen import FIELDS
 from armlab.benches.control.follow.clip import duration, time_of
-from armlab.benches.control.follow.commands import (
-    AddRun,
-    AimAt,
-    ChooseInverse,
-    ChooseLaw,
-    ChooseReference,
-    DropPushes,
-    NameRun,
-    PushNow,
-    RemoveRun,
-    SelectRun,
-    SetOffset,
-    SetOption,
-    SetStart,
-    SetValue,
-    SizePush,
-)
+from armlab.benches.control.follow.commands import DropPushes, NameRun, PushNow, SizePush
 from armlab.benches.control.follow.examples import EXAMPLES, ChooseControlExample
 from armlab.benches.control.follow.runs import reference_points
 from armlab.benches.control.follow.state import CLIP_KEY, Control, fresh, questions
 from armlab.benches.control.follow.ui.card import card_markup, runs_markup
-from armlab.benches.control.follow.ui.form import (
-    law_markup,
-    option_of,
-    plant_markup,
-    plant_words,
-    reference_markup,
-    value_of,
-)
+from armlab.benches.control.follow.ui.form import law_markup, plant_markup, plant_words, reference_markup
 from armlab.benches.control.follow.ui.plots import VIEWS, Plots
 from armlab.benches.motion.api import Plan
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
-from armlab.ui.examples import examples_markup
+from armlab.session.state import Post, State
+from armlab.ui.examples import examples
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, number, trimmed
-from armlab.ui.markup import button, chips
-from armlab.ui.plugin import Panel, Points, Post, Show
-from armlab.ui.tried import tried
-from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.plugin import Panel, Points, Show
+from armlab.ui.units import Units, units_of
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make example, runs, form, results and plots."""
-    present = state
+    head, clock, runs, card = gui.form(post), gui.form(post), gui.form(post), gui.html()
+    chooser, plots = gui.form(post), Plots(gui, state)
+    form, law, plant = gui.form(post), gui.form(post), gui.form(post)
+    view, written = "error", object()
 
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: commands(present, cell, text), present, post):
-            show(present)
-
-    def look(view: str) -> None:
-        if view not in VIEWS:
-            return
-        chooser.show(_views(chooser, view))
+    def look(at: str) -> None:
+        nonlocal view
+        view = at
         plots.look_at(view)
-        plots.show(present)
-
-    head = gui.fields(lambda cell, text: typed(head, cell, text))
-    clock = gui.fields(lambda cell, text: typed(clock, cell, text))
-    runs = gui.fields(lambda cell, text: typed(runs, cell, text))
-    card = gui.html()
-    chooser = gui.fields(lambda view, _: look(view))
-    chooser.show(_views(chooser, "error"))
-    plots = Plots(gui, state)
-    form = gui.fields(lambda cell, text: typed(form, cell, text))
-    law = gui.fields(lambda cell, text: typed(law, cell, text))
-    plant = gui.fields(lambda cell, text: typed(plant, cell, text))
-
-    written: object = None
 
     def show(state: State) -> None:
-        nonlocal present, written
-        present = state
-        clock.show(_clock(clock, state))
+        nonlocal written
+        clock.show(clock_markup(clock, state))
+        chooser.show(_views(chooser, view, look))
         plots.show(state)
         # While a run plays only the time changes.
         now = (state[Control], state.derived(questions))
-        if now == written and not any(fields.stale for fields in (head, runs, form, law, plant)):
+        if now == written and not any(each.stale for each in (head, runs, form, law, plant)):
             return
         written = now
-        head.show(_head(head, state))
+        head.show(examples(head, EXAMPLES, state[Control].example, ChooseControlExample, "Experiments"))
         runs.show(runs_markup(runs, state))
         card.show(card_markup(state))
         form.show(_named(form, state) + reference_markup(form, state))
@@ -100,97 +60,51 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
-    """Return what a person asked for.
-
-    Raises
-    ------
-    InputError
-        Not a number; the text names the field.
-    """
-    simple: dict[str, Callable[[], Command]] = {
-        "ref": lambda: ChooseReference(text),
-        "law": lambda: ChooseLaw(text),
-        "inverse": lambda: ChooseInverse(text),
-        "name": lambda: NameRun(text),
-        "here": lambda: SetStart(),
-        "aim": lambda: AimAt(),
-        "add": lambda: AddRun(),
-        "push": lambda: PushNow(),
-        "drop": lambda: DropPushes(),
-        "push-size": lambda: SizePush(units_of(state).read(text, False, "size of a push")),
-        "play-control": lambda: OpenClip(CLIP_KEY, play=True),
-        "go-on": lambda: Play(True),
-        "pause-control": lambda: Play(False),
-    }
-    if cell == "example":
-        return (ChooseControlExample(text),) if text else ()
-    if cell in simple:
-        return (simple[cell](),)
-    prefix, dash, key = cell.partition("-")
-    if dash and prefix == "w" and key in FIELDS:
-        return (SetValue(key, value_of(state, key, text)),)
-    if dash and prefix in ("law", "inverse"):
-        return (SetOption(prefix, key, option_of(state, prefix, key, text)),)
-    what, _, place = cell.partition(" ")
-    return _numbered(state, what, int(place), text) if place.isdecimal() else ()
-
-
-def _numbered(state: State, what: str, i: int, text: str) -> tuple[Command, ...]:
-    run, arm = state[Control].run, state[Joints].arm
-    if what == "select":
-        return (SelectRun(i),)
-    if what == "remove":
-        return (RemoveRun(i),)
-    if what not in ("start", "offset") or i >= arm.n:
-        return ()
-    values = list(run.start if what == "start" else run.offset)
-    values[i] = units_of(state).read(text, bool(arm.revolute[i]), f"{what} of joint {i + 1}")
-    return (SetStart(tuple(values)) if what == "start" else SetOffset(tuple(values)),)
-
-
-def _head(fields: Fields, state: State) -> str:
-    return examples_markup(fields.channel_id, EXAMPLES, state[Control].example, "Experiments")
-
-
-def _clock(fields: Fields, state: State) -> str:
+def clock_markup(form: Form, state: State) -> str:
     """Return play and push."""
-    part, timeline, units, channel = state[Control], state[Timeline], units_of(state), fields.channel_id
-    on = timeline.clip == CLIP_KEY
-    cell, words = ("play-control", "▶ Run")
-    if on and timeline.playing:
-        cell, words = "pause-control", "❚❚ Pause"
-    elif on and 0.0 < timeline.time < duration(state):
-        cell, words = "go-on", "▶ Go on"
-    play = button(channel, cell, words, "main")
-    size = fields.field("push-size", trimmed(part.push / units.factor(False), 3), "How far the tool is pushed")
-    push = button(
-        channel,
-        "push",
-        "Push",
-        "chip",
-        "Push the tool aside at the present time, and run it again",
-        off=part.outcome is None,
-    )
-    count = len(part.run.pushes)
-    drop = (
-        button(channel, "drop", f"✕ {count}", "chip", "Take the pushes away", "Take the pushes away") if count else ""
-    )
+    part, units, on = state[Control], units_of(state), state[Timeline].clip == CLIP_KEY
     now = "…" if not fresh(state) else f"t = {number(time_of(state), 2)} s" if on else ""
     return (
-        f'<div class="bar ct-clock">{play}<span class="dim">{now}</span>'
-        f"<span>{push}<label>{size}<i>{units.length_unit}</i></label>{drop}</span></div>"
+        f'<div class="bar ct-clock">{_play(form, state)}<span class="dim">{now}</span>'
+        f"<span>{_push(form, part, units)}</span></div>"
     )
 
 
-def _views(fields: Fields, chosen: str) -> str:
-    return f'<div class="bar">{chips(fields.channel_id, VIEWS, chosen, "What to look at over time")}</div>'
+def _play(form: Form, state: State) -> str:
+    timeline = state[Timeline]
+    on = timeline.clip == CLIP_KEY
+    if on and timeline.playing:
+        return form.button("pause-control", "❚❚ Pause", Play(False), "main")
+    if on and 0.0 < timeline.time < duration(state):
+        return form.button("go-on", "▶ Go on", Play(True), "main")
+    return form.button("play-control", "▶ Run", OpenClip(CLIP_KEY, play=True), "main")
 
 
-def _named(fields: Fields, state: State) -> str:
-    run = state[Control].run
-    name = fields.field("name", run.title, "Name of the run")
-    return f'<label class="option wide ct-name"><span>Run {state[Control].selected + 1}</span>{name}</label>'
+def _push(form: Form, part: Control, units: Units) -> str:
+    """Return the button that pushes, how far, and the button that takes all pushes away."""
+    hint = "Push the tool aside at the present time, and run it again"
+    push = form.button("push", "Push", PushNow(), "chip", hint, off=part.outcome is None)
+
+    def sized(text: str) -> SizePush:
+        return SizePush(units.read(text, False, "size of a push"))
+
+    shown = trimmed(part.push / units.factor(False), 3)
+    size = form.field("push-size", shown, "How far the tool is pushed", sized)
+    count, away = len(part.run.pushes), "Take the pushes away"
+    drop = form.button("drop", f"✕ {count}", DropPushes(), "chip", away, away) if count else ""
+    return f"{push}<label>{size}<i>{units.length_unit}</i></label>{drop}"
+
+
+def _views(form: Form, chosen: str, look: Callable[[str], None]) -> str:
+    hint = "What to look at over time"
+    chips = (form.chip(key, text, partial(look, key), hint, key == chosen) for key, text in VIEWS.items())
+    return f'<div class="bar">{"".join(chips)}</div>'
+
+
+def _named(form: Form, state: State) -> str:
+    part = state[Control]
+    name = form.field("name", part.run.title, "Name of the run", NameRun)
+    return f'<label class="option wide ct-name"><span>Run {part.selected + 1}</span>{name}</label>'
 
 
 def _around(state: State) -> Points:

@@ -3,29 +3,31 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
-from armlab.benches.control.loop.state import CLIP_KEY, FIELDS, KINDS, ChooseLoopReference, Loop, SetLoop, present_time
+from armlab.benches.control.loop.state import CLIP_KEY, KINDS, Loop, present_time
 from armlab.benches.control.loop.ui.pictures import ERROR, REACHED, WISH, bode, diagram
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.session.amounts import amount
+from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.colours import GREY
-from armlab.ui.examples import examples_markup
+from armlab.ui.examples import examples
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, mathml, number, pairs
-from armlab.ui.markup import button, chips, row
-from armlab.ui.option_form import option_markup, option_value
+from armlab.ui.markup import row
+from armlab.ui.option_form import option_form
 from armlab.ui.plot import TIME, Curve, Plot
-from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 VELOCITIES, ERRORS = "v_d,\\;v", "e=v_d-v"
 RESPONSE = r"W(s)=1/(\frac{M}{K}s+1)"
@@ -39,28 +41,18 @@ FOLLOWS, FAILS = 0.05, 0.5
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make example, diagram, numbers, plots and the frequency response."""
-    present, units = state, units_of(state)
-
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: commands(present, cell, text), present, post):
-            show(present)
-
-    head = gui.fields(lambda cell, text: typed(head, cell, text))
-    drawn = gui.html()
-    form = gui.fields(lambda cell, text: typed(form, cell, text))
-    clock = gui.fields(lambda cell, text: typed(clock, cell, text))
+    units = units_of(state)
+    head, drawn, form, clock = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
     gui.heading(f"Frequency response {mathml(RESPONSE)}")
     response = gui.html()
 
     def show(state: State) -> None:
-        nonlocal present
-        present = state
         part = state[Loop]
         head.show(_head(head, part))
         drawn.show(diagram(part, present_time(state)))
-        form.show(_form(form, part))
-        clock.show(_clock(clock, state))
+        form.show(form_markup(form, part))
+        clock.show(clock_markup(clock, state))
         plots.show(state)
         verdict.show(_verdict(part, units))
         response.show(bode(part, units) + _numbers(part, units))
@@ -100,31 +92,40 @@ def _written(says: str) -> str:
     return escaped(says).replace("v_d", WISHED)
 
 
-def _head(fields: Fields, part: Loop) -> str:
-    examples = examples_markup(fields.channel_id, EXAMPLES, part.example, written=_written)
+def _head(form: Form, part: Loop) -> str:
+    chooser = examples(form, EXAMPLES, part.example, ChooseLoopExample, written=_written)
     formula = mathml(r"M\,\dot v=F,\quad F=K\,(v_d-v)")
     title = "A mass without friction whose velocity is controlled by a force; notes 7.3-7.10"
-    return f'{examples}<div class="eq small" title="{title}">&emsp;{formula}</div>'
+    return f'{chooser}<div class="eq small" title="{title}">&emsp;{formula}</div>'
 
 
-def _form(fields: Fields, part: Loop) -> str:
-    kinds = chips(
-        fields.channel_id,
-        {f"kind {key}": text for key, text in KINDS.items()},
-        f"kind {part.kind}",
-        "What velocity is wanted from t = 0 on",
-    )
-    given = option_markup(fields, "l-", part.fields, part.values)
+def form_markup(form: Form, part: Loop) -> str:
+    """Return what is wanted, and the numbers of the loop."""
+    hint = "What velocity is wanted from t = 0 on"
+    kinds = form.chips("kind", KINDS, part.kind, hint, partial(Set, Loop, "kind"))
+    given = option_form(form, "l-", part.fields, part.values, partial(Set, Loop))
     return f'{row("Wanted", kinds, wide=True)}<div class="options loop-form">{given}</div>'
 
 
-def _clock(fields: Fields, state: State) -> str:
-    playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
-    cell, text = ("pause-loop", "❚❚ Pause") if playing else ("play-loop", "▶ Play")
-    play = button(fields.channel_id, cell, text, "main")
-    time = fields.field("time", amount(present_time(state)), "Time in seconds")
-    end = amount(state[Loop].end, "s")
-    return f'<div class="bar kit-clock">{play}<label>t = {time} <i>of {end}</i></label></div>'
+def clock_markup(form: Form, state: State) -> str:
+    """Return the button and the field of the time."""
+    on, end = state[Timeline].clip == CLIP_KEY, state[Loop].end
+    if on and state[Timeline].playing:
+        play = form.button("pause-loop", "❚❚ Pause", Play(False), "main")
+    else:
+        play = form.button("play-loop", "▶ Play", Play(True) if on else OpenClip(CLIP_KEY, play=True), "main")
+    time = form.field("time", amount(present_time(state)), "Time in seconds", lambda text: _to_time(text, end, on))
+    return f'<div class="bar kit-clock">{play}<label>t = {time} <i>of {amount(end, "s")}</i></label></div>'
+
+
+def _to_time(text: str, end: float, on: bool) -> tuple[Command, ...]:
+    try:
+        time = evaluate(text.strip().replace("−", "-").replace(",", "."))
+    except InputError:
+        raise InputError(f"t: expected seconds, got {text.strip()[:40]!r}") from None
+    if not 0.0 <= time <= end:
+        raise InputError(f"t: expected 0 to {amount(end, 's')}, got {amount(time)}")
+    return (Seek(time),) if on else (OpenClip(CLIP_KEY), Seek(time))
 
 
 def _verdict(part: Loop, units: Units) -> str:
@@ -167,43 +168,6 @@ def _numbers(part: Loop, units: Units) -> str:
             (f"Error gain {mathml(ERROR_GAIN)}", number(float(loop.error_gain(part.omega)), 3)),
         ]
     return pairs(rows)
-
-
-def commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
-    """Return what a person asked for.
-
-    Raises
-    ------
-    InputError
-        Not a number; the text names the field.
-    """
-    if cell == "example":
-        return (ChooseLoopExample(text),) if text else ()
-    if cell == "play-loop":
-        return (Play(True),) if state[Timeline].clip == CLIP_KEY else (OpenClip(CLIP_KEY, play=True),)
-    if cell == "pause-loop":
-        return (Play(False),)
-    if cell == "time":
-        return _to_time(state, text)
-    what, _, key = cell.partition(" ")
-    if what == "kind":
-        return (ChooseLoopReference(key),)
-    prefix, _, name = cell.partition("-")
-    if prefix == "l" and name in FIELDS:
-        return (SetLoop(name, option_value(FIELDS[name], text)),)
-    return ()
-
-
-def _to_time(state: State, text: str) -> tuple[Command, ...]:
-    try:
-        time = evaluate(text.strip().replace("−", "-").replace(",", "."))
-    except InputError:
-        raise InputError(f"t: expected seconds, got {text.strip()[:40]!r}") from None
-    end = state[Loop].end
-    if not 0.0 <= time <= end:
-        raise InputError(f"t: expected 0 to {amount(end, 's')}, got {amount(time)}")
-    on = () if state[Timeline].clip == CLIP_KEY else (OpenClip(CLIP_KEY),)
-    return (*on, Seek(time))
 
 
 PANEL = Panel((Loop, Timeline), build, rebuilds=(Notation,))

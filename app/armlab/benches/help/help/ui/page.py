@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.commands import shortcuts
 from armlab.ui.format import escaped
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
 
 PAGE_KEYS = (

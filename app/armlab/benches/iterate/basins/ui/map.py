@@ -18,10 +18,10 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css
 from armlab.ui.file_names import file_name
+from armlab.ui.form import Form, Picked
 from armlab.ui.format import capitalised, dot, escaped, number, trimmed
 from armlab.ui.png import as_address
 from armlab.ui.units import Units
-from armlab.ui.widgets import Fields
 
 TICKS = 4
 """Parts of an axis."""
@@ -30,7 +30,7 @@ MOST_NAMED = 16
 """Rows of the legend."""
 
 
-def map_markup(fields: Fields, found: Map, units: Units) -> str:
+def map_markup(form: Form, found: Map, units: Units, begin: Picked) -> str:
     """Return the picture with axes, the solutions marked, and the marks that `places` moves."""
     question = found.question
     across, up = (_axis(found, side, units) for side in (0, 1))
@@ -38,7 +38,7 @@ def map_markup(fields: Fields, found: Map, units: Units) -> str:
     said = f"Basins of {question.run.kind.title}: click a start to see its film"
     return (
         f'<div class="basin"><span class="ba-name up">{up[0]}</span><div class="ba-ticks up">{up[1]}</div>'
-        f'<div class="ba-map" data-chan="{fields.channel_id}" data-cell="start" data-pick title="{escaped(said)}">'
+        f'<div class="ba-map" {form.place("start", begin)} title="{escaped(said)}">'
         f'<img alt="{escaped(said)}" src="{as_address(picture)}">{_solutions(found)}'
         '<b class="ba-start"></b><b class="ba-arm"></b></div>'
         f'<div class="ba-ticks">{across[1]}</div><span class="ba-name">{across[0]}</span></div>'

@@ -10,13 +10,12 @@ from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, number, scientific
-from armlab.ui.markup import button, options, select
-from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 FORMULA = "<i>x</i><sub>n+1</sub> = <i>x</i><sub>n</sub> − f(<i>x</i><sub>n</sub>) / f′(<i>x</i><sub>n</sub>)"
 
@@ -31,43 +30,15 @@ KINDS = {"converged": "ok", "most": "warn"}
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make equation, picture and table."""
-    present = state
-
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: _commands(present, cell, text), present, post):
-            show(present)
-
-    problem = gui.fields(lambda cell, text: typed(problem, cell, text))
-    drawn = gui.html()
-    numbers = gui.fields(lambda cell, text: typed(numbers, cell, text))
+    problem, drawn, numbers = gui.form(post), gui.html(), gui.form(post)
 
     def show(state: State) -> None:
-        nonlocal present
-        present = state
         found, place = state.derived(solution), place_of(state)
         problem.show(_problem(problem, state))
         drawn.show(picture(found, place))
-        numbers.show(_table(numbers, found, place))
+        numbers.show(_table(numbers, found, place, state[Timeline].clip == CLIP_KEY))
 
     return show
-
-
-def _commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
-    name, _, rest = cell.partition(" ")
-    if name == "equation":
-        return (ChooseEquation(text),) if text else ()
-    if name == "f":
-        return (TypeEquation(text),)
-    if name == "x0":
-        return (StartAt(_number(text)),)
-    if name == "play-tangents":
-        return (OpenClip(CLIP_KEY, play=True),)
-    if name == "pause-tangents":
-        return (Play(False),)
-    if name == "iterate" and rest.isdecimal():
-        on = () if state[Timeline].clip == CLIP_KEY else (OpenClip(CLIP_KEY),)
-        return (*on, Seek(STEP * int(rest)))
-    return ()
 
 
 def _number(text: str) -> float:
@@ -77,20 +48,20 @@ def _number(text: str) -> float:
         raise InputError(f"x₀: expected a number, got {text.strip()[:40]!r}") from None
 
 
-def _problem(fields: Fields, state: State) -> str:
-    part, channel, found = state[Newton1D], fields.channel_id, state.derived(solution)
+def _problem(form: Form, state: State) -> str:
+    part, found = state[Newton1D], state.derived(solution)
     titles = {**({"": "your own"} if part.text else {}), **{each.key: each.title for each in EXAMPLES}}
-    chooser = select(channel, "equation", "Equation", options(titles, "" if part.text else part.example))
+    chooser = form.select("equation", "Equation", titles, "" if part.text else part.example, ChooseEquation)
     playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
     play = (
-        button(channel, "pause-tangents", "❚❚ Pause", "main")
+        form.button("pause-tangents", "❚❚ Pause", Play(False), "main")
         if playing
-        else button(channel, "play-tangents", "▶ Play", "main")
+        else form.button("play-tangents", "▶ Play", OpenClip(CLIP_KEY, play=True), "main")
     )
     kind = KINDS.get(found.status, "no")
     slope = '<p class="dim">f′ by central difference.</p>' if found.differenced else ""
-    typed = fields.field("f", part.text, "Function of x")
-    start = fields.field("x0", f"{part.x0:.10g}".replace("-", "−"), "Start")
+    typed = form.field("f", part.text, "Function of x", TypeEquation)
+    start = form.field("x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: StartAt(_number(text)))
     return (
         f'<div class="eq small" title="Notes 4.106-4.110; printed there without x_n">&emsp;{FORMULA}</div>'
         f'<div class="kit-head"><span class="dim">Equation</span>{chooser}</div>'
@@ -100,13 +71,14 @@ def _problem(fields: Fields, state: State) -> str:
     )
 
 
-def _table(fields: Fields, found: Solved, place: Place) -> str:
+def _table(form: Form, found: Solved, place: Place, on: bool) -> str:
     first = max(0, min(place.k - ROWS // 2, found.last - ROWS + 1))
     rows = []
     for k in range(first, min(first + ROWS, found.last + 1)):
         each = found.iterates[k]
         mark = ' class="now" aria-current="true"' if k == place.k else ""
-        name = button(fields.channel_id, f"iterate {k}", str(k), "copy", "Show this iterate")
+        to_k = (*(() if on else (OpenClip(CLIP_KEY),)), Seek(STEP * k))
+        name = form.button(f"iterate {k}", str(k), to_k, "copy", "Show this iterate")
         cells = (name, _plain(each.x, DIGITS), _plain(each.f, 4), _plain(each.tangent.slope, 4))
         rows.append(f"<tr{mark}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>")
     heads = "".join(f"<th>{head}</th>" for head in ("k", "x<sub>k</sub>", "f(x<sub>k</sub>)", "f′(x<sub>k</sub>)"))

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from armlab.benches.iterate.runs.clip import place_of
+from typing import NamedTuple
+
+from armlab.benches.iterate.runs.clip import each, place_of
 from armlab.benches.iterate.runs.films import Film
-from armlab.benches.iterate.runs.state import Iterations
+from armlab.benches.iterate.runs.state import CLIP_KEY, Iterations
 from armlab.kin.ik.iterate import TaskVector
-from armlab.session.state import State
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
+from armlab.session.state import Command, State
+from armlab.ui.form import Form
 from armlab.ui.format import capitalised, number, scientific
-from armlab.ui.markup import button
 from armlab.ui.small_numbers import HUGE, NO_BREAK, small
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 ROWS = 7
 """Shown at once, the present one in the middle where it can be."""
@@ -20,39 +22,51 @@ IN_LINE = 2
 """So many joints have their values in the row itself; those of others stand in a line below."""
 
 
-class Table:
-    """The table of one panel; a row is written once for a film, whose numbers do not change."""
+class Numbers(NamedTuple):
+    """What stands in the row of an iterate after its name, and in the line below, which may be empty."""
 
-    def __init__(self, fields: Fields) -> None:
-        self._fields = fields
+    cells: str
+    below: str
+
+
+class Table:
+    """The table of one panel; the numbers of a row are written once for a film, in which they do not change."""
+
+    def __init__(self, form: Form) -> None:
+        self._form = form
         self._film: Film | None = None
         self._units: Units | None = None
-        self._rows: dict[tuple[int, bool], str] = {}
+        self._rows: dict[int, Numbers] = {}
 
     def show(self, state: State) -> None:
         """Show the rows around the present one; a press on the number of a row shows that iterate."""
         part, units = state[Iterations], units_of(state)
         film = part.film
         if film is None:
-            self._fields.show('<h3>Iterates</h3><p class="dim">…</p>')
+            self._form.show('<h3>Iterates</h3><p class="dim">…</p>')
             return
         if film is not self._film or units != self._units:
             self._film, self._units, self._rows = film, units, {}
         i, _ = place_of(state)
         first = max(0, min(i - ROWS // 2, film.last - ROWS + 1))
         shown = range(first, min(first + ROWS, film.last + 1))
-        rows = "".join(self._row(film, k, k == i, units) for k in shown)
+        on = () if state[Timeline].clip == CLIP_KEY else (OpenClip(CLIP_KEY),)
+        rows = "".join(self._row(film, k, k == i, units, (*on, Seek(k * each(film)))) for k in shown)
         top = "".join(f"<th>{head}</th>" for head in _columns(film, units))
         title = "Instants" if film.t is not None else "Iterates"
-        self._fields.show(
+        self._form.show(
             f"<h3>{title} of run {part.selected + 1}</h3>"
             f'<table class="kit-table"><tr>{top}</tr>{rows}</table><p class="dim">{capitalised(film.scaling)}.</p>'
         )
 
-    def _row(self, film: Film, k: int, present: bool, units: Units) -> str:
-        if (k, present) not in self._rows:
-            self._rows[k, present] = _row(self._fields, film, k, present, units)
-        return self._rows[k, present]
+    def _row(self, film: Film, k: int, present: bool, units: Units, to_it: tuple[Command, ...]) -> str:
+        if k not in self._rows:
+            self._rows[k] = _numbers(film, k, units)
+        cells, below = self._rows[k]
+        name = f"{film.t[k]:.2f}" if film.t is not None else str(k)
+        head = self._form.button(f"row {k}", name, to_it, "copy", "Show this iterate")
+        mark = ' class="now" aria-current="true"' if present else ""
+        return f"<tr{mark}><td>{head}</td>{cells}</tr>" + (f"<tr{mark}>{below}</tr>" if below else "")
 
 
 def _columns(film: Film, units: Units) -> list[str]:
@@ -74,10 +88,9 @@ def _columns(film: Film, units: Units) -> list[str]:
     return heads
 
 
-def _row(fields: Fields, film: Film, k: int, present: bool, units: Units) -> str:
+def _numbers(film: Film, k: int, units: Units) -> Numbers:
     arm, vector = film.question.arm, film.question.task or TaskVector(film.question.arm.task)
-    name = f"{film.t[k]:.2f}" if film.t is not None else str(k)
-    cells = [button(fields.channel_id, f"row {k}", name, "copy", "Show this iterate")]
+    cells = []
     values = [_value(float(q), bool(turns), units) for q, turns in zip(film.q[k], arm.revolute, strict=True)]
     if arm.n <= IN_LINE:
         cells += values
@@ -92,10 +105,9 @@ def _row(fields: Fields, film: Film, k: int, present: bool, units: Units) -> str
         cells.append(small(float(turn[k]), True, units) if k < film.last else "")
     if not arm.revolute.all():
         cells.append(small(float(slide[k]), False, units) if k < film.last else "")
-    mark = ' class="now" aria-current="true"' if present else ""
-    line = f"<tr{mark}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
+    line = "".join(f"<td>{cell}</td>" for cell in cells)
     if arm.n <= IN_LINE:
-        return line
+        return Numbers(line, "")
     joints = ", ".join(values)
     if arm.revolute.all() or not arm.revolute.any():
         joints = f"({joints}){NO_BREAK}{units.unit(bool(arm.revolute[0]))}"
@@ -105,7 +117,7 @@ def _row(fields: Fields, film: Film, k: int, present: bool, units: Units) -> str
             f"{value}{'' if turns and units.in_degrees else NO_BREAK}{units.unit(bool(turns))}"
             for value, turns in turned
         )
-    return f'{line}<tr{mark}><td class="it-q" colspan="{len(cells)}">q = {joints}</td></tr>'
+    return Numbers(line, f'<td class="it-q" colspan="{len(cells) + 1}">q = {joints}</td>')
 
 
 def _value(value: float, revolute: bool, units: Units) -> str:

@@ -7,13 +7,14 @@ from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.factors import turns
+from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, number, pairs, subscript
-from armlab.ui.markup import button, chip, row
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.markup import row
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui
 
@@ -26,21 +27,17 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     gui.heading("Joint variables")
     sliders = [_slider(gui, joints, i, post, units) for i in range(joints.arm.n)]
     gui.html(_colours(sliders))
-    locks = gui.fields(lambda cell, _: post(LockJoint(int(cell), not held[int(cell)])))
-    names = [*state[RobotPart].robot.poses, "zero"]
-    poses = gui.fields(lambda cell, _: post(RandomPose() if cell == "random" else TakePose(cell)))
-    buttons = [(name, name.capitalize()) for name in dict.fromkeys(names)] + [("random", "Random")]
-    poses.show(row("Pose", "".join(chip(poses.channel_id, key, title) for key, title in buttons)))
-    readout = gui.html()
-    held = list(joints.locked)
+    locks, poses, readout = gui.form(post), gui.form(post), gui.html()
+    names = tuple(dict.fromkeys([*state[RobotPart].robot.poses, "zero"]))
 
     def show(state: State) -> None:
         joints = state[Joints]
         for i, slider in enumerate(sliders):
             slider.show(_shown(joints, i, units))
             slider.enable(not joints.locked[i])
-        held[:] = joints.locked
-        locks.show(row("Hold", "".join(_lock(locks.channel_id, joints, i, units) for i in range(joints.arm.n))))
+        locks.show(row("Hold", "".join(_lock(locks, joints, i, units) for i in range(joints.arm.n))))
+        taken = "".join(poses.chip(name, name.capitalize(), TakePose(name)) for name in names)
+        poses.show(row("Pose", taken + poses.chip("random", "Random", RandomPose())))
         readout.show(_readout(joints, units))
 
     return show
@@ -84,14 +81,15 @@ def _colours(sliders: list[Control]) -> str:
     return f"<style>{''.join(rules)}</style>"
 
 
-def _lock(channel: str, joints: Joints, i: int, units: Units) -> str:
+def _lock(form: Form, joints: Joints, i: int, units: Units) -> str:
     """Return the chip that holds a joint; its hint also says what the joint does, and between which limits."""
     revolute, on = joints.arm.rows[i].revolute, joints.locked[i]
     axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
     low, high = (units.text(float(value), revolute) for value in joints.arm.limits[i])
     does = f"{'turns about' if revolute else 'slides along'} {axis}, {low} to {high} {units.unit(revolute)}"
     wish = "held: click to let it go" if on else "click to hold it where it is"
-    return button(channel, str(i), _name(joints, i, units), "chip lock", f"Joint {i + 1} {does}; {wish}", pressed=on)
+    hint = f"Joint {i + 1} {does}; {wish}"
+    return form.button(str(i), _name(joints, i, units), LockJoint(i, not on), "chip lock", hint, pressed=on)
 
 
 def _readout(joints: Joints, units: Units) -> str:

@@ -6,17 +6,18 @@ import re
 
 from armlab.content.lessons import lessons
 from armlab.content.write_lesson import lesson_text
-from armlab.errors import ArmlabError
+from armlab.errors import ArmlabError, InputError
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.session import Refuse
-from armlab.session.state import State
-from armlab.ui import markup
+from armlab.session.state import Post, State
+from armlab.ui.form import Form, Pressed, Typed
+from armlab.ui.format import escaped
+from armlab.ui.markup import row
 from armlab.ui.picks import broken_files
-from armlab.ui.plugin import Panel, Post, Show, layers
+from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.widgets import Gui
 
 HOW = """<p>Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step
@@ -30,35 +31,40 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the field of the title and the button."""
     title, present = "My lesson", state
 
-    def pressed(cell: str, text: str) -> None:
+    def named(text: str) -> None:
         nonlocal title
-        if cell == "title":
-            title = " ".join(text.split())[:80] or title
-        elif cell == "save-lesson":
-            if present[LessonPart].hides:
-                # The file would tell what is to be predicted.
-                post(Refuse("Answer the question of the lesson first, or close the lesson."))
-                return
-            try:
-                gui.save(f"{file_name(title)}.md", written(title, present, gui))
-            except ArmlabError as refusal:
-                post(Refuse(str(refusal)))
+        title = " ".join(text.split())[:80] or title
+
+    def save() -> None:
+        if present[LessonPart].hides:
+            # The file would tell what is to be predicted.
+            raise InputError("Answer the question of the lesson first, or close the lesson.")
+        try:
+            gui.save(f"{file_name(title)}.md", written(title, present, gui))
+        except ArmlabError as refusal:
+            raise InputError(str(refusal)) from None
 
     gui.heading("Save as lesson")
-    fields = gui.fields(pressed)
-    channel = fields.channel_id
-    line = markup.field(channel, "title", title, "Title of the lesson", maxlength="80")
-    save = markup.chip(channel, "save-lesson", "Save as lesson", "A lesson file whose goal is the arm as it stands")
-    fields.show(f'{markup.row("Title", line)}<div class="bar">{save}</div>')
+    form = gui.form(post)
     gui.html(HOW)
     problems = gui.html()
 
     def show(state: State) -> None:
         nonlocal present
         present = state
+        form.show(_form(form, title, named, save))
         problems.show(broken_files("lesson", lessons().problems))
 
     return show
+
+
+def _form(form: Form, title: str, named: Typed, save: Pressed) -> str:
+    line = (
+        '<input class="field" autocomplete="off" aria-label="Title of the lesson" maxlength="80"'
+        f' value="{escaped(title)}" {form.bound("title", named)}>'
+    )
+    button = form.chip("save-lesson", "Save as lesson", save, "A lesson file whose goal is the arm as it stands")
+    return f'{row("Title", line)}<div class="bar">{button}</div>'
 
 
 def written(title: str, state: State, gui: Gui) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from armlab.benches.motion.curves.commands import FindFastest, TakeFastest
 from armlab.benches.motion.curves.fastest import Fastest
 from armlab.benches.motion.curves.made import Made
 from armlab.benches.motion.curves.state import Curves
@@ -11,9 +12,8 @@ from armlab.benches.motion.curves.ui.words import COLOURS, SYMBOLS, figures, uni
 from armlab.kin.motion.breaks import class_text
 from armlab.kin.motion.peaks import Violation
 from armlab.ui.colours import css
+from armlab.ui.form import Form
 from armlab.ui.format import dot, number, subscript
-from armlab.ui.markup import button
-from armlab.ui.widgets import Fields
 
 MOST_SPANS = 3
 """Stretches of time of one violation that are told."""
@@ -95,24 +95,24 @@ def _span(start: float, end: float) -> str:
     return f"from {number(start, 2)} to {number(end, 2)} s"
 
 
-def fastest_markup(fields: Fields, part: Curves) -> str:
+def fastest_markup(form: Form, part: Curves) -> str:
     """Return the button that looks for the fastest intervals, and what was found."""
-    channel = fields.channel_id
     ends = {"clamped": "from rest to rest", "natural": "with natural ends", "both": "with two virtual knots"}[part.ends]
-    find = button(channel, "fastest", "Fastest intervals", "main", "Times of the knots that make T smallest")
+    find = form.button("fastest", "Fastest intervals", FindFastest(), "main", "Times of the knots that make T smallest")
     said = '<span class="dim">searching …</span>' if part.asked is not None else ""
     head = (
         "<h3>Minimum time by the intervals h<sub>k</sub></h3>"
         f'<p class="dim">Of a spline {ends} through these q<sub>k</sub>, within both limits.</p>'
         f'<div class="bar">{find}{said}</div>'
     )
-    return head + (_found(channel, part, part.fastest) if part.fastest is not None else "")
+    return head + (_found(form, part, part.fastest) if part.fastest is not None else "")
 
 
-def _found(channel: str, part: Curves, found: Fastest) -> str:
+def _found(form: Form, part: Curves, found: Fastest) -> str:
     before = [later[0] - first[0] for first, later in zip(found.asked.knots, found.asked.knots[1:], strict=False)]
     taken = part.knots != found.asked.knots
-    take = "" if taken else button(channel, "take-fastest", "Use these times", "chip", "Put them into the table above")
+    hint = "Put them into the table above"
+    take = "" if taken else form.button("take-fastest", "Use these times", TakeFastest(), "chip", hint)
     rows = "".join(
         f"<tr><th>{subscript('h', k + 1)}</th><td>{figures(old)}</td><td>{figures(new)}</td></tr>"
         for k, (old, new) in enumerate(zip(before, found.intervals, strict=True))

@@ -2,86 +2,114 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
+from armlab.benches.motion.curves.commands import (
+    AddCurve,
+    AddKnot,
+    ChooseLaw,
+    ChoosePath,
+    Limit,
+    RemoveCurve,
+    RemoveKnot,
+    SetKnot,
+    SetKnots,
+    SetLimit,
+    SetOption,
+    SetUnit,
+    ShowCurve,
+)
 from armlab.benches.motion.curves.knots import MOST_KNOTS
-from armlab.benches.motion.curves.made import Drawn, Made, form, kinds, why_not
+from armlab.benches.motion.curves.made import Drawn, Made, free_options, kinds, why_not
 from armlab.benches.motion.curves.state import MOST_CURVES, UNITS, Curves
-from armlab.benches.motion.curves.ui.words import COLOURS, figures, typed_number, unit
+from armlab.benches.motion.curves.ui.words import COLOURS, figures, read, read_rows, typed_number, unit
 from armlab.errors import InputError
-from armlab.kin.motion.field import Field, seen_fields
+from armlab.kin.field import Field, seen_fields
 from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen, Value
 from armlab.ui.colours import css
+from armlab.ui.form import Form
 from armlab.ui.format import MINUS, capitalised, dot, escaped, lowered
-from armlab.ui.markup import button, chips, options, select
-from armlab.ui.option_form import Scale, option_markup, unit_text
-from armlab.ui.widgets import Fields
+from armlab.ui.option_form import Scale, option_form, unit_text
 
 
-def knots_markup(fields: Fields, part: Curves, as_text: bool) -> str:
-    """Return the table of knots, or the same as text."""
-    channel = fields.channel_id
-    names = {f"unit {name}": name for name in UNITS}
-    units = chips(channel, names, f"unit {part.unit}", "Unit of the coordinate; the numbers stay")
-    switch = button(channel, "as-text", "As table" if as_text else "As text", "copy", "Another way to type the knots")
+def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], None]) -> str:
+    """Return the table of knots, or the same as text; ``turn`` changes between both."""
+    names = {name: name for name in UNITS}
+    units = form.chips("unit", names, part.unit, "Unit of the coordinate; the numbers stay", SetUnit)
+    switch = form.button("as-text", "As table" if as_text else "As text", turn, "copy", "Another way to type the knots")
     head = f'<h3>Knots<span class="copies">{switch}</span></h3><div class="cu-units"><span>q in</span>{units}</div>'
-    return head + (_text(fields, part) if as_text else _table(fields, part))
+    return head + (_text(form, part) if as_text else _table(form, part))
 
 
-def _table(fields: Fields, part: Curves) -> str:
-    channel, full, last = fields.channel_id, len(part.knots) == MOST_KNOTS, len(part.knots) == 2
+def _table(form: Form, part: Curves) -> str:
+    full, last = len(part.knots) == MOST_KNOTS, len(part.knots) == 2
     rows = []
     for k, (t, q) in enumerate(part.knots):
-        below = str(k + 1) if k + 1 < len(part.knots) else ""
-        cells = (
-            fields.field(f"t {k}", typed_number(t), f"Time of knot {k + 1} in s", below=below and f"t {below}"),
-            fields.field(f"q {k}", typed_number(q), f"q of knot {k + 1} in {part.unit}", below=below and f"q {below}"),
+        cells = _cell(form, part, k, "t", t, "Time of knot {} in s") + _cell(
+            form, part, k, "q", q, "q of knot {} in {}"
         )
-        more = button(channel, f"add-knot {k}", "+", "copy", "One more after this", f"Add after knot {k + 1}", off=full)
-        less = button(channel, f"remove-knot {k}", "✕", "copy", "Remove", f"Remove knot {k + 1}", off=last)
-        rows.append(f"<tr><th>{k + 1}</th>{''.join(f'<td>{cell}</td>' for cell in cells)}<td>{more}{less}</td></tr>")
+        more = form.button(
+            f"add-knot {k}", "+", AddKnot(k), "copy", "One more after this", f"Add after knot {k + 1}", off=full
+        )
+        less = form.button(f"remove-knot {k}", "✕", RemoveKnot(k), "copy", "Remove", f"Remove knot {k + 1}", off=last)
+        rows.append(f"<tr><th>{k + 1}</th>{cells}<td>{more}{less}</td></tr>")
     heads = f"<tr><th>k</th><th>t<sub>k</sub>, s</th><th>q<sub>k</sub>, {part.unit}</th><th></th></tr>"
     return f'<table class="cu-knots">{heads}{"".join(rows)}</table>'
 
 
-def _text(fields: Fields, part: Curves) -> str:
+def _cell(form: Form, part: Curves, k: int, name: str, value: float, label: str) -> str:
+    """Return the field of t or q of a knot; the label leaves room for its number and for the unit."""
+
+    def typed(text: str) -> SetKnot:
+        return SetKnot(k, name, read(text, f"knot {k + 1}, {name}"))
+
+    below = f"{name} {k + 1}" if k + 1 < len(part.knots) else ""
+    field = form.field(f"{name} {k}", typed_number(value), label.format(k + 1, part.unit), typed, below)
+    return f"<td>{field}</td>"
+
+
+def _text(form: Form, part: Curves) -> str:
     """Return the knots in a field of several lines, where a table can be pasted."""
     own = "\n".join(f"{t:.10g} {q:.10g}" for t, q in part.knots)
-    typed = fields.area("rows", own, "Knots: t and q in each line", 6)
+    typed = form.area("rows", own, "Knots: t and q in each line", 6, lambda text: SetKnots(read_rows(text)))
     return f'<div class="cu-text">{typed}</div><p class="dim">t in s and q in {part.unit}, one knot a line.</p>'
 
 
-def curves_markup(fields: Fields, part: Curves) -> str:
+def curves_markup(form: Form, part: Curves) -> str:
     """Return all curves, and a button for one more."""
     full = len(part.curves) == MOST_CURVES
     hint = f"At most {MOST_CURVES}" if full else "One more through the same knots"
-    more = button(fields.channel_id, "add-curve", "+ Curve", "chip", hint, off=full)
-    curves = "".join(_curve(fields, part, i) for i in range(len(part.curves)))
+    more = form.button("add-curve", "+ Curve", AddCurve(), "chip", hint, off=full)
+    curves = "".join(_curve(form, part, i) for i in range(len(part.curves)))
     return f'<h3>Curves<span class="copies">{more}</span></h3>{curves}'
 
 
-def _curve(fields: Fields, part: Curves, i: int) -> str:
-    drawn, outcome, channel = part.curves[i], part.outcomes[i], fields.channel_id
-    mark = f"{dot(css(COLOURS[drawn.colour]))}{i + 1}"
-    head = button(
-        channel, f"show-{i}", mark, "chip", "Show its options here and its equations below", pressed=i == part.selected
-    )
-    head += select(channel, f"path-{i}", f"Kind of curve {i + 1}", _kinds(part, drawn))
+def _curve(form: Form, part: Curves, i: int) -> str:
+    drawn, outcome, chosen = part.curves[i], part.outcomes[i], i == part.selected
+    mark, hint = f"{dot(css(COLOURS[drawn.colour]))}{i + 1}", "Show its options here and its equations below"
+    head = form.button(f"show-{i}", mark, ShowCurve(i), "chip", hint, pressed=chosen)
+    path = form.bound(f"path-{i}", partial(ChoosePath, i))
+    head += f'<select {path} aria-label="Kind of curve {i + 1}">{_kinds(part, drawn)}</select>'
     last = len(part.curves) == 1
-    head += button(channel, f"remove-{i}", "✕", "chip", "Remove this curve", f"Remove curve {i + 1}", off=last)
-    chosen = _form(fields, part, i) if i == part.selected else _summary(drawn, Scale(part.unit))
+    remove = RemoveCurve(i)
+    head += form.button(f"remove-{i}", "✕", remove, "chip", "Remove this curve", f"Remove curve {i + 1}", off=last)
+    below = _options(form, part, i) if chosen else _summary(drawn, Scale(part.unit))
     said = _dropped(drawn) + _said(outcome, part.unit)
-    return f'<div class="cu-curve"><div class="cu-head">{head}</div>{chosen}{said}</div>'
+    return f'<div class="cu-curve"><div class="cu-head">{head}</div>{below}{said}</div>'
 
 
-def _form(fields: Fields, part: Curves, i: int) -> str:
+def _options(form: Form, part: Curves, i: int) -> str:
     """Return the options of a curve, and the law that runs through it."""
-    drawn, channel, scales = part.curves[i], fields.channel_id, (Scale(part.unit),)
-    typed = option_markup(fields, f"path{i} ", form(kinds()[drawn.path.key]), drawn.path.options, scales)
+    drawn, scales = part.curves[i], (Scale(part.unit),)
+    fields = free_options(kinds()[drawn.path.key])
+    typed = option_form(form, f"path{i} ", fields, drawn.path.options, partial(SetOption, i, "path"), scales)
     laws = {key: law.title for key, law in free_law_types().items()}
-    chosen = select(
-        channel, f"law-{i}", f"Law of curve {i + 1}", options(laws, drawn.law.key), "How s goes from 0 to 1"
-    )
-    law = option_markup(fields, f"law{i} ", free_law_types()[drawn.law.key].fields, drawn.law.options, scales)
+    choose, hint = partial(ChooseLaw, i), "How s goes from 0 to 1"
+    chosen = form.select(f"law-{i}", f"Law of curve {i + 1}", laws, drawn.law.key, choose, hint)
+    fields = free_law_types()[drawn.law.key].fields
+    law = option_form(form, f"law{i} ", fields, drawn.law.options, partial(SetOption, i, "law"), scales)
     run = f'<div class="options"><label class="option wide"><span>Law s(t)</span>{chosen}</label>{law}</div>'
     return (f'<div class="options">{typed}</div>' if typed else "") + run
 
@@ -89,7 +117,7 @@ def _form(fields: Fields, part: Curves, i: int) -> str:
 def _summary(drawn: Drawn, scale: Scale) -> str:
     """Return the options of a curve that are not as they come, in a line."""
     law = free_law_types()[drawn.law.key]
-    said = _given(form(kinds()[drawn.path.key]), drawn.path, scale)
+    said = _given(free_options(kinds()[drawn.path.key]), drawn.path, scale)
     if drawn.law.key != "constant":
         said += [f"law s(t): {lowered(law.title)}", *_given(law.fields, drawn.law, scale)]
     return f'<p class="dim">{escaped(capitalised("; ".join(said)))}</p>' if said else ""
@@ -143,14 +171,17 @@ def _said(outcome: Made | InputError, of: str) -> str:
     return f'<p class="dim">{text.replace("-", MINUS)}</p>'
 
 
-def limits_markup(fields: Fields, part: Curves) -> str:
+def limits_markup(form: Form, part: Curves) -> str:
     """Return the two limits."""
-    cells = []
-    for key, symbol, order, words in (
-        ("v_max", "v<sub>max</sub>", 1, "Largest rate"),
-        ("a_max", "a<sub>max</sub>", 2, "Largest acceleration"),
-    ):
-        value = getattr(part, key)
-        cell = fields.field(key, "" if value is None else typed_number(value), f"{words}; empty for no limit")
-        cells.append(f'<label class="option"><span>{symbol}</span>{cell}<i>{unit(order, part.unit)}</i></label>')
-    return f'<h3>Limits</h3><div class="options">{"".join(cells)}</div>'
+    v = _limit(form, part, "v_max", "v<sub>max</sub>", 1, "Largest rate")
+    a = _limit(form, part, "a_max", "a<sub>max</sub>", 2, "Largest acceleration")
+    return f'<h3>Limits</h3><div class="options">{v}{a}</div>'
+
+
+def _limit(form: Form, part: Curves, key: Limit, symbol: str, order: int, words: str) -> str:
+    def typed(text: str) -> SetLimit:
+        return SetLimit(key, read(text, key) if text.strip() else None)
+
+    value = getattr(part, key)
+    cell = form.field(key, "" if value is None else typed_number(value), f"{words}; empty for no limit", typed)
+    return f'<label class="option"><span>{symbol}</span>{cell}<i>{unit(order, part.unit)}</i></label>'

@@ -7,6 +7,7 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.motion.curves.commands import ShowDegree
 from armlab.benches.motion.curves.examples import differences
 from armlab.benches.motion.curves.made import Made, in_knots
 from armlab.benches.motion.curves.solved import (
@@ -24,10 +25,9 @@ from armlab.benches.motion.curves.state import DEGREES, Curves
 from armlab.benches.motion.curves.ui.words import COLOURS, figures, polynomial, power, unit
 from armlab.kin.paths.polynomial import Rules
 from armlab.ui.colours import css
+from armlab.ui.form import Form
 from armlab.ui.format import dot, escaped, matrix, number, subscript
-from armlab.ui.markup import chips
 from armlab.ui.matrices import copy_buttons
-from armlab.ui.widgets import Fields
 
 Floats = NDArray[np.float64]
 
@@ -196,11 +196,12 @@ def _rules(rules: Rules, coefficients: Floats | tuple[float, ...], degree: int) 
     return f'<p class="cu-rules">{"".join(marks)}</p>'
 
 
-def rules_markup(fields: Fields, part: Curves) -> str:
+def rules_markup(form: Form, part: Curves) -> str:
     """Return the normalised polynomial from rest to rest of a degree, with the rules of its coefficients."""
     found, printed = normalised(part.degree), (6.0, -5.0, 10.0, 0.0, 0.0, 0.0)
-    names = {f"degree {degree}": str(degree) for degree in DEGREES}
-    chosen = chips(fields.channel_id, names, f"degree {part.degree}", "Degree of the polynomial")
+    names = {str(degree): str(degree) for degree in DEGREES}
+    hint = "Degree of the polynomial"
+    chosen = form.chips("degree", names, str(part.degree), hint, lambda degree: ShowDegree(int(degree)))
     k = part.degree // 2
     said = (
         f"<h3>Rest to rest, normalised <small>degree</small> {chosen}</h3>"

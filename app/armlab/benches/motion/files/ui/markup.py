@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from functools import partial
+from typing import Any, Protocol, Self
 
+from armlab.benches.motion.files.commands import By
 from armlab.benches.motion.files.read import MOST_SAMPLES, count_of
 from armlab.benches.motion.files.table import MOST_BYTES, MOST_ROWS
 from armlab.benches.motion.plan.question import Planned
 from armlab.benches.motion.plan.state import Plan, planned
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.state import Command, State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, readable
-from armlab.ui.markup import chip
 from armlab.ui.recording import LONGEST
-from armlab.ui.widgets import Fields
 
 HINTS = {
     "csv": "Time, joint values, velocities and accelerations in s, rad and m; one row a sample",
@@ -55,18 +56,40 @@ class Shown:
         return replace(self, **changes)
 
 
-def export_markup(fields: Fields, state: State, shown: Shown) -> str:
+class Page(Protocol):
+    """What the controls do."""
+
+    def set_rate(self, text: str) -> None:
+        """Take samples a second."""
+
+    def set_count(self, text: str) -> None:
+        """Take a number of waypoints."""
+
+    def make(self, by: By) -> Command:
+        """Ask for waypoints of the motion."""
+        ...
+
+    def back(self) -> Command:
+        """Ask for the waypoints as they were."""
+        ...
+
+    def save(self, kind: str) -> None:
+        """Make a file of a kind."""
+
+    def read(self, text: str) -> None:
+        """Read a file."""
+
+
+def export_markup(form: Form, state: State, shown: Shown, page: Page) -> str:
     """Return what can be saved."""
-    plan, channel = planned(state), fields.channel_id
+    plan = planned(state)
     off = plan is None or plan.motion is None or bool(shown.busy)
 
     def save(kind: str, text: str, off: bool = off) -> str:
-        return chip(channel, kind, text, HINTS[kind], off=off)
+        return form.chip(kind, text, partial(page.save, kind), HINTS[kind], off=off)
 
-    rate = (
-        f'<label class="option" title="Samples a second, at least">'
-        f"{fields.field('rate', readable(shown.rate, 4), 'Samples a second')}<i>/s</i></label>"
-    )
+    typed = form.field("rate", readable(shown.rate, 4), "Samples a second", page.set_rate)
+    rate = f'<label class="option" title="Samples a second, at least">{typed}<i>/s</i></label>'
     rows = (
         ("Samples", rate + save("csv", "CSV") + save("python", "Python")),
         ("Recording", save("html", "Web page") + save("viser", ".viser")),
@@ -76,19 +99,19 @@ def export_markup(fields: Fields, state: State, shown: Shown) -> str:
     return f"<h3>Save</h3>{_motion_line(state, plan, shown.rate)}{table}{_outcome(shown, 'export')}"
 
 
-def import_markup(fields: Fields, state: State, shown: Shown) -> str:
+def import_markup(form: Form, state: State, shown: Shown, page: Page) -> str:
     """Return how a file is read, and what can be made of a motion that was."""
-    channel, n = fields.channel_id, state[Joints].arm.n
+    n = state[Joints].arm.n
     load = (
         f'<label class="chip" title="It is read here and sent nowhere else">Read file'
-        f'<input type="file" accept=".csv,.tsv,.txt,.dat,.json" data-most="{MOST_BYTES}" data-chan="{channel}"'
-        ' data-cell="read-motion"></label>'
+        f'<input type="file" accept=".csv,.tsv,.txt,.dat,.json" data-most="{MOST_BYTES}"'
+        f" {form.bound('read-motion', page.read)}></label>"
     )
     says = (
         f"A plan in JSON, or a table: time and q1 to q{n}. Units as in its header (q1_deg, q1 [rad]); none: s, rad, m. "
         f"At most {MOST_ROWS} rows, {MOST_BYTES / 1e6:g} MB."
     )
-    outcome, motion = _outcome(shown, "import"), _recorded(fields, state, shown)
+    outcome, motion = _outcome(shown, "import"), _recorded(form, state, shown, page)
     return f'<h3>Read</h3><div class="bar">{load}</div>{outcome}{motion}<p class="dim">{says}</p>'
 
 
@@ -111,17 +134,17 @@ def _motion_line(state: State, plan: Planned | None, rate: float) -> str:
     return f'{line}<p class="warn">◐ Only what can be run: {escaped(plan.trouble.rstrip("."))}.</p>'
 
 
-def _recorded(fields: Fields, state: State, shown: Shown) -> str:
+def _recorded(form: Form, state: State, shown: Shown, page: Page) -> str:
     """Return what can be done with a motion from a file; nothing where there is none."""
     if state[Plan].recorded is None:
         return ""
-    channel = fields.channel_id
-    back = chip(channel, "motion-back", "Back to the waypoints", "They wait as they were")
-    count = (
-        f'<label class="option">{fields.field("count", str(shown.count), "How many waypoints")}<i>waypoints</i></label>'
-    )
-    kinds = chip(channel, "by-shape", "by shape", "Where a polygon through the others is farthest from the motion")
-    kinds += chip(channel, "by-time", "evenly", "Evenly spaced in time")
+
+    back = form.chip("motion-back", "Back to the waypoints", page.back, "They wait as they were")
+    typed = form.field("count", str(shown.count), "How many waypoints", page.set_count)
+    count = f'<label class="option">{typed}<i>waypoints</i></label>'
+    hint = "Where a polygon through the others is farthest from the motion"
+    kinds = form.chip("by-shape", "by shape", lambda: page.make("shape"), hint)
+    kinds += form.chip("by-time", "evenly", lambda: page.make("time"), "Evenly spaced in time")
     return (
         '<div class="verdict todo"><b>A motion from a file</b>It stands in place of the waypoints.'
         f'<div class="bar">{back}</div>Or make of it<div class="bar made">{count}{kinds}</div></div>'

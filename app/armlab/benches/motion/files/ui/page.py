@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable
 from typing import Any, cast
 
-from armlab.benches.motion.files.commands import MOST_MADE, BackToWaypoints, MakeWaypoints, reading
+from armlab.benches.motion.files.commands import MOST_MADE, BackToWaypoints, By, MakeWaypoints, reading
 from armlab.benches.motion.files.read import RATE, checked_rate, motion_csv, plan_json, refuse_long
 from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.files.table import MOST_BYTES
@@ -19,13 +19,13 @@ from armlab.benches.motion.plan.ui.around import way_around, while_on
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Command, Post, State
 from armlab.ui import recording
 from armlab.ui.file_names import file_name
 from armlab.ui.format import number
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tried import plain_number
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)
 
@@ -49,52 +49,45 @@ class MotionFiles:
         self._gui, self._state, self._post = gui, state, post
         self._shown = Shown(RATE, MADE)
         self._waiting: str | None = None  # text of a file that came while another was made or read: the last one counts
-        self._export = gui.fields(lambda cell, text: self._typed(self._export, cell, text))
-        self._import = gui.fields(lambda cell, text: self._typed(self._import, cell, text), MOST_BYTES)
+        self._export, self._import = gui.form(post), gui.form(post, MOST_BYTES)
 
     def show(self, state: State) -> None:
         """Show what can be saved, and what has been read."""
         self._state = state
-        self._export.show(export_markup(self._export, state, self._shown))
-        self._import.show(import_markup(self._import, state, self._shown))
+        self._export.show(export_markup(self._export, state, self._shown, self))
+        self._import.show(import_markup(self._import, state, self._shown, self))
 
     # -- what a person does --------------------------------------------------------------------------------------
 
-    def _typed(self, fields: Fields, cell: str, text: str) -> None:
+    def set_rate(self, text: str) -> None:
+        """Take samples a second for the next table."""
+        self._clear()
+        self._shown = self._shown.but(rate=checked_rate(plain_number(text)))
+
+    def set_count(self, text: str) -> None:
+        """Take the number of waypoints to be made."""
+        self._clear()
+        self._shown = self._shown.but(count=_checked_count(text))
+
+    def make(self, by: By) -> Command:
+        """Ask for waypoints of the motion, as many as were typed last."""
+        self._clear()
+        return MakeWaypoints(self._shown.count, by)
+
+    def back(self) -> Command:
+        """Ask for the waypoints as they were."""
+        self._clear()
+        return BackToWaypoints()
+
+    def _clear(self) -> None:
+        """Say no more what has become of the last file."""
         self._shown = self._shown.but(saved="", refused="")
-        try:
-            self._do(cell, text)
-        except InputError as refusal:
-            fields.refuse(cell, text, str(refusal))
-        self.show(self._state)
-
-    def _do(self, cell: str, text: str) -> None:
-        if cell == "rate":
-            self._shown = self._shown.but(rate=checked_rate(plain_number(text)))
-        elif cell == "count":
-            self._shown = self._shown.but(count=_checked_count(text))
-        elif cell == "motion-back":
-            self._post(BackToWaypoints())
-        elif cell == "by-shape":
-            self._try(MakeWaypoints(self._shown.count, "shape"))
-        elif cell == "by-time":
-            self._try(MakeWaypoints(self._shown.count, "time"))
-        elif cell == "read-motion":
-            self._read(text)
-        elif self._shown.busy:
-            return
-        elif cell in ("csv", "python", "json", "html", "viser"):
-            self._save(cell)
-
-    def _try(self, command: MakeWaypoints) -> None:
-        """Hand in a command that the present state takes."""
-        command.apply(self._state)
-        self._post(command)
 
     # -- files ---------------------------------------------------------------------------------------------------
 
-    def _save(self, kind: str) -> None:
+    def save(self, kind: str) -> None:
         """Make a file and have the browser save it."""
+        self._clear()
         state, name = self._state, f"{file_name(self._state[RobotPart].robot.name)}_motion"
         make = (lambda: plan_json(state)) if kind == "json" else self._making(kind, _runs(state), name)
         ending = {"python": "py"}.get(kind, kind)
@@ -120,8 +113,9 @@ class MotionFiles:
         size = len(content.encode() if isinstance(content, str) else content)
         self._shown = self._shown.but(saved=f"{name}, {size_text(size)}")
 
-    def _read(self, text: str) -> None:
+    def read(self, text: str) -> None:
         """Read a file; what is wrong with it is said here, and the plan stays."""
+        self._clear()
         if self._shown.busy:
             self._waiting = text
             return
@@ -147,9 +141,8 @@ class MotionFiles:
             done(made.result())
         if self._waiting is not None:
             text, self._waiting = self._waiting, None
-            self._typed(self._import, "read-motion", text)
-        else:
-            self.show(self._state)
+            self.read(text)
+        self.show(self._state)
 
 
 def _runs(state: State) -> Planned:

@@ -2,23 +2,37 @@
 
 from __future__ import annotations
 
-from armlab.benches.motion.laws.examples import EXAMPLES
+from functools import partial
+
+from armlab.benches.motion.laws.commands import (
+    AddLaw,
+    AsFastAsAllowed,
+    ChooseLaw,
+    LeaveAsTyped,
+    RemoveLaw,
+    SetLawOption,
+    SetQuantity,
+    ShowBounds,
+    Stretch,
+    StretchLaw,
+    StretchOptimally,
+)
+from armlab.benches.motion.laws.examples import EXAMPLES, ChooseLawExample
 from armlab.benches.motion.laws.state import MOST_LAWS, Laws
 from armlab.benches.motion.laws.timing import AS_TYPED, QUANTITIES, excesses, phases
 from armlab.benches.motion.laws.words import corrections, excess_text, phases_text
 from armlab.kin.motion import free_law_types
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, Rgb, css
-from armlab.ui.examples import examples_markup
+from armlab.ui.examples import examples
+from armlab.ui.form import Form
 from armlab.ui.format import dot, escaped
-from armlab.ui.markup import button, chip, chips, options, select
-from armlab.ui.option_form import option_markup
-from armlab.ui.widgets import Fields
+from armlab.ui.option_form import option_form
 
 LAW_COLOURS: tuple[Rgb, ...] = (BLUE, ORANGE, GREEN)
 STRETCHED: Rgb = PURPLE
 """Of the law that is stretched in time."""
 
-VIEWS = {"view laws": "Laws", "view bounds": "Bounds on a path"}
+VIEWS = {"laws": "Laws", "bounds": "Bounds on a path"}
 
 TIMINGS = {"time": "Duration T", "fast": "As fast as allowed"}
 
@@ -34,55 +48,48 @@ def marked(name: str, colour: Rgb) -> str:
     return f'<span class="law-name">{dot(css(colour))}{escaped(name)}</span>'
 
 
-def form_markup(fields: Fields, part: Laws) -> str:
+def form_markup(form: Form, part: Laws) -> str:
     """Return timing and laws."""
-    laws = "".join(_law(fields, part, i) for i in range(len(part.entries)))
-    add = chip(fields.channel_id, "add", "+ Add a law", "Up to three at once") if len(part.entries) < MOST_LAWS else ""
-    return f"{_timing(fields, part)}<h3>Laws</h3>{laws}{add}"
+    laws = "".join(_law(form, part, i) for i in range(len(part.entries)))
+    add = form.chip("add", "+ Add a law", AddLaw(), "Up to three at once") if len(part.entries) < MOST_LAWS else ""
+    return f"{_timing(form, part)}<h3>Laws</h3>{laws}{add}"
 
 
-def head_markup(fields: Fields, part: Laws) -> str:
+def head_markup(form: Form, part: Laws) -> str:
     """Return the choice of an example, and whether the calculator is shown."""
-    examples = examples_markup(fields.channel_id, EXAMPLES, part.example)
-    shown = "view bounds" if part.bounds_shown else "view laws"
-    views = chips(fields.channel_id, VIEWS, shown, "What to look at")
-    return f'{examples}<div class="bar">{views}</div>'
+    chooser = examples(form, EXAMPLES, part.example, ChooseLawExample)
+    shown = "bounds" if part.bounds_shown else "laws"
+    views = form.chips("view", VIEWS, shown, "What to look at", lambda view: ShowBounds(view == "bounds"))
+    return f'{chooser}<div class="bar">{views}</div>'
 
 
-def _timing(fields: Fields, part: Laws) -> str:
+def _timing(form: Form, part: Laws) -> str:
     timing = part.timing
-    how = chips(
-        fields.channel_id,
-        {f"mode {key}": text for key, text in TIMINGS.items()},
-        f"mode {'fast' if timing.fastest else 'time'}",
-        "Whether the laws take the duration, or go as fast as the limits allow",
-    )
+    hint = "Whether the laws take the duration, or go as fast as the limits allow"
+    mode = "fast" if timing.fastest else "time"
+    how = form.chips("mode", TIMINGS, mode, hint, lambda mode: AsFastAsAllowed(mode == "fast"))
     shown = [field for field in QUANTITIES if not (timing.fastest and field.key == "duration")]
     given = {field.key: getattr(timing, field.key) for field in shown}
     return (
         f'<h3>Timing</h3><div class="bar">{how}</div>'
-        f'<div class="options law-short">{option_markup(fields, "t-", shown, given)}</div>'
+        f'<div class="options law-short">{option_form(form, "t-", shown, given, SetQuantity)}</div>'
     )
 
 
-def _law(fields: Fields, part: Laws, i: int) -> str:
-    entry, channel = part.entries[i], fields.channel_id
+def _law(form: Form, part: Laws, i: int) -> str:
+    entry, last = part.entries[i], len(part.entries) == 1
     kind = free_law_types()[entry.chosen.key]
-    chooser = select(
-        channel,
-        f"law {i}",
-        f"Law {i + 1}",
-        options({key: each.title for key, each in free_law_types().items()}, kind.key),
-    )
-    away = button(channel, f"remove {i}", "✕", "copy", "Take this law away") if len(part.entries) > 1 else ""
+    titles = {key: each.title for key, each in free_law_types().items()}
+    chooser = form.select(f"law {i}", f"Law {i + 1}", titles, kind.key, partial(ChooseLaw, i))
+    away = "" if last else form.button(f"remove {i}", "✕", RemoveLaw(i), "copy", "Take this law away")
     typed = ""
     if kind.key in AS_TYPED:
         hint = "Leave times and accelerations as they are typed, or stretch them to the duration and the distance"
-        held = f"typed {i}" if entry.as_typed else f"fitted {i}"
-        both = {f"typed {i}": "As typed", f"fitted {i}": "Stretched to T and L"}
-        typed = f'<div class="bar">{chips(channel, both, held, hint)}</div>'
-    form = option_markup(fields, f"l{i}-", kind.fields, entry.chosen.options)
-    given = f'<div class="options">{form}</div>' if form else ""
+        typed = form.chip(f"typed {i}", "As typed", LeaveAsTyped(i, True), hint, entry.as_typed)
+        typed += form.chip(f"fitted {i}", "Stretched to T and L", LeaveAsTyped(i, False), hint, not entry.as_typed)
+        typed = f'<div class="bar">{typed}</div>'
+    options = option_form(form, f"l{i}-", kind.fields, entry.chosen.options, partial(SetLawOption, i))
+    given = f'<div class="options">{options}</div>' if options else ""
     head = f'<div class="kit-head">{marked(str(i + 1), LAW_COLOURS[entry.colour])}{chooser}{away}</div>'
     return f'<div class="law">{head}{typed}{given}{_said(part, i)}</div>'
 
@@ -100,20 +107,12 @@ def _said(part: Laws, i: int) -> str:
     )
 
 
-def scaling_markup(fields: Fields, part: Laws) -> str:
+def scaling_markup(form: Form, part: Laws) -> str:
     """Return the head of time scaling: which law, and the optimal k."""
-    channel = fields.channel_id
-    which = "".join(
-        button(
-            channel,
-            f"scale {i}",
-            marked(str(i + 1), LAW_COLOURS[entry.colour]),
-            "chip",
-            f"Stretch law {i + 1}",
-            pressed=i == part.scaled,
-        )
-        for i, entry in enumerate(part.entries)
-    )
-    best = chip(channel, "optimal", "Optimal k", "Slower, or faster, until one limit is met")
-    back = chip(channel, "unscaled", "k = 1", "Leave the law alone", off=part.k == 1.0)
+    which = ""
+    for i, entry in enumerate(part.entries):
+        mark, chosen = marked(str(i + 1), LAW_COLOURS[entry.colour]), i == part.scaled
+        which += form.button(f"scale {i}", mark, StretchLaw(i), "chip", f"Stretch law {i + 1}", pressed=chosen)
+    best = form.chip("optimal", "Optimal k", StretchOptimally(), "Slower, or faster, until one limit is met")
+    back = form.chip("unscaled", "k = 1", Stretch(1.0), "Leave the law alone", off=part.k == 1.0)
     return f'<h3>Uniform time scaling <small>r = k t</small></h3><div class="bar">{which}{best}{back}</div>'

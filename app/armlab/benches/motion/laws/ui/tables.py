@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from armlab.benches.motion.laws.bounds import FIELDS, Bounded, joint_paths
+from armlab.benches.motion.laws.commands import ChooseBoundPath, LowerSpeed, SetBound, SetBoundOption, TakeBounds
 from armlab.benches.motion.laws.state import Laws
 from armlab.benches.motion.laws.ui.form import marked, names
 from armlab.benches.motion.laws.words import (
@@ -22,11 +23,10 @@ from armlab.benches.motion.laws.words import (
 from armlab.kin.motion import Law
 from armlab.kin.motion.breaks import ORDERS
 from armlab.session.amounts import amount
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import chip, options, select
-from armlab.ui.option_form import PLAIN, option_markup
+from armlab.ui.option_form import PLAIN, option_form
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields
 
 Value = Callable[[Law], str]
 
@@ -84,12 +84,11 @@ def stretch_markup(part: Laws) -> str:
     )
 
 
-def bounds_markup(fields: Fields, bounded: Bounded) -> str:
+def bounds_markup(form: Form, bounded: Bounded) -> str:
     """Return the calculator of bounds."""
-    channel, kinds, bounds = fields.channel_id, joint_paths(), bounded.found
-    chooser = select(
-        channel, "path", "Path", options({key: kind.title for key, kind in kinds.items()}, bounded.path.key)
-    )
+    kinds, bounds = joint_paths(), bounded.found
+    titles = {key: kind.title for key, kind in kinds.items()}
+    chooser = form.select("path", "Path", titles, bounded.path.key, ChooseBoundPath)
     given = {
         "knots": bounded.knots,
         "v_max": bounded.v_max,
@@ -98,14 +97,15 @@ def bounds_markup(fields: Fields, bounded: Bounded) -> str:
     }
     scales = PLAIN * bounded.joints
     given_path = bounded.path.options
-    path = option_markup(fields, "p-", kinds[bounded.path.key].fields, given_path, scales)
+    path = option_form(form, "p-", kinds[bounded.path.key].fields, given_path, SetBoundOption, scales)
     kind, said = bounds_text(bounded, bounds)
-    lower = chip(channel, "lower", "Lower V", "Lower V until some acceleration is left", off=not bounded.a_max)
-    take = chip(channel, "take", "Use as V and A below", "Laws from 0 to 1, as fast as these bounds allow")
+    hint = "Lower V until some acceleration is left"
+    lower = form.chip("lower", "Lower V", LowerSpeed(), hint, off=not bounded.a_max)
+    take = form.chip("take", "Use as V and A below", TakeBounds(), "Laws from 0 to 1, as fast as these bounds allow")
     notes = [ENDS, *([NEGATIVE] if bounded.a_max and not bounds.possible else [])]
     return (
         '<h3 class="law-bounds">Bounds of ṡ and s̈ on a path <small>q in rad or m</small></h3>'
-        f'<div class="options">{option_markup(fields, "b-", FIELDS, given, scales)}</div>'
+        f'<div class="options">{option_form(form, "b-", FIELDS, given, SetBound, scales)}</div>'
         f'<div class="kit-head"><span class="dim">Path</span>{chooser}</div>'
         f'<div class="options">{path}</div>{_joints(bounded)}'
         f'<div class="verdict {kind}">{SIGNS[kind]} {escaped(said)}</div>'

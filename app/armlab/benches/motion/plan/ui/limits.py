@@ -2,103 +2,98 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitJoint, LimitTool, UseShare
-from armlab.benches.motion.plan.moves import checked_joint
 from armlab.benches.motion.plan.state import Plan, last_planned
 from armlab.benches.motion.plan.words import rounded_up
 from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, State
+from armlab.session.state import State
+from armlab.ui.form import Form, Typed
 from armlab.ui.format import readable
-from armlab.ui.markup import chips
 from armlab.ui.tried import plain_number
-from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields
+from armlab.ui.units import Units, units_of
 
 
-def time_markup(fields: Fields, state: State) -> str:
+def time_markup(form: Form, state: State) -> str:
     """Return the choice of the time, and the limits of the whole motion."""
-    part, units, channel = state[Plan], units_of(state), fields.channel_id
-    plan = last_planned(state)
-    how = "time-given" if part.duration is not None else "time-fastest"
-    given = ""
-    if part.duration is not None:
-        given = (
-            f'<label class="option">{fields.field("duration", readable(part.duration, 3), "Duration")}<i>s</i></label>'
-        )
-        if plan is not None and plan.motion is not None:
-            k = part.duration / plan.fastest
-            given += f'<span class="dim">{k:.2f} times the fastest, {plan.fastest:.2f} s</span>'
-    choice = chips(
-        channel, {"time-fastest": "As fast as allowed", "time-given": "In a given time"}, how, "Of the whole"
-    )
+    part, units = state[Plan], units_of(state)
     v, a = part.shares
     speed = "" if part.tool_speed is None else readable(part.tool_speed / units.factor(False), 4)
     jerk = "" if part.jerk_time is None else readable(part.jerk_time, 4)
+
+    def velocities(text: str) -> UseShare:
+        return UseShare(velocity=_number(text, "share of the velocities") / 100.0)
+
+    def accelerations(text: str) -> UseShare:
+        return UseShare(acceleration=_number(text, "share of the accelerations") / 100.0)
+
+    def tool(text: str) -> LimitTool:
+        return LimitTool(units.read(text, False, "tool speed") if text.strip() else None)
+
+    def build_up(text: str) -> LimitJerk:
+        return LimitJerk(_number(text, "jerk time") if text.strip() else None)
+
+    of_v, of_a = readable(100.0 * v, 2), readable(100.0 * a, 2)
+    speeds, built = f"{units.length_unit}/s", "Time to build up the full acceleration, j = a / t; empty: any jerk"
     return (
-        f'<h3>Time</h3><div class="bar">{choice}</div><div class="options">{given}</div>'
-        '<h3>Limits</h3><div class="options">'
-        + _field(fields, "v", "velocities", readable(100.0 * v, 2), "%", "Share of the limits of velocity that is used")
-        + _field(fields, "a", "accelerations", readable(100.0 * a, 2), "%", "Share of the limits of acceleration")
-        + _field(
-            fields, "speed", "tool speed", speed, f"{units.length_unit}/s", "Largest speed of the tool; empty: any"
-        )
-        + _field(
-            fields, "jerk", "jerk time", jerk, "s", "Time to build up the full acceleration, j = a / t; empty: any jerk"
-        )
-        + f"</div>{_joints(fields, state)}"
+        f'<h3>Time</h3>{_duration(form, state)}<h3>Limits</h3><div class="options">'
+        + _field(form, "v", "velocities", of_v, "%", "Share of the limits of velocity that is used", velocities)
+        + _field(form, "a", "accelerations", of_a, "%", "Share of the limits of acceleration", accelerations)
+        + _field(form, "speed", "tool speed", speed, speeds, "Largest speed of the tool; empty: any", tool)
+        + _field(form, "jerk", "jerk time", jerk, "s", built, build_up)
+        + f"</div>{_joints(form, state)}"
     )
 
 
-def _field(fields: Fields, cell: str, name: str, value: str, unit: str, hint: str) -> str:
-    typed = fields.field(cell, value, hint)
+def _duration(form: Form, state: State) -> str:
+    """Return whether the motion is as fast as allowed or takes a given time, and that time."""
+    part, plan = state[Plan], last_planned(state)
+    now = 1.0 if plan is None or plan.motion is None else plan.duration
+    as_given = LastFor(part.duration or max(rounded_up(now), 0.01))
+    fastest = part.duration is None
+    choice = form.chip("time-fastest", "As fast as allowed", LastFor(None), "Of the whole", fastest)
+    choice += form.chip("time-given", "In a given time", as_given, "Of the whole", not fastest)
+    given = ""
+    if part.duration is not None:
+        shown = readable(part.duration, 3)
+        typed = form.field("duration", shown, "Duration", lambda text: LastFor(_number(text, "duration")))
+        given = f'<label class="option">{typed}<i>s</i></label>'
+        if plan is not None and plan.motion is not None:
+            k = part.duration / plan.fastest
+            given += f'<span class="dim">{k:.2f} times the fastest, {plan.fastest:.2f} s</span>'
+    return f'<div class="bar">{choice}</div><div class="options">{given}</div>'
+
+
+def _field(form: Form, cell: str, name: str, value: str, unit: str, hint: str, action: Typed) -> str:
+    typed = form.field(cell, value, hint, action)
     return f'<label class="option" title="{hint}"><span>{name}</span>{typed}<i>{unit}</i></label>'
 
 
-def _joints(fields: Fields, state: State) -> str:
+def _joints(form: Form, state: State) -> str:
     """Return the limits of each joint, folded away."""
     part, arm, units = state[Plan], state[Joints].arm, units_of(state)
     rows = []
     for i in range(arm.n):
-        revolute = bool(arm.revolute[i])
-        factor, unit = units.factor(revolute), units.unit(revolute)
-        v = fields.field(f"vmax {i}", readable(part.velocity[i] / factor, 3), f"Limit of velocity of joint {i + 1}")
-        a = fields.field(
-            f"amax {i}", readable(part.acceleration[i] / factor, 3), f"Limit of acceleration of joint {i + 1}"
-        )
-        rows.append(f"<tr><td>{units.variable(i, revolute)}</td><td>{v} {unit}/s</td><td>{a} {unit}/s²</td></tr>")
+        turns = bool(arm.revolute[i])
+        unit = units.unit(turns)
+        v = _limit(form, f"vmax {i}", i, "velocity", part.velocity[i], turns, units)
+        a = _limit(form, f"amax {i}", i, "acceleration", part.acceleration[i], turns, units)
+        rows.append(f"<tr><td>{units.variable(i, turns)}</td><td>{v} {unit}/s</td><td>{a} {unit}/s²</td></tr>")
     return (
         '<details class="mo-joints"><summary>Limits of each joint</summary><table><tr><th></th><th>velocity</th>'
         f"<th>acceleration</th></tr>{''.join(rows)}</table></details>"
     )
 
 
-def limit_command(state: State, cell: str, text: str) -> tuple[Command, ...] | None:
-    """Return what a person asked for; None when no cell here has this name. `InputError`: not a number."""
-    part, units = state[Plan], units_of(state)
-    plan = last_planned(state)
-    now = 1.0 if plan is None or plan.motion is None else plan.duration
-    if cell == "time-fastest":
-        return (LastFor(None),)
-    if cell == "time-given":
-        return (LastFor(part.duration or max(rounded_up(now), 0.01)),)
-    if cell == "duration":
-        return (LastFor(_number(text, "duration")),)
-    if cell == "v":
-        return (UseShare(velocity=_number(text, "share of the velocities") / 100.0),)
-    if cell == "a":
-        return (UseShare(acceleration=_number(text, "share of the accelerations") / 100.0),)
-    if cell == "speed":
-        return (LimitTool(units.read(text, False, "tool speed") if text.strip() else None),)
-    if cell == "jerk":
-        return (LimitJerk(_number(text, "jerk time") if text.strip() else None),)
-    of, _, joint = cell.partition(" ")
-    if of in ("vmax", "amax") and joint.isdecimal():
-        i = checked_joint(state[Joints].arm, int(joint))
-        revolute = bool(state[Joints].arm.revolute[i])
-        value = units.read(text, revolute, f"limit of joint {i + 1}")
-        return (LimitJoint(i, "velocity" if of == "vmax" else "acceleration", value),)
-    return None
+def _limit(
+    form: Form, cell: str, i: int, of: Literal["velocity", "acceleration"], value: float, turns: bool, units: Units
+) -> str:
+    def typed(text: str) -> LimitJoint:
+        return LimitJoint(i, of, units.read(text, turns, f"limit of joint {i + 1}"))
+
+    return form.field(cell, readable(value / units.factor(turns), 3), f"Limit of {of} of joint {i + 1}", typed)
 
 
 def _number(text: str, name: str) -> float:

@@ -2,71 +2,82 @@
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Literal
+
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.moves import TURNINGS, Move, Stretch
 from armlab.benches.motion.plan.state import Plan, planned
+from armlab.kin.field import Field
 from armlab.kin.motion import law_types, path_types
-from armlab.kin.motion.field import Field
+from armlab.session.chosen import Chosen
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, State
-from armlab.ui.markup import chip, chips, options, select
-from armlab.ui.option_form import Scale, option_markup, option_value
+from armlab.session.state import State
+from armlab.ui.form import Form, Typed
+from armlab.ui.option_form import Scale, option_form
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields
+
+SPACES = {"joint": "Joint", "cartesian": "Cartesian"}
 
 
-def move_markup(fields: Fields, state: State) -> str:
+def move_markup(form: Form, state: State) -> str:
     """Return the choices of the move to the selected waypoint; of the first one, a sentence."""
-    part, channel = state[Plan], fields.channel_id
+    part = state[Plan]
     if part.recorded is not None:
         return ""
     if not part.selected or part.stretch is None:
         return (
             '<p class="dim">The motion begins at waypoint 1. Select a later one to choose how the arm comes to it.</p>'
         )
-    stretch = part.stretch
+    stretch, k = part.stretch, part.selected
     move = stretch.move
-    like = chip(channel, "all-like", "All like this", "Make all moves of this kind", off=len(part.moves) == 1)
+    hint = "Make all moves of this kind"
+    like = form.chip("all-like", "All like this", AllMovesLike(k), hint, off=len(part.moves) == 1)
     head = f'<h3>Move {stretch.title}<span class="copies">{like}</span></h3>'
-    spaces = chips(
-        channel, {"space-joint": "Joint", "space-cartesian": "Cartesian"}, f"space-{move.space}", "What runs"
+    spaces = "".join(
+        form.chip(f"space-{key}", text, SetMove(k, space=key), "What runs", key == move.space)
+        for key, text in SPACES.items()
     )
     paths = {key: kind.title for key, kind in path_types().items() if move.space in kind.spaces}
     laws = {key: kind.title for key, kind in law_types().items()}
     return (
-        f'{head}<div class="bar">{spaces}{_stop(part, stretch, channel)}</div>'
-        + _choice(channel, "path", "Path", paths, move.path.key)
-        + _form(fields, "path ", move.kind.fields, move.path.options, state)
-        + _together(channel, move)
-        + _turning(state, channel, move)
-        + _choice(channel, "law", "Law", laws, move.law.key)
-        + _form(fields, "law ", law_types()[move.law.key].fields, move.law.options, state)
+        f'{head}<div class="bar">{spaces}{_stop(form, part, stretch)}</div>'
+        + _choice(form, "path", "Path", paths, move.path.key, lambda path: SetMove(k, path=path))
+        + _form(form, k, "path", move.kind.fields, move.path, state)
+        + _together(form, k, move)
+        + _turning(form, k, move, state)
+        + _choice(form, "law", "Law", laws, move.law.key, lambda law: SetMove(k, law=law))
+        + _form(form, k, "law", law_types()[move.law.key].fields, move.law, state)
         + _bounds(state, stretch)
     )
 
 
-def _choice(channel: str, cell: str, title: str, texts: dict[str, str], chosen: str) -> str:
-    return f'<div class="option wide"><span>{title}</span>{select(channel, cell, title, options(texts, chosen))}</div>'
+def _choice(form: Form, cell: str, title: str, texts: dict[str, str], chosen: str, action: Typed) -> str:
+    return f'<div class="option wide"><span>{title}</span>{form.select(cell, title, texts, chosen, action)}</div>'
 
 
-def _form(fields: Fields, prefix: str, kinds: tuple[Field, ...], given: dict[str, object], state: State) -> str:
-    form = option_markup(fields, prefix, kinds, given, scales(state))
-    return f'<div class="options">{form}</div>' if form else ""
+def _form(
+    form: Form, k: int, of: Literal["path", "law"], kinds: tuple[Field, ...], chosen: Chosen, state: State
+) -> str:
+    found = option_form(form, f"{of} ", kinds, chosen.options, partial(SetMoveOption, k, of), scales(state))
+    return f'<div class="options">{found}</div>' if found else ""
 
 
-def _turning(state: State, channel: str, move: Move) -> str:
+def _turning(form: Form, k: int, move: Move, state: State) -> str:
     if move.space == "joint" or state[Joints].arm.task.rotation == "none":
         return ""
-    return _choice(channel, "turning", "Tool turns", {str(key): text for key, text in TURNINGS.items()}, move.turning)
+    texts = {str(key): text for key, text in TURNINGS.items()}
+    return _choice(form, "turning", "Tool turns", texts, move.turning, lambda turning: SetMove(k, turning=turning))
 
 
-def _together(channel: str, move: Move) -> str:
+def _together(form: Form, k: int, move: Move) -> str:
     """Return whether the joints of a straight joint move go together."""
     if move.space != "joint" or move.path.key != "line":
         return ""
-    both = {"together": "Joints together", "apart": "Each by itself"}
     hint = "All joints start and end together, or each is as fast as it can and those there first wait"
-    return f'<div class="bar">{chips(channel, both, "apart" if move.apart else "together", hint)}</div>'
+    both = form.chip("together", "Joints together", SetMove(k, apart=False), hint, not move.apart)
+    both += form.chip("apart", "Each by itself", SetMove(k, apart=True), hint, move.apart)
+    return f'<div class="bar">{both}</div>'
 
 
 def _bounds(state: State, stretch: Stretch) -> str:
@@ -82,7 +93,7 @@ def _bounds(state: State, stretch: Stretch) -> str:
     return f'<p class="dim" title="{hint}">{speed}, {growth}</p>'
 
 
-def _stop(part: Plan, stretch: Stretch, channel: str) -> str:
+def _stop(form: Form, part: Plan, stretch: Stretch) -> str:
     """Return whether the arm stops at the selected waypoint, where the path could go through."""
     k = part.selected
     if k >= len(part.waypoints) - 1:
@@ -91,7 +102,8 @@ def _stop(part: Plan, stretch: Stretch, channel: str) -> str:
     through = move.kind.most is None and move.through() == after.through()
     if not through:
         return ""
-    return chip(channel, "stop", f"Stop at {k + 1}", "Rest here, although the path could go through", pressed=move.stop)
+    hint = "Rest here, although the path could go through"
+    return form.chip("stop", f"Stop at {k + 1}", SetMove(k, stop=not move.stop), hint, move.stop)
 
 
 def scales(state: State) -> tuple[Scale, ...]:
@@ -101,36 +113,3 @@ def scales(state: State) -> tuple[Scale, ...]:
     if stretch is not None and stretch.move.space == "cartesian":
         return (Scale(units.length_unit, units.factor(False)),)
     return tuple(Scale(units.unit(bool(turns)), units.factor(bool(turns))) for turns in arm.revolute)
-
-
-def move_command(state: State, cell: str, text: str) -> tuple[Command, ...] | None:
-    """Return what a person asked for; None when no cell of the move has this name. `InputError`: not a number."""
-    part = state[Plan]
-    k = part.selected
-    stretch = part.stretch
-    if stretch is None:
-        return None
-    move = stretch.move
-    simple: dict[str, Command] = {
-        "all-like": AllMovesLike(k),
-        "space-joint": SetMove(k, space="joint"),
-        "space-cartesian": SetMove(k, space="cartesian"),
-        "path": SetMove(k, path=text),
-        "law": SetMove(k, law=text),
-        "turning": SetMove(k, turning=text),
-        "stop": SetMove(k, stop=not part.moves[k - 1].stop),
-        "together": SetMove(k, apart=False),
-        "apart": SetMove(k, apart=True),
-    }
-    if cell in simple:
-        return (simple[cell],)
-    of, _, name = cell.partition(" ")
-    if of not in ("path", "law"):
-        return None
-    kinds = move.kind.fields if of == "path" else law_types()[move.law.key].fields
-    field = next((each for each in kinds if each.key == name), None)
-    if field is None:
-        return None
-    given = move.path.options if of == "path" else move.law.options
-    value = option_value(field.seen(given), text, given.get(name), scales(state))
-    return (SetMoveOption(k, "path", name, value) if of == "path" else SetMoveOption(k, "law", name, value),)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from armlab.benches.motion.files.commands import BackToWaypoints, MakeWaypoints
-from armlab.benches.motion.plan.moves import Stretch, checked_joint
+from armlab.benches.motion.plan.moves import Stretch
 from armlab.benches.motion.plan.paths import shortfall
 from armlab.benches.motion.plan.points import (
     AddWaypoint,
@@ -19,12 +21,11 @@ from armlab.benches.motion.plan.question import Recorded
 from armlab.benches.motion.plan.state import Plan
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import HandleBy, Target
-from armlab.session.state import Command, State
+from armlab.session.state import State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button, chip
-from armlab.ui.pose_fields import pose_fields, typed_component
+from armlab.ui.pose_fields import pose_form
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 MADE = 12
 """Waypoints that are made of a motion from a file here; the page Files has the choice."""
@@ -32,47 +33,42 @@ MADE = 12
 SPACES = {"joint": "joint", "cartesian": "Cartesian"}
 
 
-def points_markup(fields: Fields, state: State) -> str:
+def points_markup(form: Form, state: State) -> str:
     """Return the list, and below it the values of the selected waypoint."""
-    part, channel = state[Plan], fields.channel_id
+    part = state[Plan]
     if part.recorded is not None:
-        return _recorded_markup(part.recorded, len(part.waypoints), channel)
-    add = button(channel, "add", "+ Present pose", "chip", "Add where the arm stands, behind the selected waypoint")
+        return _recorded_markup(form, part.recorded, len(part.waypoints))
+    hint = "Add where the arm stands, behind the selected waypoint"
+    add = form.button("add", "+ Present pose", AddWaypoint(), "chip", hint)
     head = f'<h3>Waypoints<span class="copies">{add}</span></h3>'
     parts = part.parts
-    rows = "".join(_row(state, fields, parts, k) for k in range(len(part.waypoints)))
-    return f'{head}<div class="mo-list">{rows}</div>{_selected(fields, state)}'
+    rows = "".join(_row(form, state, parts, k) for k in range(len(part.waypoints)))
+    return f'{head}<div class="mo-list">{rows}</div>{_selected(form, state)}'
 
 
-def _recorded_markup(recorded: Recorded, waypoints: int, channel: str) -> str:
+def _recorded_markup(form: Form, recorded: Recorded, waypoints: int) -> str:
     """Return what stands there while a motion from a file is in place of the waypoints."""
     kept = f"The {waypoints} waypoints wait behind it." if waypoints > 1 else ""
-    back = chip(channel, "back", "Back to the waypoints", "Take the motion from the file off")
-    make = chip(channel, "make", "Make waypoints of it", f"Up to {MADE} places of its way, to edit")
+    back = form.chip("back", "Back to the waypoints", BackToWaypoints(), "Take the motion from the file off")
+    make = form.chip("make", "Make waypoints of it", MakeWaypoints(MADE), f"Up to {MADE} places of its way, to edit")
     return (
         f"<h3>Motion from a file</h3><p>{len(recorded.t)} samples in {recorded.t[-1] - recorded.t[0]:.2f} s. {kept}</p>"
         f'<div class="bar">{back}{make}</div>'
     )
 
 
-def _row(state: State, fields: Fields, parts: tuple[Stretch, ...], k: int) -> str:
-    part, channel, units = state[Plan], fields.channel_id, units_of(state)
-    last = k == len(part.waypoints) - 1
+def _row(form: Form, state: State, parts: tuple[Stretch, ...], k: int) -> str:
+    part, units = state[Plan], units_of(state)
+    last, selected = k == len(part.waypoints) - 1, k == part.selected
     name = f"waypoint {k + 1}"
     tools = (
-        chip(channel, f"up-{k}", "↑", f"Exchange {name} with the one before", off=k == 0)
-        + chip(channel, f"down-{k}", "↓", f"Exchange {name} with the next", off=last)
-        + chip(channel, f"remove-{k}", "✕", f"Remove {name}", off=len(part.waypoints) == 1)
+        form.chip(f"up-{k}", "↑", ShiftWaypoint(k, -1), f"Exchange {name} with the one before", off=k == 0)
+        + form.chip(f"down-{k}", "↓", ShiftWaypoint(k, 1), f"Exchange {name} with the next", off=last)
+        + form.chip(f"remove-{k}", "✕", RemoveWaypoint(k), f"Remove {name}", off=len(part.waypoints) == 1)
     )
-    select = button(
-        channel,
-        f"select-{k}",
-        str(k + 1),
-        "mo-number",
-        f"Show {name}, and drag it in the scene",
-        pressed=k == part.selected,
-    )
-    now = " now" if k == part.selected else ""
+    hint = f"Show {name}, and drag it in the scene"
+    select = form.button(f"select-{k}", str(k + 1), SelectWaypoint(k), "mo-number", hint, pressed=selected)
+    now = " now" if selected else ""
     bad = (
         '<b class="no" title="The arm does not reach it">✕</b>'
         if shortfall(state[Joints].arm, part.waypoints[k])
@@ -98,35 +94,42 @@ def _move_line(part: Plan, parts: tuple[Stretch, ...], k: int) -> str:
     return f'<div class="mo-move">↓ {goes_on}{SPACES[move.space]}: {title}{stop}</div>'
 
 
-def _selected(fields: Fields, state: State) -> str:
-    part, arm, units, channel = state[Plan], state[Joints].arm, units_of(state), fields.channel_id
+def _selected(form: Form, state: State) -> str:
+    part, arm, units = state[Plan], state[Joints].arm, units_of(state)
     k = part.selected
     point = part.waypoints[k]
-    cells = []
-    for i, value in enumerate(point.q):
-        revolute = bool(arm.revolute[i])
-        name = units.variable(i, revolute)
-        cell = fields.field(f"q {i}", units.text(value, revolute), f"{name} of waypoint {k + 1}")
-        cells.append(f"<label><span>{name}</span>{cell}<i>{units.unit(revolute)}</i></label>")
+    cells = "".join(_joint(form, k, i, value, bool(arm.revolute[i]), units) for i, value in enumerate(point.q))
+    handle, hint = SelectWaypoint(k, not part.handled), "A handle at this waypoint instead of at the arm"
     take = (
-        button(channel, "go", "Go there", "chip", "Move the arm to this waypoint")
-        + button(channel, "take", "Take present", "chip", "Put this waypoint where the arm stands")
-        + chip(channel, "drag", "Drag it", "A handle at this waypoint instead of at the arm", pressed=part.handled)
+        form.button("go", "Go there", GoToWaypoint(k), "chip", "Move the arm to this waypoint")
+        + form.button("take", "Take present", TakePresent(k), "chip", "Put this waypoint where the arm stands")
+        + form.chip("drag", "Drag it", handle, hint, part.handled)
     )
-    turn = _turning(state, channel) if part.handled else ""
-    joints = f'<div class="kit-numbers">{"".join(cells)}</div>'
-    pose = pose_fields(fields, arm, point.wanted(arm), units, "pose ")
+    turn = _turning(form, state) if part.handled else ""
+    joints = f'<div class="kit-numbers">{cells}</div>'
+    pose = pose_form(form, arm, point.wanted(arm), units, partial(SetWaypointPose, k), "pose ")
     short = _shortfall(state)
     return f'<h3>Waypoint {k + 1}<span class="copies">{take}</span></h3>{turn}{joints}{pose}{short}'
 
 
-def _turning(state: State, channel: str) -> str:
+def _joint(form: Form, k: int, i: int, value: float, revolute: bool, units: Units) -> str:
+    """Return the field of one joint of a waypoint."""
+
+    def typed(text: str) -> SetWaypointJoint:
+        return SetWaypointJoint(k, i, units.read(text, revolute, f"joint {i + 1} of waypoint {k + 1}"))
+
+    name = units.variable(i, revolute)
+    cell = form.field(f"q {i}", units.text(value, revolute), f"{name} of waypoint {k + 1}", typed)
+    return f"<label><span>{name}</span>{cell}<i>{units.unit(revolute)}</i></label>"
+
+
+def _turning(form: Form, state: State) -> str:
     """Return the choice of what the handle does, where an arm controls both."""
     task, target = state[Joints].arm.task, state[Target]
     if task.rotation == "none" or not task.position:
         return ""
-    both = {"move": "Move", "turn": "Turn"}
-    chips = "".join(chip(channel, f"handle-{key}", text, pressed=target.handle == key) for key, text in both.items())
+    chips = form.chip("handle-move", "Move", HandleBy(handle="move"), pressed=target.handle == "move")
+    chips += form.chip("handle-turn", "Turn", HandleBy(handle="turn"), pressed=target.handle == "turn")
     return f'<div class="bar"><span class="dim">Handle</span>{chips}</div>'
 
 
@@ -134,46 +137,3 @@ def _shortfall(state: State) -> str:
     """Return how far a dragged waypoint is from what the arm reaches."""
     short = shortfall(state[Joints].arm, state[Plan].waypoints[state[Plan].selected])
     return f'<p class="no">✕ {short}</p>' if short else ""
-
-
-def point_command(state: State, cell: str, text: str) -> tuple[Command, ...] | None:
-    """Return what a person asked for in the list; None when no cell of it has this name.
-
-    Raises
-    ------
-    InputError
-        What was typed is no number.
-    """
-    part, units = state[Plan], units_of(state)
-    k = part.selected
-    if part.recorded is not None:
-        of_file: dict[str, Command] = {"back": BackToWaypoints(), "make": MakeWaypoints(MADE)}
-        return (of_file[cell],) if cell in of_file else None
-    simple: dict[str, Command] = {
-        "add": AddWaypoint(),
-        "go": GoToWaypoint(k),
-        "take": TakePresent(k),
-        "drag": SelectWaypoint(k, not part.handled),
-        "handle-move": HandleBy(handle="move"),
-        "handle-turn": HandleBy(handle="turn"),
-    }
-    if cell in simple:
-        return (simple[cell],)
-    name, _, rest = cell.replace(" ", "-", 1).partition("-")
-    if name in ("up", "down", "remove", "select") and rest.isdecimal():
-        i = int(rest)
-        made: dict[str, Command] = {
-            "up": ShiftWaypoint(i, -1),
-            "down": ShiftWaypoint(i, 1),
-            "remove": RemoveWaypoint(i),
-            "select": SelectWaypoint(i),
-        }
-        return (made[name],)
-    if name == "q" and rest.isdecimal():
-        i = checked_joint(state[Joints].arm, int(rest))
-        value = units.read(text, bool(state[Joints].arm.revolute[i]), f"joint {i + 1} of waypoint {k + 1}")
-        return (SetWaypointJoint(k, i, value),)
-    if name == "pose":
-        arm = state[Joints].arm
-        return (SetWaypointPose(k, typed_component(arm, part.waypoints[k].wanted(arm), rest, text, units)),)
-    return None

@@ -18,9 +18,9 @@ from armlab.benches.motion.plots.ui.lines import DOTS, Slot, from_zero, lines_of
 from armlab.benches.motion.plots.ui.words import OTHERS, comparison, legend, peaks_table, status
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
-from armlab.session.state import State
-from armlab.ui import markup
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.session.state import Post, State
+from armlab.ui.markup import row
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
@@ -34,8 +34,6 @@ CHIPS: dict[Quantity, tuple[str, str]] = {
     "curvature": ("curvature", "Curvature of the way of the tool point"),
     "load": ("load", "Velocities and accelerations as shares of their limits"),
 }
-
-COMPARE = "compare"
 
 
 class _Answer:
@@ -60,8 +58,7 @@ class _Page:
     """The controls of the page."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._state, self._post = state, post
-        self._choice = gui.fields(self._pressed)
+        self._choice = gui.form(post)
         self._status, self._beside, self._legend = gui.html(), gui.html(), gui.html()
         units = units_of(state)
         self._slots = slots(state[Joints].arm, units)
@@ -70,35 +67,32 @@ class _Page:
         self._answer = _Answer()
         self._drawn: object = None
 
-    def _pressed(self, cell: str, _: str) -> None:
-        if cell == COMPARE:
-            self._post(CompareMoves(not self._state[Plan].compared))
-        elif cell in CHIPS:
-            self._post(ShowMotionPlot(cell, cell not in self._state[MotionPlots].shown))
-
     def show(self, state: State) -> None:
         """Show a state; curves are sent when they are others."""
-        self._state = state
         plan = last_planned(state)
         other = None if plan is None else compared(state, plan)
         new = self._answer.of(plan, other)
         drawn = (state[MotionPlots], state[Plan].compared, can_compare(state))
-        if new or drawn != self._drawn:
-            self._drawn = drawn
+        changed, self._drawn = new or drawn != self._drawn, drawn
+        if changed or self._choice.stale:
             self._choose(state)
+        if changed:
             self._tell(state)
             self._draw(state)
         self._place_cursors(state)
 
     def _choose(self, state: State) -> None:
-        channel, shown, part = self._choice.channel_id, state[MotionPlots].shown, state[Plan]
-        chips = "".join(markup.chip(channel, key, text, hint, key in shown) for key, (text, hint) in CHIPS.items())
-        plan = self._answer.plan
+        form, shown, plan = self._choice, state[MotionPlots].shown, self._answer.plan
+        chips = "".join(
+            form.chip(key, text, ShowMotionPlot(key, key not in shown), hint, key in shown)
+            for key, (text, hint) in CHIPS.items()
+        )
         name = OTHERS["mixed" if plan is None else kind_of(plan.question)]
         can = can_compare(state)
         hint = "Plan the same waypoints this way, too" if can else "A motion read from a file has no moves"
-        compare = markup.chip(channel, COMPARE, name, hint, part.compared and can, off=not can)
-        self._choice.show(markup.row("Show", chips) + markup.row("Compare", compare))
+        on = state[Plan].compared
+        compare = form.chip("compare", name, CompareMoves(not on), hint, on and can, off=not can)
+        form.show(row("Show", chips) + row("Compare", compare))
 
     def _tell(self, state: State) -> None:
         plan, other, units = self._answer.plan, self._answer.other, units_of(state)

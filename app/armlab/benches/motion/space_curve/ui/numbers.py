@@ -4,17 +4,28 @@ from __future__ import annotations
 
 import numpy as np
 
+from armlab.benches.motion.space_curve.commands import GoTo
 from armlab.benches.motion.space_curve.laid import Laid, Moment
 from armlab.benches.motion.space_curve.state import SpaceCurve, curve_of, moment_of
-from armlab.benches.motion.space_curve.ui.words import Row, corrected, length, lengths, per_metre, plain, said, vectors
+from armlab.benches.motion.space_curve.ui.words import (
+    Row,
+    corrected,
+    length,
+    lengths,
+    per_metre,
+    plain,
+    read,
+    said,
+    vectors,
+)
 from armlab.kin.paths.circle import Arc
 from armlab.kin.paths.clothoid import Clothoid
 from armlab.kin.paths.helix import Helix
 from armlab.kin.paths.overfly import Overfly
 from armlab.session.state import State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, mathml, number, pairs
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 KAPPA = r"\kappa=\frac{|p′\times p″|}{|p′|^3}"
 TAU = r"\tau=\frac{p′\cdot(p″\times p‴)}{|p′\times p″|^2}"
@@ -30,7 +41,7 @@ ACROSS = 1e-6
 """Part of p''s-dot² along the way, relative, below which it is across."""
 
 
-def at_present(fields: Fields, state: State) -> str:
+def at_present(form: Form, state: State) -> str:
     """Return the numbers where the film stands."""
     found, now, units = state.derived(curve_of), state.derived(moment_of), units_of(state)
     frame, by_length = now.frame, found.by_length
@@ -42,16 +53,18 @@ def at_present(fields: Fields, state: State) -> str:
     for name, vector in (("t", frame.tangent), ("n", frame.normal), ("b", frame.binormal)):
         there = bool(vector.any())
         rows.append((name, "", plain(vector) if there else ("–",) * 4))
-    return f"{_place(fields, now, found, units)}{vectors(rows)}{_remark(now)}{_scalars(now, found, units)}"
+    return f"{_place(form, now, found, units)}{vectors(rows)}{_remark(now)}{_scalars(now, found, units)}"
 
 
-def _place(fields: Fields, now: Moment, found: Laid, units: Units) -> str:
+def _place(form: Form, now: Moment, found: Laid, units: Units) -> str:
     """Return the heading with the field of s."""
     if found.by_length:
-        cell = fields.field("sigma", units.text(now.sigma, False), "Distance gone")
-        place = f"<label>At σ = {cell} <small>of {units.length(found.arc.length)}</small></label>"
+        whole = found.arc.length
+        gone = units.text(now.sigma, False)
+        cell = form.field("sigma", gone, "Distance gone", lambda text: GoTo(units.read(text, False, "σ") / whole))
+        place = f"<label>At σ = {cell} <small>of {units.length(whole)}</small></label>"
     else:
-        cell = fields.field("s", number(now.s, 3), "Parameter s, from 0 to 1")
+        cell = form.field("s", number(now.s, 3), "Parameter s, from 0 to 1", lambda text: GoTo(read(text, "s")))
         place = f"<label>At s = {cell}</label>"
     return f'<h3 class="sc-at">{place}<small class="sc-t">t = {number(now.t, 2)} s</small></h3>'
 

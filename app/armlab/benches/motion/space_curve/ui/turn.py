@@ -6,15 +6,15 @@ import math
 
 import numpy as np
 
+from armlab.benches.motion.space_curve.commands import End, GoLongWay, SetAngle, TakeOrientation, WriteIn
 from armlab.benches.motion.space_curve.state import SpaceCurve, turn_of, turn_place
 from armlab.benches.motion.space_curve.ui.words import corrected
 from armlab.kin.euler import NAMES, SEQUENCES, angle_symbols
 from armlab.session.state import State
 from armlab.ui.colours import AXES, css
+from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, escaped, mathml, number, pairs
-from armlab.ui.markup import button, chip, chips, options, select
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 LETTERS = {r"\varphi": "φ", r"\theta": "θ", r"\psi": "ψ"}
 
@@ -23,23 +23,27 @@ THREE = r"\varphi(s)=\varphi_A+s\,(\varphi_B-\varphi_A),\ldots"
 
 CORRECTED = "Notes 6.152 write R(r, θ), 3.53 R(θ, r): the same matrix. “Starts from θ(t) = 0” means θ(0) = 0."
 
+ABOUT = {"moving": "axes move", "fixed": "axes stay"}
+
+ENDS: tuple[End, ...] = ("A", "B")
+
+SOURCES = {"tool": "the tool as it is", "handle": "the handle of the target"}
+"""Where an orientation can be taken from."""
+
 STILL = 1e-9
 """Radians below which there is no turn."""
 
 
-def turn_form(fields: Fields, state: State) -> str:
+def turn_form(form: Form, state: State) -> str:
     """Return the sequence, the angles of both orientations, and where else they may come from."""
-    part, channel, units = state[SpaceCurve], fields.channel_id, units_of(state)
-    sequence = select(channel, "axes", "Sequence", options({axes: axes.upper() for axes in SEQUENCES}, part.axes))
-    about = chips(
-        channel,
-        {"about moving": "axes move", "about fixed": "axes stay"},
-        f"about {'fixed' if part.fixed else 'moving'}",
-        "Whether the axes are turned along by the turns before",
-    )
+    part, units = state[SpaceCurve], units_of(state)
+    titles = {axes: axes.upper() for axes in SEQUENCES}
+    sequence = form.select("axes", "Sequence", titles, part.axes, lambda axes: WriteIn(axes=axes))
+    hint, chosen = "Whether the axes are turned along by the turns before", "fixed" if part.fixed else "moving"
+    about = form.chips("about", ABOUT, chosen, hint, lambda key: WriteIn(fixed=key == "fixed"))
     name = NAMES.get((part.axes, part.fixed), "")
     kind = f'<p class="dim">{escaped(capitalised(name))}.</p>' if name else ""
-    ends = "".join(_end(fields, part, end, units) for end in ("A", "B"))
+    ends = "".join(_end(form, part, end, units) for end in ENDS)
     return (
         f'<h3>From A to B</h3><div class="kit-head">{sequence}{about}</div>{kind}'
         f'<table class="kit-points sc-angles">{_heads(part, units)}{ends}</table>'
@@ -55,23 +59,24 @@ def _heads(part: SpaceCurve, units: Units) -> str:
     return f"<tr><th></th>{heads}<th></th></tr>"
 
 
-def _end(fields: Fields, part: SpaceCurve, end: str, units: Units) -> str:
+def _end(form: Form, part: SpaceCurve, end: End, units: Units) -> str:
     angles = part.start if end == "A" else part.end
-    cells = "".join(
-        f"<td>{fields.field(f'a {end} {k}', units.entry(angle, True), f'Angle {k + 1} of {end}')}</td>"
-        for k, angle in enumerate(angles)
-    )
+    cells = "".join(f"<td>{_angle(form, end, k, angle, units)}</td>" for k, angle in enumerate(angles))
     take = "".join(
-        button(fields.channel_id, f"take {end} {source}", text, "copy", hint)
-        for source, text, hint in (
-            ("tool", "tool", f"Take {end} from the tool as it is"),
-            ("handle", "handle", f"Take {end} from the handle of the target"),
-        )
+        form.button(f"take {end} {source}", source, TakeOrientation(end, source), "copy", f"Take {end} from {words}")
+        for source, words in SOURCES.items()
     )
     return f"<tr><th>{end}</th>{cells}<td>{take}</td></tr>"
 
 
-def turn_numbers(fields: Fields, state: State) -> str:
+def _angle(form: Form, end: End, k: int, angle: float, units: Units) -> str:
+    def typed(text: str) -> SetAngle:
+        return SetAngle(end, k, units.read(text, True, f"angle {k + 1} of {end}"))
+
+    return form.field(f"a {end} {k}", units.entry(angle, True), f"Angle {k + 1} of {end}", typed)
+
+
+def turn_numbers(form: Form, state: State) -> str:
     """Return both ways as a whole and where the film stands."""
     found, units, part = state.derived(turn_of), units_of(state), state[SpaceCurve]
     s, rate = turn_place(state)
@@ -87,14 +92,9 @@ def turn_numbers(fields: Fields, state: State) -> str:
     axis = ", ".join(number(float(value), 3) for value in found.straight.axis)
     turning = abs(theta) > STILL
     half = abs(abs(theta) - math.pi) < 1e-7
-    long_way = chip(
-        fields.channel_id,
-        f"long {'off' if part.other_way else 'on'}",
-        "the other way" if half else "the long way",
-        "About −r by 360° − θ",
-        part.other_way,
-        off=not turning,
-    )
+    cell, text = f"long {'off' if part.other_way else 'on'}", "the other way" if half else "the long way"
+    other = GoLongWay(not part.other_way)
+    long_way = form.chip(cell, text, other, "About −r by 360° − θ", part.other_way, off=not turning)
     return (
         f'<h3>At s = {number(s, 3)}</h3><table class="sc-table sc-two"><tr><th></th><th>one axis</th>'
         f"<th>three angles</th></tr>{table}</table>"

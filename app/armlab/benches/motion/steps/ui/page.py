@@ -6,21 +6,22 @@ from armlab.benches.motion.plan.limits import SampleBy
 from armlab.benches.motion.plan.points import SelectWaypoint
 from armlab.benches.motion.plan.state import Plan, planned
 from armlab.benches.motion.plan.ui.around import way_around
-from armlab.benches.motion.steps.state import INVERSE, KNOTS, PATH, SAMPLING, STEPS, PlanSteps, ShowStep
+from armlab.benches.motion.steps.state import INVERSE, KNOTS, PATH, SAMPLING, STEPS, PlanSteps
 from armlab.benches.motion.steps.ui import words
 from armlab.benches.motion.steps.ui.plots import Plots
 from armlab.benches.motion.steps.ui.scene import RESULT, WANTED
 from armlab.benches.motion.steps.worked import Steps, kept, steps
-from armlab.errors import InputError
+from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
 from armlab.ui.colours import css
-from armlab.ui.markup import chip, chips, options, row, select
-from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import plain_number, tried
+from armlab.ui.form import Form
+from armlab.ui.markup import row
+from armlab.ui.plugin import Panel, Show
+from armlab.ui.tried import plain_number
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 MOST_CHIPS = 6
 """Stretches that are chosen by chips; more of them by a list."""
@@ -28,40 +29,20 @@ MOST_CHIPS = 6
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the choice of stretch and step, what is said of the step, and its plots."""
-    present, looked = state, steps(state)
-
-    def typed(cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: _commands(present, cell, text), present, post):
-            show(present)
-
-    fields = gui.fields(typed)
-    plots = Plots(gui, state)
+    looked = steps(state)
+    form, plots = gui.form(post), Plots(gui, state)
 
     def show(state: State) -> None:
-        nonlocal present, looked
-        present, looked = state, kept(state.derived(steps), looked)
-        fields.show(_markup(fields, state, looked))
+        nonlocal looked
+        looked = kept(state.derived(steps), looked)
+        form.show(steps_markup(form, state, looked))
         plots.show(looked, state)
 
     return show
 
 
-def _commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
-    """Return what a person asked for."""
-    name, _, rest = cell.partition(" ")
-    if name == "step" and rest.isdecimal():
-        return (ShowStep(int(rest)),)
-    if name == "stretch":
-        chosen = rest or text
-        if not chosen.isdecimal():
-            raise InputError(f"stretch: expected the number of a waypoint, got {chosen[:20]!r}")
-        return (SelectWaypoint(int(chosen)),)
-    if name == "samples":
-        return (SampleBy(plain_number(text)),)
-    return ()
-
-
-def _markup(fields: Fields, state: State, found: Steps | None) -> str:
+def steps_markup(form: Form, state: State, found: Steps | None) -> str:
+    """Return the choice of stretch and step, and what is said of the step; None: they are being worked out."""
     part = state[Plan]
     if part.recorded is not None:
         return (
@@ -70,44 +51,49 @@ def _markup(fields: Fields, state: State, found: Steps | None) -> str:
         )
     if not part.moves:
         return "<p>One waypoint makes no motion. Add another on the page Plan.</p>"
-    head = _stretches(fields.channel_id, part) + _steps(fields.channel_id, state, found)
+    head = _stretches(form, part) + _steps(form, state, found)
     if found is None:
         return head + '<p class="dim">The plan is being worked out …</p>'
     busy = "" if planned(state) is not None else '<p class="dim">The plan is being worked out anew …</p>'
-    return head + _step(fields, state, found) + busy
+    return head + _step(form, state, found) + busy
 
 
-def _stretches(channel: str, part: Plan) -> str:
+def _stretches(form: Form, part: Plan) -> str:
     """Return the choice among the stretches; nothing where there is one."""
     titles = {str(each.last): each.title for each in part.parts}
     chosen = str(part.stretch.last) if part.stretch is not None else ""
     if len(titles) < 2:
         return ""
     if len(titles) > MOST_CHIPS:
-        return row("Stretch", select(channel, "stretch", "Stretch", options(titles, chosen)))
-    named = {f"stretch {key}": title for key, title in titles.items()}
-    return row("Stretch", chips(channel, named, f"stretch {chosen}", "Waypoints that are one path"))
+        return row("Stretch", form.select("stretch", "Stretch", titles, chosen, _selecting))
+    return row("Stretch", form.chips("stretch", titles, chosen, "Waypoints that are one path", _selecting))
 
 
-def _steps(channel: str, state: State, found: Steps | None) -> str:
+def _selecting(waypoint: str) -> SelectWaypoint:
+    return SelectWaypoint(int(waypoint))
+
+
+def _steps(form: Form, state: State, found: Steps | None) -> str:
     """Return a chip for each step; those a joint move leaves out are pale."""
     made = []
     for k in STEPS:
         skipped = found is not None and not found.in_space and k in words.SKIPPED
         hint = "A joint move leaves this out" if skipped else f"Step {k} of 5"
-        text = chip(channel, f"step {k}", f"{k} {words.TITLES[k]}", hint, k == state[PlanSteps].shown)
+        show, on = Set(PlanSteps, "shown", k), k == state[PlanSteps].shown
+        text = form.chip(f"step {k}", f"{k} {words.TITLES[k]}", show, hint, on)
         made.append(f'<span class="ms-skipped">{text}</span>' if skipped else text)
     return f'<div class="bar ms-steps">{"".join(made)}</div>'
 
 
-def _step(fields: Fields, state: State, found: Steps) -> str:
+def _step(form: Form, state: State, found: Steps) -> str:
     step, units = state[PlanSteps].shown, units_of(state)
     if step == KNOTS:
         said = words.knots(found, units)
     elif step == PATH:
         said = words.path(found, units)
     elif step == SAMPLING:
-        typed = fields.field("samples", str(state[Plan].samples), "Number of samples")
+        count, name = str(state[Plan].samples), "Number of samples"
+        typed = form.field("samples", count, name, lambda text: SampleBy(plain_number(text)))
         said = words.sampling(
             found, f'<div class="kit-numbers"><label><span>samples</span>{typed}</label></div>', units
         )

@@ -20,10 +20,10 @@ from armlab.kin.arm import Arm
 from armlab.kin.symbolic import PoseFormulas, constants
 from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.format import mathml, number, subscript
 from armlab.ui.markup import copy_button
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
 

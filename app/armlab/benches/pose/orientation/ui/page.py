@@ -7,18 +7,19 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.pose.tool.state import PoseView, WriteAngles, pair_of
+from armlab.benches.pose.tool.state import PoseView, pair_of
 from armlab.benches.pose.tool.ui.chooser import Chooser
 from armlab.benches.pose.tool.ui.notation import in_words
 from armlab.benches.pose.tool.ui.words import vector
 from armlab.kin.euler import NAMES, SEQUENCES, EulerSolutions, angle_symbols, euler_angles, product_latex
 from armlab.kin.rotations import axis_angle, quaternion_from_rotation, rotation_from_sequence
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.factors import turns
 from armlab.ui.format import MINUS, mathml, pairs
 from armlab.ui.matrices import MatrixView
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
@@ -43,14 +44,14 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         "Sequence",
         {axes: axes for axes in SEQUENCES},
         view.axes,
-        lambda axes: post(WriteAngles(axes=axes)),
+        lambda axes: post(Set(PoseView, "axes", axes)),
         "The axes of the three turns, in order. The first six are Tait–Bryan, the others proper Euler angles.",
     )
     about = gui.segments(
         "About axes that",
         {"moving": "Move", "fixed": "Stay"},
         "fixed" if view.fixed else "moving",
-        lambda key: post(WriteAngles(fixed=key == "fixed")),
+        lambda key: post(Set(PoseView, "fixed", key == "fixed")),
         "Axes that move are turned along by the turns before; axes that stay are those of the reference frame",
     )
     angles = gui.html()

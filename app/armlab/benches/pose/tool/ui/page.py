@@ -11,10 +11,10 @@ from armlab.benches.pose.tool.ui.words import in_words
 from armlab.kin.coordinates import cylindrical, spherical
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.selection import Selection
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.format import mathml
 from armlab.ui.matrices import MatrixView
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 

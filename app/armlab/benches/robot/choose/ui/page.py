@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from armlab.content.robots import FAMILIES, Robot, catalogue
 from armlab.session.parts.robot import ChooseRobot, RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, pairs
 from armlab.ui.picks import broken_files, pick
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import dh_table
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -32,26 +33,25 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         choose_family,
         "Arms by their structure; the list below shows one family.",
     )
-    arms = gui.fields(lambda key, _: post(ChooseRobot(key)))
+    arms = gui.form(post)
     gui.html(_description(present, units_of(state)))
 
     def list_arms() -> None:
         robots = [robot for robot in catalogue().robots.values() if robot.family == shown]
-        entries = "".join(_entry(robot, robot is present, arms.channel_id) for robot in robots)
+        entries = "".join(_entry(arms, robot, robot is present) for robot in robots)
         arms.show(entries + broken_files("robot", catalogue().problems))
-
-    list_arms()
 
     def show(state: State) -> None:
         # Another arm rebuilds the whole panel; nothing else is watched.
         del state
+        list_arms()
 
     return show
 
 
-def _entry(robot: Robot, present: bool, channel: str) -> str:
+def _entry(form: Form, robot: Robot, present: bool) -> str:
     kinds = "".join(row.kind for row in robot.arm.rows)
-    return pick(channel, robot.key, robot.name, kinds, robot.summary, present)
+    return pick(form, robot.key, ChooseRobot(robot.key), robot.name, kinds, robot.summary, present)
 
 
 def _description(robot: Robot, units: Units) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,13 +25,14 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
 from armlab.ui.colours import css
+from armlab.ui.form import Form, Pressed
 from armlab.ui.format import mathml, matrix, number
 from armlab.ui.matrices import copy_buttons
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import NAMES, Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 DONE = 1e-9
 """Part of a move that is as good as the whole."""
@@ -39,15 +42,11 @@ SIGNS = {"turn": "↻", "shift": "→"}
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the rows to choose from, the factors and the products; put the film on."""
-    head = gui.fields(lambda cell, _: post(_command(cell, arm)))
-    matrices = gui.html()
-    arm = state[Joints].arm
+    head, matrices = gui.form(post), gui.html()
     if not state[Timeline].clip:
         post(OpenClip(CLIP.key))
 
     def show(state: State) -> None:
-        nonlocal arm
-        arm = state[Joints].arm
         on = state[Timeline].clip == CLIP.key
         head.show(_head(head, state) if on else _invitation(head))
         matrices.show(_matrices(state) if on else "")
@@ -55,31 +54,31 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _command(cell: str, arm: Arm) -> Command:
-    if cell == "show":
-        return OpenClip(CLIP.key)
-    row, _, move = cell.partition(",")
-    return Seek(end_of(arm, int(row), int(move)) if move else start_of(arm, int(row)))
+def _to_row(arm: Arm, row: int) -> Seek:
+    return Seek(start_of(arm, row))
 
 
-def _invitation(fields: Fields) -> str:
+def _to_move(arm: Arm, row: int, move: int) -> Seek:
+    return Seek(end_of(arm, row, move))
+
+
+def _invitation(form: Form) -> str:
     return (
         '<p class="dim">Each row of the table is four moves of a frame: a turn and a shift along z, a shift and a turn'
         " along x. The film makes them one by one, from frame 0 to the tool.</p>"
-        f'<button class="main" data-chan="{fields.channel_id}" data-cell="show">▶ Show the film</button>'
+        + form.button("show", "▶ Show the film", OpenClip(CLIP.key), "main")
     )
 
 
 # -- the row ---------------------------------------------------------------------------------------------------------
 
 
-def _head(fields: Fields, state: State) -> str:
+def _head(form: Form, state: State) -> str:
     """Return the rows to choose from, and the formula of the present one."""
     joints, place, units = state[Joints], place_of(state), units_of(state)
     names = [str(i + 1) for i in range(joints.arm.n)] + (["E"] if has_tool(joints.arm) else [])
     chips = "".join(
-        f'<button class="chip" data-chan="{fields.channel_id}" data-cell="{i}"'
-        f' aria-pressed="{str(i == place.row).lower()}" title="{_hint(name)}">{name}</button>'
+        form.chip(str(i), name, partial(_to_row, joints.arm, i), _hint(name), i == place.row)
         for i, name in enumerate(names)
     )
     rows = f'<div class="row"><span>Row</span><div>{chips}</div></div>'
@@ -88,7 +87,14 @@ def _head(fields: Fields, state: State) -> str:
     done = state.derived(_done)
     title = f"<h3>From frame {{{place.row}}} to frame {{{place.row + 1}}}: {mathml(_matrix_name(state, place.row))} ="
     pills = "".join(
-        _pill(fields, k, move, place, symbol(units, move.symbol, place.row, joints.arm.convention))
+        _pill(
+            form,
+            k,
+            move,
+            partial(_to_move, joints.arm, place.row, k),
+            place,
+            symbol(units, move.symbol, place.row, joints.arm.convention),
+        )
         for k, move in enumerate(done.moves)
     )
     line = _sentence(joints.arm.rows[place.row], float(joints.q[place.row]), done, place, units, state)
@@ -99,14 +105,18 @@ def _hint(name: str) -> str:
     return "To the start of the step to the tool" if name == "E" else f"To the start of row {name}"
 
 
-def _pill(fields: Fields, k: int, move: Move, place: Place, letter: str) -> str:
+def _pill(form: Form, k: int, move: Move, to_it: Pressed, place: Place, letter: str) -> str:
     kind = "R" if move.kind == "turn" else "T"
     when = "now" if k == place.move else ("past" if k < place.move else "next")
     what = f"{NAMES[move.symbol]}: {'turn about' if move.kind == 'turn' else 'shift along'} {move.axis}"
-    return (
-        f'<button class="{when}" style="--c:{css(COLOURS[move.symbol])}" data-chan="{fields.channel_id}"'
-        f' data-cell="{place.row},{k}" title="{what}"{" aria-current=true" if when == "now" else ""}>'
-        f"{kind}<sub>{move.axis}</sub>({letter})</button>"
+    return form.button(
+        f"{place.row},{k}",
+        f"{kind}<sub>{move.axis}</sub>({letter})",
+        to_it,
+        when,
+        what,
+        style=f"--c:{css(COLOURS[move.symbol])}",
+        aria_current="true" if when == "now" else "",
     )
 
 

@@ -20,11 +20,11 @@ from armlab.benches.robot.normal.ui.scene import COLOURS
 from armlab.kin.lines import CommonNormal
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.colours import css
+from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, subscript
-from armlab.ui.markup import chips
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
@@ -53,7 +53,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the cases, the axes of the arm, and the numbers."""
     units, n = units_of(state), state[Joints].arm.n
     gui.heading("Two lines")
-    cases = gui.fields(lambda key, _: post(PlaceLines(key)))
+    cases = gui.form(post)
     handle = gui.segments(
         "Handles",
         {"move": "Move", "turn": "Turn"},
@@ -76,7 +76,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         lines = state[Lines]
-        cases.show(_cases(cases.channel_id, lines.normal.kind))
+        cases.show(_cases(cases, lines.normal.kind))
         handle.show(lines.handle)
         if axes is not None:
             axes.show(_chosen(state))
@@ -88,8 +88,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _cases(channel: str, kind: str) -> str:
-    return f'<div class="cases">{chips(channel, CASES, kind, "Put the lines into this case")}</div>'
+def _cases(form: Form, kind: str) -> str:
+    hint = "Put the lines into this case"
+    chips = "".join(form.chip(key, text, PlaceLines(key), hint, key == kind) for key, text in CASES.items())
+    return f'<div class="cases">{chips}</div>'
 
 
 def _pair(i: int, state: State) -> str:

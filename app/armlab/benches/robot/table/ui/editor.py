@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from armlab.kin.arm import MAX_JOINTS, Arm
 from armlab.kin.dh import Row
 from armlab.session.edits import AddJoint, RemoveJoint, ReorderJoint, SetCell, SetKind, SetLimits
-from armlab.session.state import Command
-from armlab.ui import markup
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.form import Form, Pressed, Wish
 from armlab.ui.format import MINUS, dot
+from armlab.ui.markup import row as line
 from armlab.ui.tables import cell_text, is_variable, without_symbol
 from armlab.ui.units import NAMES, Units
-from armlab.ui.widgets import Fields
 
 _PAGE = "dh"
 """Before the names of all cells, since a page has fields of other panels, too."""
@@ -22,48 +23,28 @@ class DhEditor:
 
     Parameters
     ----------
-    fields : Fields
-        What people type and press is given to `typed`.
+    form : Form
     units : Units
     """
 
-    def __init__(self, fields: Fields, units: Units) -> None:
-        self._fields, self._units = fields, units
+    def __init__(self, form: Form, units: Units) -> None:
+        self._form, self._units = form, units
         self._chosen: int | None = None
 
     def show(self, arm: Arm) -> None:
         """Show the table and the tools of the chosen row."""
+        self._form.show(self.table_markup(arm))
+
+    def table_markup(self, arm: Arm) -> str:
+        """Return the table and the tools of the chosen row."""
         if self._chosen is not None and self._chosen >= arm.n:
             self._chosen = None
         rows = "".join(self._row(row, i) for i, row in enumerate(arm.rows))
-        table = f'<table class="dh edit"><tr>{self._heads(arm)}</tr>{rows}</table>'
-        self._fields.show(table + self._tools(arm))
+        return f'<table class="dh edit"><tr>{self._heads(arm)}</tr>{rows}</table>' + self._tools(arm)
 
-    def typed(self, arm: Arm, cell: str, text: str) -> Command | None:
-        """Return the command that a field or a button asks for; None when it only chooses a row or changes nothing.
+    # -- what a person does; nothing where a field is left as it was -----------------------------------------------
 
-        Raises
-        ------
-        InputError
-            What was typed is not a number; names row and column.
-        """
-        _, row, name = cell.split("-")
-        i = int(row) - 1
-        if i >= arm.n:  # removed in another tab
-            return None
-        if name in NAMES:
-            return self._cell_typed(arm, i, name, text)
-        if name in ("low", "high"):
-            return self._limit_typed(arm, i, name, text)
-        if name == "row":
-            self._chosen = None if self._chosen == i else i
-            return None
-        if name == "kind":
-            return SetKind(i, "P" if arm.rows[i].revolute else "R")
-        return self._tool(arm, i, name)
-
-    def _cell_typed(self, arm: Arm, i: int, field: str, text: str) -> Command | None:
-        row = arm.rows[i]
+    def _cell_typed(self, i: int, row: Row, field: str, text: str) -> Wish:
         if text == _shown(row, field, self._units):
             return None
         if is_variable(row, field):
@@ -71,24 +52,27 @@ class DhEditor:
         where = f"row {i + 1}, {self._units.book.symbols[field]}"
         return SetCell(i, field, self._units.read(text, field in ("alpha", "theta"), where))
 
-    def _limit_typed(self, arm: Arm, i: int, name: str, text: str) -> Command | None:
+    def _limit_typed(self, i: int, arm: Arm, name: str, text: str) -> Wish:
         revolute, (low, high) = arm.rows[i].revolute, arm.limits[i].tolist()
         if text == self._limit(low if name == "low" else high, revolute):
             return None
         value = self._units.read(text, revolute, f"limits of joint {i + 1}")
         return SetLimits(i, value, high) if name == "low" else SetLimits(i, low, value)
 
-    def _tool(self, arm: Arm, i: int, name: str) -> Command:
-        if name == "add":
-            if self._chosen is not None:
-                self._chosen = i + 1
-            return AddJoint(i)
-        if name == "remove":
-            self._chosen = None
-            return RemoveJoint(i)
-        to = i - 1 if name == "up" else i + 1
-        if 0 <= to < arm.n:
-            self._chosen = to
+    def _choose(self, i: int) -> None:
+        self._chosen = None if self._chosen == i else i
+
+    def _add(self, i: int) -> AddJoint:
+        if self._chosen is not None:
+            self._chosen = i + 1
+        return AddJoint(i)
+
+    def _remove(self, i: int) -> RemoveJoint:
+        self._chosen = None
+        return RemoveJoint(i)
+
+    def _move(self, i: int, to: int) -> ReorderJoint:
+        self._chosen = to
         return ReorderJoint(i, to)
 
     # -- markup --------------------------------------------------------------------------------------------------
@@ -103,11 +87,12 @@ class DhEditor:
     def _row(self, row: Row, i: int) -> str:
         other = "prismatic" if row.revolute else "revolute"
         kind = "revolute" if row.revolute else "prismatic"
-        channel, name = self._fields.channel_id, f"{dot(css(joint_colour(i)))}{i + 1}"
+        name, to_other = f"{dot(css(joint_colour(i)))}{i + 1}", SetKind(i, "P" if row.revolute else "R")
         about = f"Joint {i + 1}: click for its limits and to move or remove it"
         change = f"Joint {i + 1} is {kind}: click to make it {other}"
-        head = markup.button(channel, _name(i, "row"), name, "head", about, pressed=i == self._chosen)
-        head += markup.button(channel, _name(i, "kind"), row.kind, "kind", change)
+        choose = partial(self._choose, i)
+        head = self._form.button(_name(i, "row"), name, choose, "head", about, pressed=i == self._chosen)
+        head += self._form.button(_name(i, "kind"), row.kind, to_other, "kind", change)
         cells = "".join(self._cell(row, i, field) for field in self._units.book.order)
         mark = ' class="chosen"' if i == self._chosen else ""
         return f"<tr{mark}><td>{head}</td>{cells}</tr>"
@@ -116,38 +101,44 @@ class DhEditor:
         text = _shown(row, field, self._units)
         zero = ' class="zero"' if getattr(row, field) == 0.0 else ""
         label = f"row {i + 1}, {NAMES[field]}"
-        if is_variable(row, field):
-            inside = self._fields.field(
-                _name(i, field), text, f"{label}, offset of the joint variable", below=_name(i + 1, field)
-            )
-            symbol = self._units.variable(i, row.revolute)
-            return f'<td{zero}><div class="var" style="--w:{len(text)}ch"><i>{symbol}</i>{inside}</div></td>'
-        return f"<td{zero}>{self._fields.field(_name(i, field), text, label, below=_name(i + 1, field))}</td>"
+        variable, typed = is_variable(row, field), partial(self._cell_typed, i, row, field)
+        label += ", offset of the joint variable" if variable else ""
+        inside = self._form.field(_name(i, field), text, label, typed, below=_name(i + 1, field))
+        if not variable:
+            return f"<td{zero}>{inside}</td>"
+        symbol = self._units.variable(i, row.revolute)
+        return f'<td{zero}><div class="var" style="--w:{len(text)}ch"><i>{symbol}</i>{inside}</div></td>'
 
     def _tools(self, arm: Arm) -> str:
-        i = self._chosen
-        add = self._chip(arm.n - 1 if i is None else i, "add", "+ joint", "Add a revolute joint", arm.n == MAX_JOINTS)
+        i, full = self._chosen, arm.n == MAX_JOINTS
+        after = arm.n - 1 if i is None else i
+        add = self._chip(after, "add", "+ joint", partial(self._add, after), "Add a revolute joint", full)
         if i is None:
             return f'<div class="bar">{add}<span class="dim">Click a joint for its limits and its place.</span></div>'
         moves = (
-            self._chip(i, "up", "↑", "Move the row up", i == 0)
-            + self._chip(i, "down", "↓", "Move the row down", i == arm.n - 1)
-            + self._chip(i, "remove", "✕", "Remove the joint", arm.n == 1)
+            self._chip(i, "up", "↑", partial(self._move, i, i - 1), "Move the row up", i == 0)
+            + self._chip(i, "down", "↓", partial(self._move, i, i + 1), "Move the row down", i == arm.n - 1)
+            + self._chip(i, "remove", "✕", partial(self._remove, i), "Remove the joint", arm.n == 1)
             + add
         )
         revolute, (low, high) = arm.rows[i].revolute, arm.limits[i].tolist()
         limits = "".join(
-            self._fields.field(_name(i, name), self._limit(value, revolute), f"{name} limit of joint {i + 1}")
+            self._form.field(
+                _name(i, name),
+                self._limit(value, revolute),
+                f"{name} limit of joint {i + 1}",
+                partial(self._limit_typed, i, arm, name),
+            )
             for name, value in (("low", low), ("high", high))
         )
-        ends = markup.row(f"from, to, {self._units.unit(revolute)}", limits, wide=True, cells=True)
-        return markup.row(f"joint {i + 1}", moves, wide=True) + ends
+        ends = line(f"from, to, {self._units.unit(revolute)}", limits, wide=True, cells=True)
+        return line(f"joint {i + 1}", moves, wide=True) + ends
 
     def _limit(self, value: float, revolute: bool) -> str:
         return cell_text(value, "theta" if revolute else "d", self._units)
 
-    def _chip(self, i: int, name: str, inside: str, title: str, off: bool) -> str:
-        return markup.chip(self._fields.channel_id, _name(i, name), inside, title, off=off)
+    def _chip(self, i: int, name: str, inside: str, action: Pressed, title: str, off: bool) -> str:
+        return self._form.chip(_name(i, name), inside, action, title, off=off)
 
 
 def _name(i: int, name: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,27 +13,42 @@ from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.session.edits import SetEnd
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, State
+from armlab.session.state import State
+from armlab.ui.form import Form, Wish
 from armlab.ui.format import MINUS, mathml, pairs
 from armlab.ui.markup import row
 from armlab.ui.tables import cell_text
 from armlab.ui.units import Units
-from armlab.ui.widgets import Fields
 
 ANGLES = ("yaw", "pitch", "roll")
 ENDS = {"base": "frame 0 in the world", "tool": "frame n to the tool {E}"}
 PRODUCT = "R = Rz(yaw) Ry(pitch) Rx(roll)"
 
 
-def ends_typed(state: State, cell: str, text: str, units: Units) -> Command | None:
-    """Return the command that a field asks for; None when it says what is there.
+def ends_markup(form: Form, state: State, units: Units) -> str:
+    """Return the markup of all fields."""
+    arm = state[RobotPart].robot.arm
 
-    Raises
-    ------
-    InputError
-        Not a number; names the field.
-    """
-    which, axis = cell.split("-")
+    def line(which: str, label: str, axes: tuple[str, ...], title: str) -> str:
+        texts = _texts(state, which, units)
+        cells = (
+            form.field(f"{which}-{axis}", texts[axis], f"{which}, {axis}", partial(_typed, state, which, axis, units))
+            for axis in axes
+        )
+        return row(label, "".join(cells), wide=True, cells=True, hint=title)
+
+    parts = ["<h3>Base, tool and tool point</h3>"]
+    for end, title in ENDS.items():
+        told = title.replace("n to the", f"{arm.n} to the")
+        parts.append(line(end, f"{end} x y z, {units.length_unit}", tuple("xyz"), told))
+        parts.append(line(end, f"yaw pitch roll, {units.angle_unit}", ANGLES, f"{told}: {PRODUCT}"))
+    told = "fixed to the tool, in the axes of its frame {E}"
+    parts.append(line("point", f"point x y z, {units.length_unit}", tuple("xyz"), told))
+    return "".join(parts)
+
+
+def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish:
+    """Return the command that a field asks for; None when it says what is there."""
     if text == _texts(state, which, units)[axis]:
         return None
     turns = axis in ANGLES
@@ -50,32 +66,11 @@ def ends_typed(state: State, cell: str, text: str, units: Units) -> Command | No
     return SetEnd(which, pose)
 
 
-def ends_fields(fields: Fields, state: State, units: Units) -> str:
-    """Return the markup of all fields."""
-    arm = state[RobotPart].robot.arm
-    parts = ["<h3>Base, tool and tool point</h3>"]
-    for end, title in ENDS.items():
-        texts = _texts(state, end, units)
-        told = title.replace("n to the", f"{arm.n} to the")
-        parts.append(_row(fields, end, f"{end} x y z, {units.length_unit}", tuple("xyz"), texts, told))
-        turned = f"{told}: {PRODUCT}"
-        parts.append(_row(fields, end, f"yaw pitch roll, {units.angle_unit}", ANGLES, texts, turned))
-    point = _texts(state, "point", units)
-    told = "fixed to the tool, in the axes of its frame {E}"
-    parts.append(_row(fields, "point", f"point x y z, {units.length_unit}", tuple("xyz"), point, told))
-    return "".join(parts)
-
-
 def point_line(state: State, units: Units) -> str:
     """Return where the tool point is in the world."""
     formula = mathml(r"{}^{w}p={}^{w}T_E\,{}^{E}p")
     place = "&ensp;".join(units.text(float(value), False) for value in world_point(state))
     return pairs([(f"{formula}, {units.length_unit}", place)])
-
-
-def _row(fields: Fields, which: str, label: str, axes: tuple[str, ...], texts: dict[str, str], title: str) -> str:
-    cells = "".join(fields.field(f"{which}-{axis}", texts[axis], f"{which}, {axis}") for axis in axes)
-    return row(label, cells, wide=True, cells=True, hint=title)
 
 
 def _texts(state: State, which: str, units: Units) -> dict[str, str]:

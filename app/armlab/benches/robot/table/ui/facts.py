@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from armlab.kin.arm import Arm
 from armlab.kin.relations import AxisRelation, axis_relations, end_freedoms
 from armlab.kin.structure import Structure, structure_of
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, subscript
-from armlab.ui.markup import chip
 from armlab.ui.units import Units
 
 SIGNS = {"parallel": "∥", "intersecting": "×", "coincident": "≡", "skew": "skew"}
@@ -30,8 +32,11 @@ def facts_of(arm: Arm) -> Facts:
     return Facts(axis_relations(arm), end_freedoms(arm), structure_of(arm))
 
 
-def axes_section(facts: Facts, chosen: int, channel: str, units: Units) -> str:
-    """Return the chips of frame 0, of each pair of neighbouring axes and of frame n, and the freedom of the chosen."""
+def axes_section(form: Form, facts: Facts, chosen: int, units: Units, choose: Callable[[int], None]) -> str:
+    """Return the chips of frame 0, of each pair of neighbouring axes and of frame n, and the freedom of the chosen.
+
+    ``choose`` gets the number of the pressed, which is that of the frame.
+    """
     n = len(facts.relations) + 1
     names = [("{0}", "frame 0")]
     names += [
@@ -39,7 +44,9 @@ def axes_section(facts: Facts, chosen: int, channel: str, units: Units) -> str:
     ]
     names.append((f"{{{n}}}", f"frame {n}"))
     chosen = min(chosen, n)
-    chips = "".join(chip(channel, f"axes-{k}", name, title, k == chosen) for k, (name, title) in enumerate(names))
+    chips = "".join(
+        form.chip(f"axes-{k}", name, partial(choose, k), title, k == chosen) for k, (name, title) in enumerate(names)
+    )
     legend = "&ensp;".join(f"{sign}&nbsp;{kind}" for kind, sign in SIGNS.items() if sign != kind)
     return (
         f'<h3>Neighbouring axes, and what is free</h3><div class="bar">{chips}</div>'

@@ -4,26 +4,22 @@ from __future__ import annotations
 
 from armlab.benches.robot.table.state import Point
 from armlab.benches.robot.table.ui.editor import DhEditor
-from armlab.benches.robot.table.ui.ends import ends_fields, ends_typed, point_line
+from armlab.benches.robot.table.ui.ends import ends_markup, point_line
 from armlab.benches.robot.table.ui.facts import Facts, axes_section, closed_form_card, facts_of
-from armlab.benches.robot.table.ui.files import Files, PasteBox, save
+from armlab.benches.robot.table.ui.files import PasteBox, files_markup, save
 from armlab.content.robots import Robot
-from armlab.errors import ArmlabError
-from armlab.kin.arm import Arm
 from armlab.kin.convert import Link
 from armlab.kin.dh import Convention
-from armlab.session.edits import MOST_TEXT, Convert, PasteTable, RestoreTable
+from armlab.session.edits import MOST_TEXT, Convert, RestoreTable
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
 from armlab.ui.factors import product_latex
 from armlab.ui.format import escaped, mathml
-from armlab.ui.markup import button, chips
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui, Html
+from armlab.ui.widgets import Gui, Html
 
 CONVENTIONS = {"standard": "Standard (Siciliano, notes)", "modified": "Modified (Craig)"}
 HINT = "Write the same arm in the other convention"
@@ -35,80 +31,20 @@ class TablePanel:
     """What the panel shows; it stays while the table is edited, so that the cursor stays in its cell."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._gui, self._state, self._post, self._units = gui, state, post, units_of(state)
+        self._gui, self._state, self._units = gui, state, units_of(state)
         self._robot: Robot | None = None
         self._facts: Facts | None = None
         self._pair = 1
-        self._head = gui.fields(lambda cell, _: self._post(RestoreTable() if cell == "restore" else Convert(cell)))
-        self._table = gui.fields(self._cell)
+        self._head, self._table = gui.form(post), gui.form(post)
         self._editor = DhEditor(self._table, self._units)
-        self._axes = gui.fields(self._choose_pair)
+        self._axes = gui.form(post)
         self._card: Html = gui.html()
-        self._ends: Fields = gui.fields(self._end)
+        self._ends = gui.form(post)
         self._point: Html = gui.html()
-        files = gui.fields(self._file, MOST_TEXT)
-        self._files = Files(files, self._units)
+        self._files = gui.form(post, MOST_TEXT)
         with gui.folder("Paste a table"):
-            box = gui.fields(self._pasted, MOST_TEXT)
-            self._box = PasteBox(box)
-
-    # -- what a person does --------------------------------------------------------------------------------------
-
-    def _cell(self, cell: str, text: str) -> None:
-        try:
-            command = self._editor.typed(self._arm, cell, text)
-        except ArmlabError as refusal:
-            self._refuse(self._table, cell, text, refusal)
-        else:
-            self._edit(command, self._table, cell, text)
-
-    def _end(self, cell: str, text: str) -> None:
-        try:
-            command = ends_typed(self._state, cell, text, self._units)
-        except ArmlabError as refusal:
-            self._refuse(self._ends, cell, text, refusal)
-        else:
-            self._edit(command, self._ends, cell, text)
-
-    def _choose_pair(self, cell: str, _: str) -> None:
-        number = cell.removeprefix("axes-")
-        if number.isdecimal():
-            self._pair = int(number[:4])
-            self._show_axes()
-
-    def _file(self, cell: str, text: str) -> None:
-        if cell == "save":
-            save(self._gui, self._state[RobotPart].robot)
-        else:
-            self._post(PasteTable(text))
-
-    def _pasted(self, cell: str, text: str) -> None:
-        command = self._box.typed(cell, text)
-        if command is not None:
-            self._post(command)
-
-    def _edit(self, command: Command | None, fields: Fields, cell: str, text: str) -> None:
-        """Hand in a command; one that the present state refuses is told beside its field."""
-        if command is None:
-            self._show_fields()
-            return
-        try:
-            command.apply(self._state)
-        except ArmlabError as refusal:
-            self._refuse(fields, cell, text, refusal)
-        else:
-            self._post(command)
-
-    def _refuse(self, fields: Fields, cell: str, text: str, refusal: ArmlabError) -> None:
-        fields.refuse(cell, text, str(refusal))
-        self._post(Refuse(str(refusal)))
-        self._show_fields()
-
-    # -- showing -------------------------------------------------------------------------------------------------
-
-    @property
-    def _arm(self) -> Arm:
-        return self._state[RobotPart].robot.arm
+            self._pasted = gui.form(post, MOST_TEXT)
+            self._box = PasteBox(self._pasted)
 
     def show(self, state: State) -> None:
         """Show a state; what follows from the table is made anew only when that has changed."""
@@ -116,31 +52,35 @@ class TablePanel:
         if robot is not self._robot:  # a mistake was about the table before
             self._table.forgive()
             self._ends.forgive()
-        if robot is not self._robot or state[Point] is not before[Point] or self._table.stale or self._ends.stale:
-            self._show_fields()
-        if robot is not self._robot:
+        other = robot is not self._robot
+        if other or state[Point] is not before[Point] or self._table.stale or self._ends.stale:
+            self._editor.show(robot.arm)
+            self._ends.show(ends_markup(self._ends, state, self._units))
+        if self._facts is None or other:
             self._robot, self._facts = robot, facts_of(robot.arm)
-            self._show_head()
-            self._show_axes()
             self._card.show(closed_form_card(self._facts.structure))
-            self._files.show(robot)
+        if other or self._head.stale:
+            self._show_head()
+        if other or self._axes.stale:
+            self._axes.show(axes_section(self._axes, self._facts, self._pair, self._units, self._choose_pair))
+        if other or self._files.stale:
+            self._files.show(files_markup(self._files, robot, self._units, lambda: save(self._gui, robot)))
+        if self._pasted.stale:
+            self._box.show()
         self._point.show(point_line(state, self._units))
 
-    def _show_fields(self) -> None:
-        self._editor.show(self._arm)
-        self._ends.show(ends_fields(self._ends, self._state, self._units))
-
-    def _show_axes(self) -> None:
-        assert self._facts is not None
-        self._axes.show(axes_section(self._facts, self._pair, self._axes.channel_id, self._units))
+    def _choose_pair(self, pair: int) -> None:
+        self._pair = pair
 
     def _show_head(self) -> None:
-        part, channel = self._state[RobotPart], self._head.channel_id
+        part, form = self._state[RobotPart], self._head
         arm = part.robot.arm
         back = ""
         if part.own and part.origin:
-            back = f'<span class="copies">{button(channel, "restore", BACK, "copy")}</span>'
-        forms = chips(channel, CONVENTIONS, arm.convention, HINT)
+            back = f'<span class="copies">{form.button("restore", BACK, RestoreTable(), "copy")}</span>'
+        forms = "".join(
+            form.chip(key, text, Convert(key), HINT, key == arm.convention) for key, text in CONVENTIONS.items()
+        )
         name = escaped(part.robot.name) + (", edited" if part.own and part.origin else "")
         summary = f'<p class="dim">{escaped(part.robot.summary)}</p>' if part.own and not part.origin else ""
         formula = f'<div class="eq small">{mathml(step_formula(arm.convention, self._units), block=True)}</div>'

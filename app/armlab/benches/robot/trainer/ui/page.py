@@ -5,17 +5,15 @@ from __future__ import annotations
 from armlab.benches.robot.trainer.commands import EndTrainer, StartTrainer, TakeTrainerPose, at_reference
 from armlab.benches.robot.trainer.exercise import usable_robots
 from armlab.benches.robot.trainer.state import Trainer
-from armlab.benches.robot.trainer.ui.axes import axes_stage, axes_typed
+from armlab.benches.robot.trainer.ui.axes import axes_stage
 from armlab.benches.robot.trainer.ui.table import TableStage
 from armlab.content.robots import Robot
-from armlab.errors import ArmlabError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import ChooseRobot
-from armlab.session.session import Refuse
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button, chip
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
@@ -31,10 +29,10 @@ class TrainerPanel:
     """What the panel shows."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._state, self._post, self._units, self._camera = state, post, units_of(state), gui.camera
-        self._fields = gui.fields(self._typed)
-        self._table = TableStage(gui, self._units, self._typed)
-        self._after = gui.fields(self._typed)
+        self._state, self._units, self._camera = state, units_of(state), gui.camera
+        self._form = gui.form(post)
+        self._table = TableStage(gui, self._units, state[Trainer], post)
+        self._after = gui.form(post)
 
     def show(self, state: State) -> None:
         """Show a state."""
@@ -44,41 +42,16 @@ class TrainerPanel:
         if began:  # the pose of the exercise may lie outside the picture
             self._camera.look_from("Home")
         if not trainer.exercise.usable:
-            self._fields.show(self._unusable(trainer))
+            self._form.show(self._unusable(trainer))
         elif not trainer.started:
-            self._fields.show(self._beginning(trainer))
+            self._form.show(self._beginning(trainer))
         else:
-            self._fields.show(self._running(trainer))
+            self._form.show(self._running(trainer))
         if trainer.answers.placed:
             self._table.show(trainer)
         else:
             self._table.hide()
         self._after.show(self._next(trainer))
-
-    def _typed(self, cell: str, text: str) -> None:
-        """Hand in a command; what cannot become one is refused."""
-        try:
-            command = self._command(cell, text)
-        except ArmlabError as refusal:
-            command = Refuse(str(refusal))
-        if command is not None:
-            self._post(command)
-        else:
-            self.show(self._state)
-
-    def _command(self, cell: str, text: str) -> Command | None:
-        trainer = self._state[Trainer]
-        if cell.startswith("trainer-robot-"):
-            return ChooseRobot(cell.removeprefix("trainer-robot-"))
-        if cell == "trainer-start":
-            return StartTrainer()
-        if cell == "trainer-end":
-            return EndTrainer()
-        if cell == "trainer-pose":
-            return TakeTrainerPose()
-        if trainer.answers.placed:
-            return self._table.typed(trainer, cell, text)
-        return axes_typed(cell, text)
 
     # -- markup --------------------------------------------------------------------------------------------------
 
@@ -92,27 +65,29 @@ class TrainerPanel:
         )
 
     def _beginning(self, trainer: Trainer) -> str:
-        start = button(self._channel, "trainer-start", "Start", "main", "Put the arm into the pose of the exercise")
+        hint = "Put the arm into the pose of the exercise"
+        start = self._form.button("trainer-start", "Start", StartTrainer(), "main", hint)
         return (
             f"<h3>Exercise: {escaped(trainer.exercise.robot.name)}</h3><p>{INTRODUCTION}</p>"
             f'<div class="bar">{start}</div><h3>Other arms</h3>{self._arms(trainer)}'
         )
 
     def _running(self, trainer: Trainer) -> str:
-        again = button(self._channel, "trainer-start", "start again", "copy", "Forget all answers and begin anew")
-        end = button(self._channel, "trainer-end", "end", END, "copy")
+        hint = "Forget all answers and begin anew"
+        again = self._form.button("trainer-start", "start again", StartTrainer(), "copy", hint)
+        end = self._form.button("trainer-end", "end", EndTrainer(), "copy", END)
         stage = "2 Table" if trainer.answers.placed else "1 Axes"
         name = escaped(trainer.exercise.robot.name)
         if trainer.answers.placed:
-            body = self._table.frames(trainer, self._channel)
+            body = self._table.frames(self._form, trainer)
         else:
-            body = axes_stage(trainer, self._channel, self._units)
+            body = axes_stage(self._form, trainer, self._units)
         return f'<h3>{stage}: {name}<span class="copies">{again}{end}</span></h3>{self._moved()}{body}'
 
     def _moved(self) -> str:
         if at_reference(self._state):
             return ""
-        back = chip(self._channel, "trainer-pose", "Back to it", "Put the arm back")
+        back = self._form.chip("trainer-pose", "Back to it", TakeTrainerPose(), "Put the arm back")
         return f'<p class="warn">The arm has left the pose the directions are chosen in. {back}</p>'
 
     def _next(self, trainer: Trainer) -> str:
@@ -121,26 +96,21 @@ class TrainerPanel:
         robots = usable_robots()
         keys = [robot.key for robot in robots]
         after = keys.index(trainer.exercise.robot.key) + 1 if trainer.exercise.robot.key in keys else 0
-        chip = self._chip(robots[after % len(robots)], self._after.channel_id)
-        end = button(self._after.channel_id, "trainer-end", "End the exercise", END, "chip")
+        chip = _chip(self._after, robots[after % len(robots)])
+        end = self._after.button("trainer-end", "End the exercise", EndTrainer(), "chip", END)
         return f'<div class="bar"><span class="dim">Next arm</span>{chip}{end}</div>'
 
     def _arms(self, trainer: Trainer) -> str:
         lines = []
         for title, least, most in SIZES:
             robots = [robot for robot in usable_robots() if least <= robot.arm.n <= most]
-            chips = "".join(
-                self._chip(robot, self._channel) for robot in robots if robot.key != trainer.exercise.robot.key
-            )
+            chips = "".join(_chip(self._form, robot) for robot in robots if robot.key != trainer.exercise.robot.key)
             lines.append(f'<p class="tr-arms"><span class="dim">{title}</span>{chips}</p>')
         return "".join(lines)
 
-    def _chip(self, robot: Robot, channel: str) -> str:
-        return chip(channel, f"trainer-robot-{robot.key}", robot.name, robot.summary)
 
-    @property
-    def _channel(self) -> str:
-        return self._fields.channel_id
+def _chip(form: Form, robot: Robot) -> str:
+    return form.chip(f"trainer-robot-{robot.key}", robot.name, ChooseRobot(robot.key), robot.summary)
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

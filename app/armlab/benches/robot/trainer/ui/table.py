@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from functools import partial
 
 from armlab.benches.robot.trainer.answers import FIELDS
 from armlab.benches.robot.trainer.commands import ENOUGH_MISSES, CheckTable, ReviseAxes, SetAnswer, ShowCell
@@ -10,10 +11,10 @@ from armlab.benches.robot.trainer.state import Trainer
 from armlab.benches.robot.trainer.ui.axes import shown_direction
 from armlab.benches.robot.trainer.ui.words import end_line, parallel_line, reversed_line, rule, symbol
 from armlab.kin.assignment import CellVerdict
-from armlab.session.state import Command
+from armlab.session.state import Post
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.form import Form, Wish
 from armlab.ui.format import dot, escaped, subscript
-from armlab.ui.markup import button, chip
 from armlab.ui.tables import cell_text, without_symbol
 from armlab.ui.units import NAMES, Units
 from armlab.ui.widgets import Gui
@@ -29,16 +30,16 @@ class TableStage:
     ----------
     gui : Gui
     units : Units
-    on_input : callable
-        Gets what people type and press, and gives it to `typed`.
+    trainer : Trainer
+    post : callable
     """
 
-    def __init__(self, gui: Gui, units: Units, on_input: Callable[[str, str], None]) -> None:
-        self._units = units
-        self._fields = gui.fields(on_input)
+    def __init__(self, gui: Gui, units: Units, trainer: Trainer, post: Post) -> None:
+        self._units, self._trainer = units, trainer
+        self._form = gui.form(post)
         # By itself, so that it is not replaced under the pointer when a field is left by pressing it.
-        self._check = gui.fields(on_input)
-        self._foot = gui.fields(on_input)
+        self._check = gui.form(post)
+        self._foot = gui.form(post)
         self._row, self._field = 0, units.book.order[0]
         self._rule_seen = False
         self._checks: int | None = None
@@ -47,20 +48,22 @@ class TableStage:
 
     def show(self, trainer: Trainer) -> None:
         """Show the stage."""
+        self._trainer = trainer
         if self._checks is not None and trainer.answers.table_checks > self._checks:
             self._turn_to_wrong(trainer)
         self._checks = trainer.answers.table_checks
         self._row = min(self._row, trainer.exercise.n - 1)
         self._show_table(trainer)
-        check = button(self._check.channel_id, "trainer-check", "Check table", "main", "Mark the cells that are filled")
-        self._check.show("" if trainer.done else check)
+        hint = "Mark the cells that are filled"
+        check = "" if trainer.done else self._check.button("trainer-check", "Check table", CheckTable(), "main", hint)
+        self._check.show(check)
         self._foot.show(self._about(trainer))
 
     def hide(self) -> None:
         """Show nothing."""
         self._frame, self._on_page = "", {}
-        for fields in (self._fields, self._check, self._foot):
-            fields.show("")
+        for form in (self._form, self._check, self._foot):
+            form.show("")
 
     def _show_table(self, trainer: Trainer) -> None:
         """Show the table unless the page shows it already: a person may be typing in its next cell."""
@@ -69,43 +72,22 @@ class TableStage:
             for i, cells in enumerate(trainer.answers.cells)
             for field in FIELDS
         }
-        frame = self._table(trainer, dict.fromkeys(texts, ""))
+        frame = self._table(trainer, dict.fromkeys(texts, ""))  # with what was refused, if anything was
         if (frame, texts) != (self._frame, self._on_page):
             self._frame, self._on_page = frame, texts
-            self._fields.show(self._table(trainer, texts))
+            self._form.show(self._table(trainer, texts))
 
-    def typed(self, trainer: Trainer, cell: str, text: str) -> Command | None:
-        """Return the command that a field or a button asks for; None when only another cell is asked about.
+    # -- what a person does; the table on the page may be older than what it holds ---------------------------------
 
-        Raises
-        ------
-        InputError
-            What was typed is not a number; names row and column.
-        """
-        name, _, rest = cell.removeprefix("trainer-").partition("-")
-        if name == "revise":
-            return ReviseAxes()
-        if name == "check":
-            return CheckTable()
-        if name == "cell":
-            return self._cell_typed(trainer, rest, text)
-        if name == "rule":
-            self._rule_seen = not self._rule_seen
-        elif name == "show":
-            return ShowCell(self._row, self._field)
-        elif name == "row":
-            self._row = int(rest) - 1
-        elif name == "column":
-            self._field = rest
-        elif name == "ask":
-            row, _, self._field = rest.partition("-")
-            self._row = int(row) - 1
-        return None
+    def _ask(self, row: int | None = None, field: str = "") -> None:
+        self._row, self._field = self._row if row is None else row, field or self._field
 
-    def _cell_typed(self, trainer: Trainer, rest: str, text: str) -> Command | None:
-        row, _, field = rest.partition("-")
-        self._on_page[rest] = text
-        i = int(row) - 1
+    def _turn_rule(self) -> None:
+        self._rule_seen = not self._rule_seen
+
+    def _typed(self, i: int, field: str, text: str) -> Wish:
+        trainer = self._trainer
+        self._on_page[f"{i + 1}-{field}"] = text
         value = trainer.answers.cells[i][FIELDS.index(field)]
         if text == self._text(value, field):
             return None
@@ -130,8 +112,8 @@ class TableStage:
 
     # -- markup --------------------------------------------------------------------------------------------------
 
-    def frames(self, trainer: Trainer, channel: str) -> str:
-        """Return the frames the table is about, and what is to be known of them; ``channel`` is of the buttons."""
+    def frames(self, form: Form, trainer: Trainer) -> str:
+        """Return the frames the table is about, and what is to be known of them; ``form`` gets the button."""
         assert trainer.assignment is not None
         rows = []
         for i, ((z, x), frame) in enumerate(zip(trainer.answers.axes, trainer.assignment.frames, strict=True)):
@@ -139,7 +121,7 @@ class TableStage:
             axes = "".join(f'<td class="axis-{axis}">{shown_direction(way)}</td>' for axis, way in (("z", z), ("x", x)))
             rows.append(f"<tr><td>{{{i}}}</td>{place}{axes}</tr>")
         remarks = (reversed_line(trainer, self._units), parallel_line(trainer))
-        back = button(channel, "trainer-revise", "change", "copy", "Go back to the axes; the table is kept")
+        back = form.button("trainer-revise", "change", ReviseAxes(), "copy", "Go back to the axes; the table is kept")
         return (
             f'<h3>Frames as you placed them<span class="copies">{back}</span></h3><table class="dh tr-frames"><tr>'
             f"<th>frame</th><th colspan=3>origin x, y, z in {self._units.length_unit}</th><th>z</th><th>x</th></tr>"
@@ -150,8 +132,8 @@ class TableStage:
         heads = []
         for field in self._units.book.order:
             inside = self._units.column(field, "standard")
-            name = f"trainer-column-{field}"
-            heads.append(f"<th>{button(self._fields.channel_id, name, inside, 'head', NAMES[field])}</th>")
+            ask = partial(self._ask, field=field)
+            heads.append(f"<th>{self._form.button(f'trainer-column-{field}', inside, ask, 'head', NAMES[field])}</th>")
         return "".join(heads)
 
     def _table(self, trainer: Trainer, texts: Mapping[str, str]) -> str:
@@ -161,13 +143,15 @@ class TableStage:
     def _line(self, trainer: Trainer, i: int, texts: Mapping[str, str]) -> str:
         kind = trainer.exercise.robot.arm.rows[i].kind
         name = f"{dot(css(joint_colour(i)))}{subscript(kind, i + 1)}"
-        head = button(self._fields.channel_id, f"trainer-row-{i + 1}", name, "head", f"Ask about row {i + 1}")
+        ask = partial(self._ask, i)
+        head = self._form.button(f"trainer-row-{i + 1}", name, ask, "head", f"Ask about row {i + 1}")
         cells = "".join(self._cell(trainer, i, field, texts[f"{i + 1}-{field}"]) for field in self._units.book.order)
         return f"<tr><td>{head}</td>{cells}</tr>"
 
     def _cell(self, trainer: Trainer, i: int, field: str, text: str) -> str:
         verdict = trainer.cell_marks[i].get(field)
-        inside = self._fields.field(f"trainer-cell-{i + 1}-{field}", text, f"row {i + 1}, {NAMES[field]}")
+        label = f"row {i + 1}, {NAMES[field]}"
+        inside = self._form.field(f"trainer-cell-{i + 1}-{field}", text, label, partial(self._typed, i, field))
         if field == _variable(trainer, i):
             revolute = trainer.exercise.robot.arm.rows[i].revolute
             inside = f"<i>{self._units.variable(i, revolute)}&#8239;+</i>{inside}"
@@ -179,21 +163,24 @@ class TableStage:
 
     def _mark(self, i: int, field: str, verdict: CellVerdict) -> str:
         sign = "✓" if verdict.ok else "✕"
-        return button(self._fields.channel_id, f"trainer-ask-{i + 1}-{field}", sign, "sign", verdict.text)
+        ask = partial(self._ask, i, field)
+        return self._form.button(f"trainer-ask-{i + 1}-{field}", sign, ask, "sign", verdict.text)
 
     def _about(self, trainer: Trainer) -> str:
         """Return how far it is, and what there is to say about the cell asked about."""
         if trainer.done:
             cells = trainer.exercise.n * len(FIELDS)
             return f'<div class="verdict ok"><b>✓ All {cells} cells right</b>{end_line(trainer)}</div>'
-        channel, i, field = self._foot.channel_id, self._row, self._field
+        i, field = self._row, self._field
         name, verdict = symbol(self._units, field, i), trainer.cell_marks[i].get(field)
         line = ""
         if verdict is not None:
             line = f'<p class="{"ok" if verdict.ok else "no"}">{name}: {escaped(verdict.text)}.</p>'
-        hint = chip(channel, "trainer-rule", f"Hint for {name}", "The rule of this cell", self._rule_seen)
+        told = "The rule of this cell"
+        hint = self._foot.chip("trainer-rule", f"Hint for {name}", self._turn_rule, told, self._rule_seen)
         if trainer.answers.cell_misses[i][FIELDS.index(field)] >= ENOUGH_MISSES and not (verdict and verdict.ok):
-            hint += chip(channel, "trainer-show", f"Show {name}", "Put the right value into this cell")
+            put = "Put the right value into this cell"
+            hint += self._foot.chip("trainer-show", f"Show {name}", ShowCell(i, field), put)
         told = f"<p>{rule(trainer, i, field, self._units)}</p>" if self._rule_seen else ""
         return f'<p class="dim">{_count(trainer)}</p>{line}<div class="bar">{hint}{WHICH}</div>{told}'
 

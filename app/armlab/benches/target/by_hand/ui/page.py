@@ -9,9 +9,9 @@ from armlab.benches.target.solutions.derivation import derivation, failing, meth
 from armlab.kin.ik.closed_form import DerivationStep
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.format import escaped, mathml, number
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import (
@@ -14,36 +13,21 @@ from armlab.session.parts.target import (
     target_pose,
     verdict,
 )
-from armlab.session.session import Refuse
-from armlab.session.state import State
+from armlab.session.state import Post, State
+from armlab.ui.form import Form
 from armlab.ui.format import capitalised
-from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.pose_fields import pose_fields, product, typed_component
+from armlab.ui.plugin import Panel, Show
+from armlab.ui.pose_fields import pose_form, product
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import verdict_card
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the fields, the choices and the verdict."""
-    present, units = state, units_of(state)
-    task = state[Joints].arm.task
-
-    def typed(cell: str, text: str) -> None:
-        try:
-            pose = typed_component(present[Joints].arm, target_pose(present), cell, text, units)
-        except InputError as refusal:
-            post(Refuse(str(refusal)))
-            show_fields(present)  # what holds, not what was refused
-            return
-        post(PlaceTarget(pose))
-
+    units, task = units_of(state), state[Joints].arm.task
     gui.heading("Target of the tool")
-    fields = gui.fields(typed)
-
-    def show_fields(state: State) -> None:
-        fields.show(_fields(fields, state, units))
-
+    form = gui.form(post)
     handles = None
     if task.rotation != "none" and task.position:
         handles = gui.segments(
@@ -76,9 +60,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     )
 
     def show(state: State) -> None:
-        nonlocal present
-        present = state
-        show_fields(state)
+        form.show(_fields(form, state, units))
         if handles is not None:
             handles.show(state[Target].handle)
         axes.show(state[Target].axes)
@@ -91,9 +73,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _fields(fields: Fields, state: State, units: Units) -> str:
+def _fields(form: Form, state: State, units: Units) -> str:
     arm = state[Joints].arm
-    shown = pose_fields(fields, arm, target_pose(state), units)
+    shown = pose_form(form, arm, target_pose(state), units, PlaceTarget)
     if arm.task.rotation == "none":
         return f'{shown}<p class="dim">This arm controls the position only; its orientation follows.</p>'
     return shown if arm.task.rotation == "phi" else shown + product()

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import logging
 import math
+from functools import partial
 
 import numpy as np
 
@@ -12,8 +12,6 @@ from armlab.benches.target.solutions.motion import Motion
 from armlab.benches.target.solutions.proof import STARTS, Proof
 from armlab.benches.target.solutions.state import (
     PRESETS,
-    GoToSolution,
-    LookAtSolution,
     MoveAlong,
     Prove,
     Solutions,
@@ -25,18 +23,16 @@ from armlab.benches.target.solutions.state import (
     shown_proof,
     whole_turns,
 )
-from armlab.benches.target.solutions.ui.table import GO, SEE, Table
+from armlab.benches.target.solutions.ui.table import Table
 from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
 from armlab.ui.format import escaped
-from armlab.ui.markup import chip, options, row, select
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.markup import row
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Control, Fields, Gui, Html
-
-log = logging.getLogger(__name__)
+from armlab.ui.widgets import Control, Gui, Html
 
 MOST_TURNS = 64
 """Choices of whole turns that are offered."""
@@ -52,9 +48,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     listing = _Listing(gui, arm, units, post)
     motion = _MotionSlider(gui, post)
     proof = _Proof(gui, units, post)
-    examples = gui.fields(lambda cell, _: post(TakePreset(cell)))
-    chips = "".join(chip(examples.channel_id, name, name, hint) for name, (_, _, hint) in PRESETS.items())
-    examples.show(f'<h3>Examples of the notes</h3><div class="bar">{chips}</div>')
+    examples = gui.form(post)
 
     def show(state: State) -> None:
         found = state[Solutions].found
@@ -62,6 +56,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         listing.show(state)
         motion.show(state)
         proof.show(state)
+        chips = "".join(examples.chip(name, name, TakePreset(name), hint) for name, (_, _, hint) in PRESETS.items())
+        examples.show(f'<h3>Examples of the notes</h3><div class="bar">{chips}</div>')
 
     return show
 
@@ -84,36 +80,19 @@ class _Listing:
     """The list, and the whole turns of the solution the arm is at."""
 
     def __init__(self, gui: Gui, arm: Arm, units: Units, post: Post) -> None:
-        self._arm, self._units, self._post = arm, units, post
-        self._fields = gui.fields(self._pressed)
-        self._table = Table(arm, units, self._fields.channel_id)
+        self._arm, self._units = arm, units
+        self._form = gui.form(post)
+        self._table = Table(arm, units, self._form)
         self._family, self._followed = 0, -1
-        self._state: State | None = None
 
-    def _pressed(self, cell: str, text: str) -> None:
-        command: Command | None = None
-        if cell == "turns" and text.isdecimal():
-            command = TurnTo(int(text))
-        elif cell.startswith("family") and cell[6:].isdecimal():
-            self._family = int(cell[6:])
-            if self._state is not None:
-                self.show(self._state)
-            return
-        else:
-            for prefix, kind in ((GO, GoToSolution), (SEE, LookAtSolution)):
-                if cell.startswith(prefix) and cell[len(prefix) :].isdecimal():
-                    command = kind(int(cell[len(prefix) :]))
-        if command is None:
-            log.warning("a page that is not ours pressed the list of solutions")
-        else:
-            self._post(command)
+    def _turn_to(self, family: int) -> None:
+        self._family = family
 
     def show(self, state: State) -> None:
         """Show the newest list."""
-        self._state = state
         found = state[Solutions].found
         if found is None or not found.rows:
-            self._fields.show("")
+            self._form.show("")
             return
         present = state.derived(present_row)
         families = len(found.solutions.families)
@@ -122,7 +101,7 @@ class _Listing:
         rows = [row for row in found.rows if not families or row.family in (-1, self._family)]
         q = state[Joints].q if state.derived(fresh) is not None else None
         markup = self._table.markup(found, rows, present, state[Solutions].chosen, q)
-        self._fields.show(self._choice(families) + markup + self._turns(state))
+        self._form.show(self._choice(families) + markup + self._turns(state))
 
     def _follow(self, found: Found, present: Row | None, state: State) -> None:
         """Show the family the arm has come to."""
@@ -137,12 +116,16 @@ class _Listing:
     def _choice(self, families: int) -> str:
         if families < 2:
             return ""
-        channel = self._fields.channel_id
-        chips = "".join(
-            chip(channel, f"family{k}", str(k + 1), f"Representatives of family {k + 1}", k == self._family)
-            for k in range(families)
+        hint = "Representatives of family {}"
+        return row(
+            "Family",
+            "".join(
+                self._form.chip(
+                    f"family{k}", str(k + 1), partial(self._turn_to, k), hint.format(k + 1), k == self._family
+                )
+                for k in range(families)
+            ),
         )
-        return row("Family", chips)
 
     def _turns(self, state: State) -> str:
         turns = state.derived(whole_turns)
@@ -152,7 +135,7 @@ class _Listing:
         here = int(np.argmin(np.abs(turns - q).max(axis=1)))
         order = np.argsort(np.abs(turns - turns[here]).sum(axis=1), kind="stable")[:MOST_TURNS]
         texts = {str(k): self._turn_words(turns[k] - turns[here]) for k in sorted(order)}
-        menu = select(self._fields.channel_id, "turns", "Whole turns", options(texts, str(here)))
+        menu = self._form.select("turns", "Whole turns", texts, str(here), lambda k: TurnTo(int(k)))
         count = f"<small> {len(turns)} ways inside the limits</small>"
         return f'<div class="turns"><span>Whole turns{count}</span>{menu}</div>'
 
@@ -200,22 +183,22 @@ class _Proof:
     """The search from thousands of starts."""
 
     def __init__(self, gui: Gui, units: Units, post: Post) -> None:
-        self._fields: Fields = gui.fields(lambda cell, _: post(Prove(cell == "prove")))
+        self._form = gui.form(post)
         self._units = units
 
     def show(self, state: State) -> None:
         """Show the button, how far the search is, or what has come of it."""
         found, proof = state[Solutions].found, state.derived(shown_proof)
         if found is None or len(found.question.held) == found.question.arm.n:
-            self._fields.show("")
+            self._form.show("")
             return
-        channel = self._fields.channel_id
         if proof is None or proof.done:
             name = f"Prove it: {STARTS} random starts"
-            begin = chip(channel, "prove", name, "Does any descent end in a solution that is not listed?")
+            hint = "Does any descent end in a solution that is not listed?"
+            begin = self._form.chip("prove", name, Prove(True), hint)
         else:
-            begin = chip(channel, "cancel", "Cancel")
-        self._fields.show(f'<div class="bar prove">{begin}</div>{self._outcome(proof, state)}')
+            begin = self._form.chip("cancel", "Cancel", Prove(False))
+        self._form.show(f'<div class="bar prove">{begin}</div>{self._outcome(proof, state)}')
 
     def _outcome(self, proof: Proof | None, state: State) -> str:
         if proof is None:

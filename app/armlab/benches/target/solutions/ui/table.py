@@ -8,17 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.target.solutions.found import Found, Row
+from armlab.benches.target.solutions.state import GoToSolution, LookAtSolution
 from armlab.benches.target.solutions.ui.ghosts import row_colour
 from armlab.kin.arm import Arm
 from armlab.ui.colours import css
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button
 from armlab.ui.units import Units
 
 Values = NDArray[np.float64]
-
-GO, SEE = "go", "see"
-"""What the cells of a row begin with; its slot follows."""
 
 FEW = 2
 """Joints whose values have room beside a name."""
@@ -34,12 +32,12 @@ class Table:
     ----------
     arm : Arm
     units : Units
-    channel : str
-        Where presses go.
+    form : Form
+        What the list stands in.
     """
 
-    def __init__(self, arm: Arm, units: Units, channel: str) -> None:
-        self._arm, self._units, self._channel = arm, units, channel
+    def __init__(self, arm: Arm, units: Units, form: Form) -> None:
+        self._arm, self._units, self._form = arm, units, form
         heads = ((units.variable(i, row.revolute), units.unit(row.revolute)) for i, row in enumerate(arm.rows))
         self._heads = "".join(f"<span>{escaped(name)} <small>{escaped(unit)}</small></span>" for name, unit in heads)
 
@@ -81,18 +79,19 @@ class Table:
         name = f'<span class="name">{escaped(row.name)}</span>' if named else ""
         out = f'<span class="out">✕ {self.out(row)}</span>' if not row.within else ""
         hint = f"Out of limits: {self.out(row)}" if out else "The arm is here" if present else "Go there"
-        go = button(
-            self._channel,
-            f"{GO}{row.slot}",
+        go = self._form.button(
+            f"go{row.slot}",
             f'<b class="place" style="--c:{css(row_colour(row))}">{place}</b>{name}'
             f'<span class="values">{"<i>●</i>" if present else ""}{values}</span>{out}',
+            GoToSolution(row.slot),
             "sol",
             hint,
             label=f"Solution {place}: {row.name}",
         )
         see = ""
         if not present and not self._is_wide(named):
-            see = button(self._channel, f"{SEE}{row.slot}", "◉", "see", "Draw this one as a body", pressed=chosen)
+            body = LookAtSolution(row.slot)
+            see = self._form.button(f"see{row.slot}", "◉", body, "see", "Draw this one as a body", pressed=chosen)
         state = " now" if present else "" if row.within else " off"
         return f'<div class="sol-row{state}" data-place="{place}">{go}{see}</div>'
 

@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.ellipsoid.state import Manipulability, VelocityBlock
 from armlab.benches.velocity.ellipsoid.state_circle import Mapped, MarkSpeeds, UnitCircle, mapped
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.format import mathml, number
-from armlab.ui.plugin import Post
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 

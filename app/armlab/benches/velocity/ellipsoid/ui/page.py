@@ -6,7 +6,6 @@ from armlab.benches.motion.api import Plan
 from armlab.benches.velocity.ellipsoid.state import (
     KINDS,
     LookAtBlock,
-    LookAtEllipsoid,
     Manipulability,
     PlacedEllipsoid,
     VelocityBlock,
@@ -20,15 +19,16 @@ from armlab.benches.velocity.ellipsoid.ui.map import Pictures
 from armlab.benches.velocity.ellipsoid.ui.plots import Along, Sweeping, over_distances
 from armlab.benches.velocity.ellipsoid.ui.scene import SWITCH, digits, speed
 from armlab.benches.velocity.ellipsoid.ui.words import name_of_w, scaling_words, vector, verdict_of, volume, volume_unit
+from armlab.session.fields import Set
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.format import mathml, number, pairs, subscript, trimmed
-from armlab.ui.plugin import Panel, Post, Show
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
@@ -54,7 +54,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         "Ellipsoid of",
         SHOWN,
         part.shown,
-        lambda key: post(LookAtEllipsoid(key)),
+        lambda key: post(Set(Manipulability, "shown", key)),
         "Both have the same axes; the half axes of one are the inverses of those of the other (5.4.1)",
     )
     axes, card, numbers = gui.html(), gui.html(), gui.html()

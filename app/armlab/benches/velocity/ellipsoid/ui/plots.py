@@ -29,12 +29,11 @@ from armlab.benches.velocity.ellipsoid.ui.words import name_of_w, volume_unit
 from armlab.kin.ellipsoid import SingularPlaces
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import OpenClip, Timeline
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui import adapter
 from armlab.ui.colours import BLUE, GREEN, PURPLE
 from armlab.ui.format import mathml, number
 from armlab.ui.plot import TIME, Curve, Plot
-from armlab.ui.plugin import Post
 from armlab.ui.units import Units
 from armlab.ui.widgets import Gui
 

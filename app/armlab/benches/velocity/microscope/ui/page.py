@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from armlab.benches.velocity.microscope.examples import EXAMPLES, ChooseMicroscopeExample
@@ -16,7 +18,6 @@ from armlab.benches.velocity.microscope.state import (
     SetDamping,
     SetDistance,
     SetSpeed,
-    WatchMethod,
     known_places,
     looked,
     near,
@@ -32,27 +33,24 @@ from armlab.benches.velocity.microscope.ui.words import (
 )
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
+from armlab.kin.field import Field
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, State
-from armlab.ui.examples import examples_markup
+from armlab.session.state import Post, State
+from armlab.ui.examples import examples
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, readable
-from armlab.ui.markup import chip
-from armlab.ui.plugin import Panel, Points, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 AIMS = {
-    "aim lost": ("lost direction", "The direction in which the tool is slowest; drawn dashed"),
-    "aim across": ("across it", "The direction in which the tool is fastest"),
+    "lost": ("lost direction", "The direction in which the tool is slowest; drawn dashed"),
+    "across": ("across it", "The direction in which the tool is fastest"),
 }
 
 
 SCALED = "1/s, scaled"
 """Unit of a size in which lengths are divided by the arm's."""
-
-LONGEST_INDEX = 3
-"""Digits of a place in a list; more are none of a page of ours."""
 
 AROUND = 0.6
 """Length of an arrow at the tool that belongs in the picture, in length scales."""
@@ -60,30 +58,18 @@ AROUND = 0.6
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make example, places, velocity, verdict, bars, table and damping."""
-    present, units = state, units_of(state)
-
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: commands(present, cell, text, units), present, post):
-            show(present)
-
-    head = gui.fields(lambda cell, text: typed(head, cell, text))
-    verdict = gui.html()
-    wish = gui.fields(lambda cell, text: typed(wish, cell, text))
-    drawn = gui.html()
-    methods = gui.fields(lambda cell, text: typed(methods, cell, text))
-    damping = gui.fields(lambda cell, text: typed(damping, cell, text))
-    values = gui.html()
+    units = units_of(state)
+    head, verdict, wish, drawn = gui.form(post), gui.html(), gui.form(post), gui.html()
+    methods, damping, values = gui.form(post), gui.form(post), gui.html()
 
     def show(state: State) -> None:
-        nonlocal present
-        present = state
         look = state.derived(looked)
-        head.show(_head(head, state, units))
+        head.show(head_markup(head, state, units))
         verdict.show(condition_card(look, state.derived(near), units))
-        wish.show(_wish(wish, look, units))
+        wish.show(wish_markup(wish, look, units))
         drawn.show(f"<h3>Joint speeds, each method</h3>{bars(look, units)}")
-        methods.show(table(look, methods.channel_id, units))
-        damping.show(_damping(damping, look))
+        methods.show(table(look, methods, units))
+        damping.show(damping_markup(damping, look))
         said = scales_words(look)
         note = f'<p class="dim">{escaped(said)}</p>' if said else ""
         values.show(f"<h3>Singular values and directions</h3>{sigma_bars(look)}{note}")
@@ -91,43 +77,55 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _head(fields: Fields, state: State, units: Units) -> str:
+def head_markup(form: Form, state: State, units: Units) -> str:
     """Return examples, and where the arm can be brought."""
     arm, part = state[Joints].arm, state[Microscope]
-    examples = examples_markup(fields.channel_id, EXAMPLES, part.example)
+    chooser = examples(form, EXAMPLES, part.example, ChooseMicroscopeExample)
     chips = []
     for i, place in enumerate(known_places(state)):
         j, revolute = place.pose.place, bool(arm.revolute[place.pose.place])
         value = float(place.pose.q[j])
         at = units.angle(value) if revolute else units.length(value)
         text = f"{place.name}: {units.variable(j, revolute)} = {at}"
-        chips.append(chip(fields.channel_id, f"place {i}", text, place.says))
+        chips.append(form.chip(f"place {i}", text, BringNear(i), place.says))
     found = "".join(chips) or '<span class="dim">No joint meets one from the home pose.</span>'
-    away = fields.field("distance", readable(part.distance / units.factor(True), 2), "Distance from the singularity")
+    away = form.field(
+        "distance",
+        readable(part.distance / units.factor(True), 2),
+        "Distance from the singularity",
+        lambda text: SetDistance(units.read(text, True, "distance")),
+    )
     hint = "Of a joint that slides, as many length scales as these are radians"
     label = f'<label class="option" title="{hint}"><span>at a distance of</span>{away}<i>{units.angle_unit}</i></label>'
-    return f'{examples}<h3>Bring the arm near a singularity</h3><div class="bar">{found}</div>{label}'
+    return f'{chooser}<h3>Bring the arm near a singularity</h3><div class="bar">{found}</div>{label}'
 
 
-def _wish(fields: Fields, look: Look, units: Units) -> str:
+def wish_markup(form: Form, look: Look, units: Units) -> str:
     """Return the choice of the direction, the components and the speed."""
-    part, channel = look.part, fields.channel_id
-    chosen = f"aim {part.aim}"
-    aims = "".join(chip(channel, key, text, hint, key == chosen) for key, (text, hint) in AIMS.items())
+    part = look.part
+    aims = "".join(
+        form.chip(f"aim {aim}", text, AimVelocity(aim), hint, aim == part.aim) for aim, (text, hint) in AIMS.items()
+    )
     names = components(part.arm.task)
     natural = look.natural(look.wish).tolist()
     axes, typed = [], []
     for i, ((name, turns), value) in enumerate(zip(names, natural, strict=True)):
-        axes.append(chip(channel, f"along {i}", _symbol(name), "A velocity of this component alone"))
-        field = fields.field(f"v {i}", units.entry(value, turns), name)
+        axes.append(form.chip(f"along {i}", _symbol(name), AimAlong(i), "A velocity of this component alone"))
+        field = form.field(f"v {i}", units.entry(value, turns), name, partial(_component, i, name, turns, units))
         typed.append(f'<label class="option"><span>{_lowered(name)}</span>{field}<i>{units.unit(turns)}/s</i></label>')
-    size = fields.field("speed", readable(part.speed, 4), "Size of the velocity")
+    size = form.field(
+        "speed", readable(part.speed, 4), "Size of the velocity", lambda text: SetSpeed(_number("size", text))
+    )
     title = f"Size of the velocity. {scales_words(look)}".strip()
     return (
         f'<h3>Wanted velocity of the tool</h3><div class="bar">{aims}{"".join(axes)}</div><div class="options ms-wish">'
-        f'<label class="option" title="{escaped(title)}"><span>size</span>{size}<i>{_speed_unit(look)}</i></label>'
+        f'<label class="option" title="{escaped(title)}"><span>size</span>{size}<i>{speed_unit(look)}</i></label>'
         f"{''.join(typed)}</div>"
     )
+
+
+def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetComponent:
+    return SetComponent(i, units.read(text, turns, name))
 
 
 def _symbol(name: str) -> str:
@@ -139,7 +137,7 @@ def _lowered(name: str) -> str:
     return f"{base}<sub>{index}</sub>" if base else escaped(name)
 
 
-def _speed_unit(look: Look) -> str:
+def speed_unit(look: Look) -> str:
     """Return the unit of a size: m/s, rad/s, or a scaled one where both meet."""
     task = look.part.arm.task
     if task.position and task.rotation != "none":
@@ -149,54 +147,25 @@ def _speed_unit(look: Look) -> str:
     return "m/s" if look.task.length == 1.0 else SCALED
 
 
-def _damping(fields: Fields, look: Look) -> str:
+def damping_markup(form: Form, look: Look) -> str:
     """Return the options of the damped methods."""
     values = dict(look.part.damping)
-    typed = "".join(
-        f'<label class="option" title="{escaped(field.title)}"><span>{_lowered(field.symbol)}</span>'
-        f"{fields.field(f'd {key}', readable(values[key], 4), field.title)}"
-        f"<i>{damping_unit(look, field.unit)}</i></label>"
-        for key, (_, field) in DAMPING.items()
-    )
+
+    def option(key: str, kind: Field) -> str:
+        typed = form.field(
+            f"d {key}",
+            readable(values[key], 4),
+            kind.title,
+            lambda text: SetDamping(key, _number(kind.symbol, text)),
+        )
+        symbol, unit = _lowered(kind.symbol), damping_unit(look, kind.unit)
+        return f'<label class="option" title="{escaped(kind.title)}"><span>{symbol}</span>{typed}<i>{unit}</i></label>'
+
+    typed = "".join(option(key, kind) for key, (_, kind) in DAMPING.items())
     used = next(answer.step.damping for answer in look.answers if answer.key == "dls_variable")
     squared = damping_unit(look, "sigma²")
     here = f"λ(σ) is {readable(used, 4)}{f' {squared}' if squared else ''} here"
     return f'<div class="options ms-damping">{typed}<span class="dim">{here}</span></div>'
-
-
-def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command, ...]:
-    """Return what a person asked for.
-
-    Raises
-    ------
-    InputError
-        Not a number; the text names the field.
-    """
-    if cell == "example":
-        return (ChooseMicroscopeExample(text),) if text else ()
-    if cell == "speed":
-        return (SetSpeed(_number("size", text)),)
-    if cell == "distance":
-        return (SetDistance(units.read(text, True, "distance")),)
-    what, _, rest = cell.partition(" ")
-    if what == "aim":
-        return (AimVelocity(rest),)
-    if what == "watch":
-        return (WatchMethod(rest),)
-    if what == "d":
-        symbol = DAMPING[rest][1].symbol if rest in DAMPING else rest
-        return (SetDamping(rest, _number(symbol, text)),)
-    if not (rest.isdecimal() and len(rest) <= LONGEST_INDEX):
-        return ()
-    if what == "place":
-        return (BringNear(int(rest)),)
-    if what == "along":
-        return (AimAlong(int(rest)),)
-    names = components(state[Joints].arm.task)
-    if what == "v" and int(rest) < len(names):
-        name, turns = names[int(rest)]
-        return (SetComponent(int(rest), units.read(text, turns, name)),)
-    return ()
 
 
 def _number(where: str, text: str) -> float:

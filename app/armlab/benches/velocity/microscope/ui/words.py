@@ -6,12 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.velocity.microscope.look import Look, Near
+from armlab.benches.velocity.microscope.state import WatchMethod
 from armlab.kin.control.side_by_side import Compared
 from armlab.kin.control.singular_poses import FAR, SINGULAR
 from armlab.kin.task import Task
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.form import Form
 from armlab.ui.format import dot, escaped, number, scientific, subscript, trimmed
-from armlab.ui.markup import button
 from armlab.ui.units import Units
 from armlab.ui.verdicts import SIGNS
 
@@ -100,23 +101,23 @@ def sigma_bars(look: Look) -> str:
     return f'<div class="half">{"".join(rows)}</div><p class="ms-v" title="Drawn at the joints">{name} = ({v})</p>'
 
 
-def table(look: Look, channel: str, units: Units) -> str:
+def table(look: Look, form: Form, units: Units) -> str:
     """Return what each method does, a row each; the one that is drawn in the scene is marked."""
     arm = look.part.arm
     kinds = [turns for turns in (True, False) if bool(np.any(arm.revolute == turns))]
     heads = "".join(f"<th>max |q̇|<br>{_rate(turns, units)}</th>" for turns in kinds)
     met = '<th title="Component of the reached velocity along the wish">met</th>'
     error = '<th title="|v reached − v| / |v|">error</th>'
-    rows = "".join(_row(look, answer, kinds, channel, units) for answer in look.answers)
+    rows = "".join(_row(look, answer, kinds, form, units) for answer in look.answers)
     off = '<th title="Angle between the reached velocity and the wish">off by</th>'
     return f'<table class="ms-table"><tr><th></th>{heads}{met}{error}{off}</tr>{rows}</table>'
 
 
-def _row(look: Look, answer: Compared, kinds: list[bool], channel: str, units: Units) -> str:
+def _row(look: Look, answer: Compared, kinds: list[bool], form: Form, units: Units) -> str:
     pressed = look.part.method == answer.key
     title = f"{answer.title}, α = 1/σ_max²" if answer.key == "transpose" else answer.title
     hint = f"{title}: draw what it makes the tool do"
-    name = button(channel, f"watch {answer.key}", escaped(NAMES[answer.key]), "chip", hint, pressed=pressed)
+    name = form.chip(f"watch {answer.key}", NAMES[answer.key], WatchMethod(answer.key), hint, pressed)
     if answer.step.qdot is None:
         return f'<tr><th>{name}</th><td colspan="{len(kinds) + 3}" class="said">{escaped(answer.step.says)}</td></tr>'
     speeds = np.abs(answer.step.qdot * look.task.joint_units)

@@ -12,36 +12,27 @@ from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, ma
 from armlab.benches.velocity.solve.ui.torus import pressed, torus_markup, torus_style
 from armlab.benches.velocity.solve.ui.words import card, small
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
+from armlab.ui.form import Form, Wish
 from armlab.ui.format import escaped, mathml
-from armlab.ui.markup import options, row, select
-from armlab.ui.plugin import Panel, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.markup import row
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 
 class PicturesPage:
     """The page."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._state, self._post, self._units = state, post, units_of(state)
-        self._head: Fields = gui.fields(lambda cell, text: self._typed(self._head, cell, text))
-        self._lines = gui.html()
-        self._map: Fields = gui.fields(lambda cell, text: self._typed(self._map, cell, text))
-        self._mark = gui.html()
-        self._norm = gui.html()
+        self._units = units_of(state)
+        self._head, self._lines, self._map = gui.form(post), gui.html(), gui.form(post)
+        self._mark, self._norm = gui.html(), gui.html()
         self._drawn: object = None
-
-    def _typed(self, fields: Fields, cell: str, text: str) -> None:
-        present = self._state
-        if not tried(fields, cell, text, lambda: commands(present, cell, text), present, self._post):
-            self.show(present)
 
     def show(self, state: State) -> None:
         """Show a state; the square is sent only when its singular set is another one."""
-        self._state = state
-        self._head.show(_head(self._head, state, self._units))
+        self._head.show(head_markup(self._head, state, self._units))
         why = refusal(state)
         for element in (self._lines, self._mark, self._norm):
             element.visible(not why)
@@ -57,69 +48,61 @@ class PicturesPage:
         key = key_of(state)
         if key != self._drawn or self._map.stale:
             self._drawn = key
-            self._map.show(_maps(self._map.channel_id, state, place, units))
+            self._map.show(maps_markup(self._map, state, place, units))
         self._mark.show(marks_style(state, place, found) + torus_style(state, found))
-        self._norm.show(_norm(state, units))
+        self._norm.show(norm_markup(state, units))
 
 
-def commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
-    """Return what follows from a press or a choice."""
-    pair = state[Solve].pair
-    if cell in ("first", "second") and text.isdecimal():
-        joint = int(text)
-        if cell == "first":
-            return (PicturePair(joint, pair[0] if joint == pair[1] else pair[1]),)
-        return (PicturePair(pair[1] if joint == pair[0] else pair[0], joint),)
-    if cell in ("square", "torus"):
-        try:
-            x, y, *drag = (float(part) for part in text.split(","))
-        except ValueError:
-            return ()
-        place = _place(cell, x, y) if math.isfinite(x + y) else None
-        if place is None:
-            return ()
-        return (DragTo(*place, int(drag[0])) if len(drag) == 1 and math.isfinite(drag[0]) else StandAt(*place),)
-    return ()
-
-
-def _place(cell: str, x: float, y: float) -> tuple[float, float] | None:
-    """Return where in the square a hand points, in parts of it from the lower left corner; None beside the torus."""
-    if cell == "square":
-        return x, 1.0 - y
-    angles = pressed(x, y)
-    if angles is None:
-        return None
-    across, up = (0.5 + angle / math.tau for angle in angles)
-    return across, up
-
-
-def _head(fields: Fields, state: State, units: Units) -> str:
+def head_markup(form: Form, state: State, units: Units) -> str:
     """Return the choice of the two joints."""
-    arm, (first, second) = state[Joints].arm, state[Solve].pair
+    arm, pair = state[Joints].arm, state[Solve].pair
     if arm.n < 3 or not arm.description.axes_parallel:
         return ""
     names = {str(k): units.variable(k, bool(arm.revolute[k])) for k in range(arm.n)}
-    channel = fields.channel_id
-    return row(
-        "Joints",
-        select(channel, "first", "First joint", options(names, str(first)))
-        + "<i>and</i>"
-        + select(channel, "second", "Second joint", options(names, str(second)))
-        + "<i>the others stand still</i>",
-    )
+
+    def choice(side: int, cell: str) -> str:
+        def chosen(key: str) -> PicturePair:
+            joint = int(key)
+            # The joint that stands on the other side changes places with this one.
+            other = pair[side] if joint == pair[1 - side] else pair[1 - side]
+            return PicturePair(joint, other) if side == 0 else PicturePair(other, joint)
+
+        return form.select(cell, f"{cell.capitalize()} joint", names, str(pair[side]), chosen)
+
+    return row("Joints", f"{choice(0, 'first')}<i>and</i>{choice(1, 'second')}<i>the others stand still</i>")
 
 
-def _maps(channel: str, state: State, place: Square, units: Units) -> str:
+def maps_markup(form: Form, state: State, found: Square, units: Units) -> str:
     """Return the torus, where both joints turn, and the square."""
-    said = "singular everywhere" if place.always else "red: det J = 0"
+    said = "singular everywhere" if found.always else "red: det J = 0"
     press = f"<small>{said}; drag in it to move the arm (5.44–5.46)</small>"
-    drawn = square_markup(channel, state, place, units)
+    drawn = square_markup(form.place("square", _in_square, drag=True), state, found, units)
     if not state[Joints].arm.revolute[list(state[Solve].pair)].all():
         return f"<h3>Joint space {press}</h3>{drawn}"
-    return f"<h3>Joint space, the torus S¹ × S¹ {press}</h3>{torus_markup(channel, place)}<h3>Cut open</h3>{drawn}"
+    torus = torus_markup(form.place("torus", _on_torus, drag=True), found)
+    return f"<h3>Joint space, the torus S¹ × S¹ {press}</h3>{torus}<h3>Cut open</h3>{drawn}"
 
 
-def _norm(state: State, units: Units) -> str:
+def _go(across: float, up: float, drag: int) -> StandAt:
+    """Return what moves the arm to a place in the square, in parts of it from the lower left corner."""
+    return DragTo(across, up, drag) if drag else StandAt(across, up)
+
+
+def _in_square(x: float, y: float, drag: int) -> StandAt:
+    return _go(x, 1.0 - y, drag)
+
+
+def _on_torus(x: float, y: float, drag: int) -> Wish:
+    """Return what moves the arm to a place on the torus; nothing beside it."""
+    angles = pressed(x, y)
+    if angles is None:
+        return ()
+    across, up = (0.5 + angle / math.tau for angle in angles)
+    return _go(across, up, drag)
+
+
+def norm_markup(state: State, units: Units) -> str:
+    """Return the curve of the norm with where the arm is on it."""
     found, curve = flat(state), norm_curve(state)
     sigma = found.answer.spaces.sigma
     ratio = float(sigma[1] / sigma[0]) if sigma[0] > 0.0 else 0.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,15 +27,15 @@ from armlab.benches.velocity.solve.ui.words import (
 )
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
-from armlab.ui.examples import examples_markup
+from armlab.session.state import Post, State
+from armlab.ui.examples import examples
+from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, readable
-from armlab.ui.markup import button, chips, row
+from armlab.ui.markup import row
 from armlab.ui.matrices import WIDE, copy_buttons
-from armlab.ui.plugin import Panel, Points, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 STEPS = 200
 """Of the slider along a self-motion."""
@@ -42,7 +43,7 @@ STEPS = 200
 REST = 0.4
 """Seconds without a motion after which the page finds out where on its self-motion the arm is."""
 
-ASKED = {"rows-task": "Whole task", "rows-position": "Position alone"}
+ASKED = {"task": "Whole task", "position": "Position alone"}
 
 FOLDS = {"spaces": "Four subspaces", "svd": "U, Σ, V", "penrose": "Penrose conditions"}
 
@@ -51,26 +52,17 @@ class SolvePage:
     """The page."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
-        self._state, self._post, self._units = state, post, units_of(state)
+        self._units = units_of(state)
         self._unfolded: set[str] = set()
-        self._head: Fields = gui.fields(lambda cell, text: self._typed(self._head, cell, text))
-        self._verdict, self._speeds = gui.html(), gui.html()
+        self._head, self._verdict, self._speeds = gui.form(post), gui.html(), gui.html()
         self._motion = _SelfMotion(gui, post)
-        self._singular = gui.html()
-        self._folds: Fields = gui.fields(lambda cell, _: self._fold(cell))
+        self._singular, self._folds = gui.html(), gui.form(post)
 
-    def _typed(self, fields: Fields, cell: str, text: str) -> None:
-        present = self._state
-        if not tried(fields, cell, text, lambda: commands(present, cell, text, self._units), present, self._post):
-            self.show(present)
-
-    def _fold(self, cell: str) -> None:
-        self._unfolded ^= {cell} & set(FOLDS)
-        self.show(self._state)
+    def _fold(self, key: str) -> None:
+        self._unfolded ^= {key}
 
     def show(self, state: State) -> None:
         """Show a state."""
-        self._state = state
         units, solved = self._units, state.derived(found)
         self._head.show(head_markup(self._head, state, solved, units))
         self._verdict.show(card(*verdict(solved, units)) + legend() + reached_markup(solved, units))
@@ -83,55 +75,36 @@ class SolvePage:
         parts = []
         for key, title in FOLDS.items():
             on = key in self._unfolded
-            press = button(self._folds.channel_id, key, f"{'▾' if on else '▸'} {title}", "so-fold", pressed=on)
+            turned = partial(self._fold, key)
+            press = self._folds.button(key, f"{'▾' if on else '▸'} {title}", turned, "so-fold", pressed=on)
             inside = MADE[key](solved) if on else ""
             parts.append(press + inside)
         return "".join(parts)
 
 
-def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command, ...]:
-    """Return what follows from a field or a button; none when no cell has this name.
-
-    Raises
-    ------
-    InputError
-        What was typed is no number.
-    """
-    name, _, rest = cell.partition("-")
-    if name == "example":
-        return (ChooseSolveExample(text),) if text else ()
-    if name == "rows":
-        return (AskFor(rest),)
-    if name == "v" and rest.isdecimal():
-        part = state[Solve]
-        names = components(part.arm.task)
-        if int(rest) >= len(names):
-            return ()
-        title, turning = names[int(rest)]
-        plain = text.strip().removesuffix("/s")
-        return (SetComponent(int(rest), units.read(plain, turning, title)),)
-    return ()
-
-
-def head_markup(fields: Fields, state: State, solved: Found, units: Units) -> str:
+def head_markup(form: Form, state: State, solved: Found, units: Units) -> str:
     """Return the choice of an example, what is asked, and the fields of the wanted velocity."""
-    part, channel = state[Solve], fields.channel_id
-    examples = examples_markup(channel, EXAMPLES, part.example)
-    asked = ""
+    part = state[Solve]
+    chooser, asked = examples(form, EXAMPLES, part.example, ChooseSolveExample), ""
     if has_choice(part.arm):
         hint = "What is asked of the tool; the rest of its motion is left free"
-        asked = row("Asked", chips(channel, ASKED, f"rows-{part.rows}", hint), wide=True)
+        chips = [form.chip(f"rows-{key}", text, AskFor(key), hint, key == part.rows) for key, text in ASKED.items()]
+        asked = row("Asked", "".join(chips), wide=True)
     cells = []
     for k, (name, turning) in enumerate(components(solved.arm.task)):
-        factor = units.factor(turning)
-        field = fields.field(f"v-{k}", readable(part.twist[k] / factor, units.decimals(turning)), f"{name} wanted")
+        shown = readable(part.twist[k] / units.factor(turning), units.decimals(turning))
+        field = form.field(f"v-{k}", shown, f"{name} wanted", partial(_component, k, name, turning, units))
         cells.append(f"<label><span>{markup_of(name)}</span>{field}<i>{units.unit(turning)}/s</i></label>")
     frame = "frame 0" + ("; ωx′, ωy′ about x, y of the tool" if part.arm.task.rotation == "approach" else "")
     return (
-        f"{examples}{asked}"
+        f"{chooser}{asked}"
         f"<h3>Wanted velocity {mathml('v')} <small>in axes of {frame}; or drag the blue arrow</small></h3>"
         f'<div class="kit-numbers so-twist">{"".join(cells)}</div>'
     )
+
+
+def _component(k: int, name: str, turning: bool, units: Units, text: str) -> SetComponent:
+    return SetComponent(k, units.read(text.strip().removesuffix("/s"), turning, name))
 
 
 def svd_markup(solved: Found) -> str:
@@ -182,18 +155,12 @@ class _SelfMotion:
         self._post = post
         self._slider = gui.slider("Along, %", 0.0, 100.0, 100.0 / STEPS, 0.0, self._slid, None)
         self._slider.handle.visible = False
-        self._play: Fields = gui.fields(lambda cell, _: self._pressed(cell))
+        self._play = gui.form(post)
         self._later: asyncio.TimerHandle | None = None
         self._looked: tuple[object, ...] = ()
 
     def _slid(self, value: float) -> None:
         self._post(SlideAlong(value / 100.0))
-
-    def _pressed(self, cell: str) -> None:
-        if cell == "play-self":
-            self._post(OpenClip(CLIP_KEY, play=True))
-        if cell == "pause-self":
-            self._post(Play(False))
 
     def show(self, state: State, solved: Found) -> None:
         """Show where on its self-motion the arm is, as soon as it rests."""
@@ -223,9 +190,11 @@ class _SelfMotion:
         if not on:
             found = "none; these speeds leave the tool in place to first order only." if looked_for(state) else "…"
             return f'<p class="dim">Self-motion: {found}</p>'
-        playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
-        cell, text = ("pause-self", "❚❚ Pause") if playing else ("play-self", "▶ Play")
-        press = button(self._play.channel_id, cell, text, "chip", "Move the arm along and back; the tool stays")
+        hint = "Move the arm along and back; the tool stays"
+        if state[Timeline].clip == CLIP_KEY and state[Timeline].playing:
+            press = self._play.button("pause-self", "❚❚ Pause", Play(False), "chip", hint)
+        else:
+            press = self._play.button("play-self", "▶ Play", OpenClip(CLIP_KEY, play=True), "chip", hint)
         way = begun(state)
         kind = "closed" if way is not None and way[1].closed else "from end to end"
         return f'<div class="bar">{press}<span class="dim">Self-motion, {kind}: the tool stays.</span></div>'

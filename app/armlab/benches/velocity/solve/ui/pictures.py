@@ -195,8 +195,8 @@ def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> str:
 # -- the square ------------------------------------------------------------------------------------------------------
 
 
-def square_markup(channel: str, state: State, found: Square, units: Units) -> str:
-    """Return the square of the two joint values with the singular set; it is pressed where the arm is to go."""
+def square_markup(place: str, state: State, found: Square, units: Units) -> str:
+    """Return the square of the two joint values with the singular set; `place` of a form makes it be pressed."""
     arm, pair = state[Joints].arm, state[Solve].pair
     span = found.high - found.low
     pieces = "".join(
@@ -215,7 +215,7 @@ def square_markup(channel: str, state: State, found: Square, units: Units) -> st
     drawing = f'<path class="singular" d="{pieces}"/>'
     return (
         f'<div class="so-square"><span class="up">{names[1]}</span>'
-        f'<div class="so-map" data-chan="{channel}" data-cell="square" data-pick="drag" title="{hint}">'
+        f'<div class="so-map" {place} title="{hint}">'
         f"{_drawing('so-torus', SIDE, SIDE, drawing, 'Where det J is zero')}{''.join(ticks)}"
         '<b class="so-way"></b><b class="so-here"></b></div>'
         f"<span>{names[0]}</span></div>"

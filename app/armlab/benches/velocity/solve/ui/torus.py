@@ -75,8 +75,8 @@ def _mesh() -> tuple[str, str]:
     return path(lines, True), path(lines, False)
 
 
-def torus_markup(channel: str, found: Square) -> str:
-    """Return the torus with the singular set; it is pressed where the arm is to go."""
+def torus_markup(place: str, found: Square) -> str:
+    """Return the torus with the singular set; `place` of a form makes it be pressed."""
     front, behind = _mesh()
     inside = (
         f'<path class="behind" d="{behind}"/><path class="mesh" d="{front}"/>'
@@ -84,8 +84,7 @@ def torus_markup(channel: str, found: Square) -> str:
         f'<path class="singular" d="{path(found.singular, True)}"/>'
     )
     return (
-        f'<div class="so-ring" data-chan="{channel}" data-cell="torus" data-pick="drag" '
-        'title="Press where the two joints are to go">'
+        f'<div class="so-ring" {place} title="Press where the two joints are to go">'
         f'<svg viewBox="0 0 {WIDE} {HIGH}" role="img" aria-label="The torus of both joint angles">{inside}</svg>'
         '<b class="so-way"></b><b class="so-here"></b></div>'
     )
@@ -106,6 +105,15 @@ def torus_style(state: State, answer: Flat) -> str:
     )
 
 
+@cache
+def _seen() -> tuple[Array, Array]:
+    """Return angles, close together, that are in front, and where they are drawn, both (N, 2)."""
+    steps = np.linspace(-math.pi, math.pi, 2 * PIECES, endpoint=False)
+    q = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
+    pixels, seen = projected(q)
+    return q[seen], pixels[seen]
+
+
 def pressed(x: float, y: float) -> tuple[float, float] | None:
     """Return the angles of the torus at a place of the drawing; None beside it.
 
@@ -114,10 +122,7 @@ def pressed(x: float, y: float) -> tuple[float, float] | None:
     x, y : float
         Parts of the drawing, from the upper left corner.
     """
-    steps = np.linspace(-math.pi, math.pi, 2 * PIECES, endpoint=False)
-    q = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
-    pixels, seen = projected(q)
-    q, pixels = q[seen], pixels[seen]
+    q, pixels = _seen()
     gaps = np.linalg.norm(pixels - (x * WIDE, y * HIGH), axis=1)
     if float(gaps.min()) > NEAR:
         return None

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.velocity.speeds.commands import LookAtLink, SetLinkPoint
 from armlab.benches.velocity.speeds.motion import (
     Moving,
     higher_of,
@@ -20,10 +21,9 @@ from armlab.kin.velocity.jacobians import ToolMotion
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, subscript, trimmed
-from armlab.ui.markup import options, select
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields
 
 Floats = NDArray[np.float64]
 
@@ -74,18 +74,14 @@ def size_markup(state: State) -> str:
     )
 
 
-def points_markup(fields: Fields, state: State) -> str:
+def points_markup(form: Form, state: State) -> str:
     """Return the two points of a link, to be typed, and their velocities."""
     part, arm, units = state[Velocity], state[Joints].arm, units_of(state)
-    chooser = select(
-        fields.channel_id,
-        "link",
-        "Link",
-        options({str(i): f"link {i}" for i in range(1, arm.n + 1)}, str(part.link)),
-        "Link i moves with joints 1 to i",
-    )
+    links = {str(i): f"link {i}" for i in range(1, arm.n + 1)}
+    hint = "Link i moves with joints 1 to i"
+    chooser = form.select("link", "Link", links, str(part.link), lambda key: LookAtLink(int(key)), hint)
     typed = "".join(
-        f"<tr><th>point {which + 1}</th>{''.join(_coordinate(fields, part, which, k, units) for k in range(3))}</tr>"
+        f"<tr><th>point {which + 1}</th>{''.join(_coordinate(form, part, which, k, units) for k in range(3))}</tr>"
         for which in range(2)
     )
     heads = "".join(f"<th>{axis}, {units.length_unit}</th>" for axis in "xyz")
@@ -107,11 +103,16 @@ def points_markup(fields: Fields, state: State) -> str:
     )
 
 
-def _coordinate(fields: Fields, part: Velocity, which: int, k: int, units: Units) -> str:
+def _coordinate(form: Form, part: Velocity, which: int, k: int, units: Units) -> str:
+    x, y, z = part.points[which]
+
+    def taken(text: str) -> SetLinkPoint:
+        value = units.read(text, False, f"point {which + 1}, {'xyz'[k]}")
+        return SetLinkPoint(which, ((value, y, z), (x, value, z), (x, y, value))[k])
+
     below = f"point {which + 1} {k}" if which == 0 else ""
-    label = f"Point {which + 1}, {'xyz'[k]}"
-    typed = fields.field(f"point {which} {k}", units.entry(part.points[which][k], False), label, below=below)
-    return f"<td>{typed}</td>"
+    text, label = units.entry((x, y, z)[k], False), f"Point {which + 1}, {'xyz'[k]}"
+    return f"<td>{form.field(f'point {which} {k}', text, label, taken, below)}</td>"
 
 
 def _three(vector: Floats, kind: bool | None, units: Units) -> str:

@@ -6,10 +6,9 @@ from armlab.benches.velocity.speeds.commands import SetSpeed
 from armlab.benches.velocity.speeds.state import Velocity, fastest
 from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
-from armlab.ui.plugin import Post
 from armlab.ui.units import Units
 from armlab.ui.widgets import Control, Gui
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from armlab.benches.velocity.statics.examples import EXAMPLES, ChooseExample
 from armlab.benches.velocity.statics.state import (
     AXES,
-    DrawDisplacement,
     ReleaseWrench,
     SetComponent,
     Statics,
@@ -25,13 +26,13 @@ from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, State
-from armlab.ui.examples import examples_markup
+from armlab.session.state import Post, State
+from armlab.ui.examples import examples
+from armlab.ui.form import Form
 from armlab.ui.format import mathml, readable
-from armlab.ui.markup import button, chips, row
-from armlab.ui.plugin import Panel, Points, Post, Show
-from armlab.ui.tried import tried
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.markup import row
+from armlab.ui.plugin import Panel, Points, Show
+from armlab.ui.widgets import Gui
 
 AXES_TITLES: dict[str, str] = dict(zip(AXES, ("World", "Tool"), strict=True))
 SHOWN = 0.36
@@ -42,22 +43,12 @@ PARTS = (("F", "force", "N"), ("M", "moment", "N m"))
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the fields of the wrench, the torques, and what follows."""
-    present = state
-
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: commands(cell, text), present, post):
-            show(present)
-
-    head = gui.fields(lambda cell, text: typed(head, cell, text))
-    card, torques = gui.html(), gui.html()
-    free = gui.html()
-    work = gui.fields(lambda cell, text: typed(work, cell, text))
-    duality = gui.html()
+    head = gui.form(post)
+    card, torques, free = gui.html(), gui.html(), gui.html()
+    work, duality = gui.form(post), gui.html()
 
     def show(state: State) -> None:
-        nonlocal present
-        present = state
-        head.show(_head(head, state[Statics]))
+        head.show(head_markup(head, state[Statics]))
         card.show(verdict_markup(state))
         torques.show(torques_markup(state))
         free.show(free_markup(state))
@@ -67,59 +58,43 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _head(fields: Fields, part: Statics) -> str:
+def head_markup(form: Form, part: Statics) -> str:
     """Return the choice of an example, of the axes, and the fields of the wrench."""
-    channel = fields.channel_id
-    examples = examples_markup(channel, EXAMPLES, part.example)
-    axes = chips(channel, AXES_TITLES, part.axes, "Along which axes the wrench is written; the wrench itself stays")
-    lines = "".join(_line(fields, part, *each) for each in PARTS)
-    release = button(channel, "release", "No wrench", "chip", "Force and moment zero")
+    chooser = examples(form, EXAMPLES, part.example, ChooseExample)
+    hint = "Along which axes the wrench is written; the wrench itself stays"
+    axes = "".join(form.chip(key, title, WriteAlong(key), hint, key == part.axes) for key, title in AXES_TITLES.items())
+    release = form.button("release", "No wrench", ReleaseWrench(), "chip", "Force and moment zero")
+    lines = "".join(_line(form, part, *each) for each in PARTS)
     drawn = "Drag the tip of the force in the scene, or type."
     return (
-        f"{examples}<h3>Wrench at the tool <small>by the robot on the environment</small></h3>"
+        f"{chooser}<h3>Wrench at the tool <small>by the robot on the environment</small></h3>"
         f"{row('Axes', axes + release)}{lines}"
         f'<p class="dim">{drawn}</p>'
     )
 
 
-def _line(fields: Fields, part: Statics, letter: str, kind: str, unit: str) -> str:
+def _line(form: Form, part: Statics, letter: str, kind: str, unit: str) -> str:
     """Return the three components of force or moment."""
     values = part.force if kind == "force" else part.moment
     cells = "".join(
-        fields.field(f"{kind} {axis}", readable(value, 3), f"{kind.capitalize()} along {'xyz'[axis]} in {unit}")
+        form.field(
+            f"{kind} {axis}",
+            readable(value, 3),
+            f"{kind.capitalize()} along {'xyz'[axis]} in {unit}",
+            partial(_component, kind, axis, unit),
+        )
         for axis, value in enumerate(values)
     )
     return f'<div class="st-wrench"><span>{mathml(letter)}, {unit}</span>{cells}</div>'
 
 
-def commands(cell: str, text: str) -> tuple[Command, ...]:
-    """Return what a person asked for; none for what no page of ours sends.
-
-    Raises
-    ------
-    InputError
-        Not a number; the text names the field.
-    """
-    if cell == "example":
-        return (ChooseExample(text),) if text else ()
-    if cell == "release":
-        return (ReleaseWrench(),)
-    if cell == "displacement":
-        return (DrawDisplacement(),)
-    if cell in AXES:
-        return (WriteAlong(cell),)
-    kind, _, axis = cell.partition(" ")
-    if kind not in ("force", "moment") or axis not in ("0", "1", "2"):
-        return ()
-    unit = "N" if kind == "force" else "N m"
+def _component(kind: str, axis: int, unit: str, text: str) -> SetComponent:
+    """Return the command of a typed component; `InputError` names the field."""
     plain = text.strip().replace("−", "-").replace(",", ".").removesuffix(unit).replace("Nm", "").strip()
     try:
-        value = evaluate(plain)
+        return SetComponent(kind, axis, evaluate(plain))
     except InputError:
-        raise InputError(
-            f"{kind}, {'xyz'[int(axis)]}: expected a number in {unit}, got {text.strip()[:40]!r}"
-        ) from None
-    return (SetComponent(kind, int(axis), value),)
+        raise InputError(f"{kind}, {'xyz'[axis]}: expected a number in {unit}, got {text.strip()[:40]!r}") from None
 
 
 def _around(state: State) -> Points:

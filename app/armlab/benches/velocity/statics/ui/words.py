@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.statics.state import (
     Balance,
+    DrawDisplacement,
     Statics,
     balance,
     displacement,
@@ -18,11 +19,10 @@ from armlab.kin.statics import Duality
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, scientific, subscript, trimmed
-from armlab.ui.markup import button
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields
 
 Array = NDArray[np.float64]
 
@@ -96,7 +96,7 @@ def _listed(numbers: list[int]) -> str:
     return f"{', '.join(first)} and {last}" if first else last
 
 
-def work_markup(fields: Fields, state: State) -> str:
+def work_markup(form: Form, state: State) -> str:
     """Return both sides of the virtual work in numbers."""
     found, units, arm = state.derived(work), units_of(state), state[Joints].arm
     dq = state.derived(displacement)
@@ -113,7 +113,7 @@ def work_markup(fields: Fields, state: State) -> str:
         ("joints, " + mathml(JOINT_WORK), f"{number(MILLI * joints, 3)} mJ"),
         ("difference", f"{'✓ ' if same else '✕ '}{scientific(MILLI * apart)} mJ"),
     ]
-    again = button(fields.channel_id, "displacement", "Another δq", "chip", "Draw another virtual displacement")
+    again = form.button("displacement", "Another δq", DrawDisplacement(), "chip", "Draw another virtual displacement")
     return (
         f'<h3>Virtual work <small>notes 5.160</small><span class="copies">{again}</span></h3>'
         f'<p class="dim">δq = ({moved})</p>{pairs(rows)}'

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.velocity.turning.commands import SetTurning, TakeToolAngles, WriteAngles
 from armlab.benches.velocity.turning.motion import (
     between,
     commuting,
@@ -17,13 +20,14 @@ from armlab.benches.velocity.turning.motion import (
 from armlab.benches.velocity.turning.state import Turning
 from armlab.kin.euler import NAMES, PROPER, SEQUENCES, SINGULAR_SINE, angle_symbols
 from armlab.kin.velocity.rates import columns_latex, singular_angles, singular_sentence
+from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, escaped, mathml, matrix, number, pairs, scientific
-from armlab.ui.markup import chip, chips, options, row, select
+from armlab.ui.markup import row
 from armlab.ui.units import Units, units_of
 from armlab.ui.verdicts import SIGNS
-from armlab.ui.widgets import Fields
 
 Floats = NDArray[np.float64]
 
@@ -51,23 +55,24 @@ ORDERS = (
 )
 
 
-def form_markup(fields: Fields, state: State) -> str:
+def form_markup(form: Form, state: State) -> str:
     """Return the sequence, the angles and the rates."""
-    part, channel, units = state[Turning], fields.channel_id, units_of(state)
+    part, units = state[Turning], units_of(state)
     titles = {axes: axes.upper() for axes in SEQUENCES}
-    chooser = select(channel, "axes", "Sequence of axes", options(titles, part.axes))
-    about = chips(
-        channel,
-        {"about moving": "moving axes", "about fixed": "fixed axes"},
-        f"about {'fixed' if part.fixed else 'moving'}",
+    chooser = form.select("axes", "Sequence of axes", titles, part.axes, WriteAngles)
+    about = form.chips(
+        "about",
+        {"moving": "moving axes", "fixed": "fixed axes"},
+        "fixed" if part.fixed else "moving",
         "The same orientation and ω, written in other angles",
+        lambda key: WriteAngles(fixed=key == "fixed"),
     )
-    take = chip(channel, "tool", "of the tool", "Take the angles of the tool in the world")
+    take = form.chip("tool", "of the tool", TakeToolAngles(), "Take the angles of the tool in the world")
     name = NAMES.get((part.axes, part.fixed), "")
     told = f'<p class="dim">{escaped(capitalised(name))}.</p>' if name else ""
     names = [mathml(symbol) for symbol in angle_symbols(part.axes, part.fixed)]
-    angles = "".join(_field(fields, part.angles[k], f"angles {k}", f"angle {k + 1}", units) for k in range(3))
-    rates = "".join(_field(fields, part.rates[k], f"rates {k}", f"rate {k + 1}", units) for k in range(3))
+    angles = "".join(_field(form, "angles", k, part.angles[k], units) for k in range(3))
+    rates = "".join(_field(form, "rates", k, part.rates[k], units) for k in range(3))
     heads = "".join(f"<th>{dot(css(joint_colour(k)))}{name}</th>" for k, name in enumerate(names))
     return (
         f'<div class="kit-head">{chooser}{about}</div>{told}'
@@ -77,8 +82,13 @@ def form_markup(fields: Fields, state: State) -> str:
     )
 
 
-def _field(fields: Fields, value: float, cell: str, label: str, units: Units) -> str:
-    return f"<td>{fields.field(cell, units.entry(value, True), capitalised(label))}</td>"
+def _field(form: Form, what: str, k: int, value: float, units: Units) -> str:
+    where = f"{what.removesuffix('s')} {k + 1}"
+
+    def taken(text: str) -> SetTurning:
+        return SetTurning(what, k, units.read(text, True, where))
+
+    return f"<td>{form.field(f'{what} {k}', units.entry(value, True), capitalised(where), taken)}</td>"
 
 
 def columns_of(state: State) -> tuple[str, ...]:
@@ -197,10 +207,11 @@ def small_markup() -> str:
     )
 
 
-def views_markup(fields: Fields, state: State) -> str:
+def views_markup(form: Form, state: State) -> str:
     """Return what is looked at."""
-    views = {"shown angles": "φ, φ̇ and ω", "shown laws": "Two time laws of ω"}
-    return row("Look at", chips(fields.channel_id, views, f"shown {state[Turning].shown}", "What is shown"))
+    views = {"angles": "φ, φ̇ and ω", "laws": "Two time laws of ω"}
+    show = partial(Set, Turning, "shown")
+    return row("Look at", form.chips("shown", views, state[Turning].shown, "What is shown", show))
 
 
 def _three(vector: Floats, units: Units) -> str:

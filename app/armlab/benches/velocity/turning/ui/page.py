@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 
 from armlab.benches.motion.api import sphere_of
 from armlab.benches.velocity.speeds.state import Velocity
-from armlab.benches.velocity.turning.commands import LookAtTurning, SetTurning, TakeToolAngles, WriteAngles
 from armlab.benches.velocity.turning.motion import film_time, laws_time, turned_of
 from armlab.benches.velocity.turning.state import CLIP_KEY, MATRIX, Turning
 from armlab.benches.velocity.turning.ui.numbers import (
@@ -27,16 +25,15 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Selection
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Command, State
+from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE
+from armlab.ui.form import Form
 from armlab.ui.format import mathml, number
-from armlab.ui.markup import button
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plot import Curve, Plot
-from armlab.ui.plugin import Panel, Points, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 ROWS = tuple(f"ω<sub>{axis}</sub>" for axis in "xyz")
 
@@ -73,24 +70,15 @@ class _Second:
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the form, T, the numbers, the plot, and the two laws."""
-    present = state
-
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: commands(present, cell, text), present, post):
-            show(present)
-
-    top = gui.fields(lambda cell, text: typed(top, cell, text))
-    form = gui.fields(lambda cell, text: typed(form, cell, text))
+    top, form = gui.form(post), gui.form(post)
     matrix = MatrixView(gui, post, MATRIX)
     numbers = gui.html()
     plot = _Second(gui, state)
     rest = gui.html()
 
     def show(state: State) -> None:
-        nonlocal present
-        present = state
         angles = state[Turning].shown == "angles"
-        top.show(views_markup(top, state) + _clock(top, state))
+        top.show(views_markup(top, state) + clock_markup(top, state))
         form.show(form_markup(form, state) if angles else "")
         matrix.visible(angles)
         if angles:
@@ -110,39 +98,16 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _clock(fields: Fields, state: State) -> str:
+def clock_markup(form: Form, state: State) -> str:
     """Return what plays, and the time of what is shown."""
-    timeline = state[Timeline]
+    timeline, hint = state[Timeline], "The body beside the arm turns"
     on = timeline.clip == CLIP_KEY
-    cell, text = ("pause", "❚❚ Pause") if on and timeline.playing else ("play", "▶ Turn")
-    play = button(fields.channel_id, cell, text, "main", "The body beside the arm turns")
+    if on and timeline.playing:
+        play = form.button("pause", "❚❚ Pause", Play(False), "main", hint)
+    else:
+        play = form.button("play", "▶ Turn", Play(True) if on else OpenClip(CLIP_KEY, play=True), "main", hint)
     time = laws_time(state) if state[Turning].shown == "laws" else film_time(state)
     return f'<div class="bar">{play}<span class="dim">t = {number(time, 2)} s</span></div>'
-
-
-def commands(state: State, cell: str, text: str) -> tuple[Command, ...]:
-    """Return what a person asked for; none for what no page of ours sends.
-
-    Raises
-    ------
-    InputError
-        What was typed is no angle; the text names the field.
-    """
-    name, _, rest = cell.partition(" ")
-    if name in ("angles", "rates"):
-        if rest not in ("0", "1", "2"):
-            return ()
-        where = f"{'angle' if name == 'angles' else 'rate'} {int(rest) + 1}"
-        return (SetTurning(name, int(rest), units_of(state).read(text, True, where)),)
-    simple: dict[str, Callable[[], tuple[Command, ...]]] = {
-        "shown": lambda: (LookAtTurning(rest),),
-        "play": lambda: (Play(True),) if state[Timeline].clip == CLIP_KEY else (OpenClip(CLIP_KEY, play=True),),
-        "pause": lambda: (Play(False),),
-        "axes": lambda: (WriteAngles(axes=text),) if text else (),
-        "about": lambda: (WriteAngles(fixed=rest == "fixed"),),
-        "tool": lambda: (TakeToolAngles(),),
-    }
-    return simple[name]() if name in simple else ()
 
 
 def _around(state: State) -> Points:

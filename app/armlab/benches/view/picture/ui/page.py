@@ -8,11 +8,11 @@ from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.notation import Label, Notation
 from armlab.session.session import StartFresh
-from armlab.session.state import State
+from armlab.session.state import Post, State
 from armlab.ui.camera import PRESETS
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
-from armlab.ui.markup import button
-from armlab.ui.plugin import Panel, Post, Show, switches
+from armlab.ui.plugin import Panel, Show, switches
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.units import BOOKS
 from armlab.ui.widgets import Gui
@@ -35,7 +35,7 @@ ARM = ("skeleton", "frames", "names")
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the switches and the buttons."""
-    grid = _Switches(gui, post)
+    grid = gui.form(post)
     gui.heading("Units and names")
     choices = {
         name: gui.segments(title, options, getattr(state[Notation], name), _chooser(name, post), hint)
@@ -58,7 +58,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     )
 
     def show(state: State) -> None:
-        grid.show(state)
+        grid.show(_switches(grid, state))
         for name, choice in choices.items():
             choice.show(getattr(state[Notation], name))
 
@@ -70,37 +70,26 @@ def _chooser(name: str, post: Post) -> Callable[[str], None]:
     return lambda key: post(Label(name, key))
 
 
-class _Switches:
-    """All switches in two columns, by what they are about."""
+def _switches(form: Form, state: State) -> str:
+    """Return all switches in two columns, by what they are about."""
+    return "".join(
+        f'<h3>{title}</h3><div class="switches">{"".join(_switch(form, switch, state) for switch in group)}</div>'
+        for title, group in _groups().items()
+    )
 
-    def __init__(self, gui: Gui, post: Post) -> None:
-        self._post = post
-        self._fields = gui.fields(lambda name, _: self._pressed(name))
-        self._on: dict[str, bool] = {}
 
-    def _pressed(self, name: str) -> None:
-        if name in self._on:
-            self._post(SetSwitch(name, not self._on[name]))
-
-    def show(self, state: State) -> None:
-        """Show how all switches stand."""
-        self._on = {switch.name: switch.on(state) for switch in switches()}
-        self._fields.show("".join(self._group(title, group) for title, group in _groups().items()))
-
-    def _group(self, title: str, group: list[Switch]) -> str:
-        return f'<h3>{title}</h3><div class="switches">{"".join(self._switch(switch) for switch in group)}</div>'
-
-    def _switch(self, switch: Switch) -> str:
-        return button(
-            self._fields.channel_id,
-            switch.name,
-            f"{escaped(switch.title)}<kbd>{switch.key}</kbd>",
-            "switch",
-            _hint(switch),
-            switch.title,
-            role="checkbox",
-            aria_checked="true" if self._on[switch.name] else "false",
-        )
+def _switch(form: Form, switch: Switch, state: State) -> str:
+    on = switch.on(state)
+    return form.button(
+        switch.name,
+        f"{escaped(switch.title)}<kbd>{switch.key}</kbd>",
+        SetSwitch(switch.name, not on),
+        "switch",
+        _hint(switch),
+        switch.title,
+        role="checkbox",
+        aria_checked="true" if on else "false",
+    )
 
 
 def _groups() -> dict[str, list[Switch]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 
@@ -16,7 +17,6 @@ from armlab.benches.workspace.cloud.state import (
     AimAtSample,
     CancelWorkspace,
     ClearWorkspace,
-    GoToSample,
     LookAtWorkspace,
     SampleWorkspace,
     Workspace,
@@ -31,17 +31,20 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.session import Refuse
-from armlab.session.state import Command, State
-from armlab.ui.examples import examples_markup
+from armlab.session.state import Command, Post, State
+from armlab.ui.examples import examples
 from armlab.ui.file_names import file_name
+from armlab.ui.form import Form
 from armlab.ui.format import capitalised, readable
-from armlab.ui.markup import button, chip, chips, options, row, select
-from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show
-from armlab.ui.tried import tried
+from armlab.ui.markup import row
+from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 SAVES: dict[str, Callable[[Sampled], str | bytes]] = {"ply": as_ply, "csv": as_csv}
+
+STEP = 0.05
+"""Parts of the reach that a press moves the slice by."""
 
 LONGEST_SEED = 18
 """Digits; the lab takes fewer and says how large a seed may be, and Python reads no number of thousands."""
@@ -60,23 +63,19 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Make choices, progress, scale of colours, figures and files."""
     present, units = state, units_of(state)
 
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        found, name = present[Workspace].found, f"workspace_{file_name(present[RobotPart].robot.name)}.{cell}"
-        if cell in SAVES and found is not None:
-            gui.save(name, SAVES[cell](found))
-            return
-        if cell == "png":
+    def save(kind: str) -> None:
+        found, name = present[Workspace].found, f"workspace_{file_name(present[RobotPart].robot.name)}.{kind}"
+        if kind == "png":
             gui.save_picture(name, lambda why: post(Refuse(why)))
-            return
-        if tried(fields, cell, text, lambda: commands(present, cell, text, units), present, post):
-            if cell == "ways":
-                gui.open_panel("solutions")
-        else:
-            show(present)
+        elif found is not None:
+            gui.save(name, SAVES[kind](found))
+
+    def ways(index: int) -> AimAtSample:
+        gui.open_panel("solutions")
+        return AimAtSample(index)
 
     drawn = False
-    choices = gui.fields(lambda cell, text: typed(choices, cell, text))
-    told = gui.fields(lambda cell, text: typed(told, cell, text))
+    choices, told = gui.form(post), gui.form(post)
 
     def show(state: State) -> None:
         nonlocal present, drawn
@@ -84,29 +83,40 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         drawn = state[Workspace].found is not None
         if appeared:
             gui.camera.keep_in_view()
-        choices.show(_choices(choices, state, units))
-        told.show(_told(told.channel_id, state, units))
+        choices.show(choices_markup(choices, state, units))
+        told.show(told_markup(told, state, units, save, ways))
 
     return show
 
 
-def _choices(fields: Fields, state: State, units: Units) -> str:
+def choices_markup(form: Form, state: State, units: Units) -> str:
     """Return what can be chosen, and the button that samples or cancels."""
-    part, channel = state[Workspace], fields.channel_id
+    part = state[Workspace]
     titles = {key: capitalised(measure.title) for key, measure in MEASURES.items()}
-    counts = {f"count {count}": counted(count) for count in COUNTS}
-    seed = fields.field("seed", str(part.seed), "Seed of the random numbers")
+    counts = {str(count): counted(count) for count in COUNTS}
+    seed = form.field("seed", str(part.seed), "Seed of the random numbers", _seed)
     seeded = f'<label class="option" title="The same seed gives the same points"><span>seed</span>{seed}</label>'
+    measure = form.select("measure", "Colour", titles, part.measure, lambda key: LookAtWorkspace(measure=key))
+    count = form.select("count", "Samples", counts, str(part.count), lambda key: LookAtWorkspace(count=int(key)))
+    drawings = _offered(state, DRAWINGS, "surface")
+    draw = form.chips("draw", drawings, drawing(state), DRAW_HINT, lambda key: LookAtWorkspace(draw=key))
+    cut = form.chips("cut", _cuts(state), _cut(state), CUT_HINT, lambda key: LookAtWorkspace(cut=key))
     return (
-        examples_markup(channel, EXAMPLES, part.example)
-        + row("Colour", select(channel, "measure", "Colour", options(titles, part.measure)))
-        + row("Samples", select(channel, "count", "Samples", options(counts, f"count {part.count}")) + seeded)
-        + _action(channel, part)
-        + row("Show as", _chips(channel, "draw", _offered(state, DRAWINGS, "surface"), drawing(state), DRAW_HINT))
-        + row("Cut", _chips(channel, "cut", _cuts(state), _cut(state), CUT_HINT))
-        + (_slice(fields, part, units) if _cut(state) in AXES else "")
-        + row("Scene", _switches(channel, part))
+        examples(form, EXAMPLES, part.example, ChooseWorkspaceExample)
+        + row("Colour", measure)
+        + row("Samples", count + seeded)
+        + _action(form, part)
+        + row("Show as", draw)
+        + row("Cut", cut)
+        + (_slice(form, state, units) if _cut(state) in AXES else "")
+        + row("Scene", _switches(form, part))
     )
+
+
+def _seed(text: str) -> LookAtWorkspace:
+    if not text.strip().isdecimal() or len(text.strip()) > LONGEST_SEED:
+        raise InputError(f"seed: expected a whole number, got {text.strip()[:40]!r}")
+    return LookAtWorkspace(seed=int(text))
 
 
 def _offered(state: State, texts: Mapping[str, str], spatial: str) -> dict[str, str]:
@@ -127,35 +137,40 @@ def _cut(state: State) -> str:
     return cut if cut in _cuts(state) else "none"
 
 
-def _chips(channel: str, cell: str, texts: Mapping[str, str], chosen: str, hint: str) -> str:
-    return chips(channel, {f"{cell} {key}": text for key, text in texts.items()}, f"{cell} {chosen}", hint)
+def _switches(form: Form, part: Workspace) -> str:
+    edge, clicks = LookAtWorkspace(edge=not part.edge), LookAtWorkspace(clicks=not part.clicks)
+    near = form.chip("edge", "Near the boundary", edge, "Only points near the boundary of the workspace", part.edge)
+    return near + form.chip("clicks", "Click: go there", clicks, "A click on a point moves the arm there", part.clicks)
 
 
-def _switches(channel: str, part: Workspace) -> str:
-    return chip(
-        channel, "edge", "Near the boundary", "Only points near the boundary of the workspace", part.edge
-    ) + chip(channel, "clicks", "Click: go there", "A click on a point moves the arm there", part.clicks)
+def _slice(form: Form, state: State, units: Units) -> str:
+    part, step = state[Workspace], STEP * state[Joints].arm.reach
+    name = f"place of the slice, {part.cut}"
 
+    def typed(text: str) -> LookAtWorkspace:
+        return LookAtWorkspace(offset=units.read(text, False, name))
 
-def _slice(fields: Fields, part: Workspace, units: Units) -> str:
-    at = fields.field("offset", readable(part.offset / units.factor(False), 1), f"Place of the slice, {part.cut}")
-    less = chip(fields.channel_id, "slice -1", "−", "Move the slice back")
-    more = chip(fields.channel_id, "slice 1", "+", "Move the slice on")
+    at = form.field("offset", readable(part.offset / units.factor(False), 1), capitalised(name), typed)
+    less = form.chip("slice -1", "−", LookAtWorkspace(offset=part.offset - step), "Move the slice back")
+    more = form.chip("slice 1", "+", LookAtWorkspace(offset=part.offset + step), "Move the slice on")
     return row(f"{part.cut} =", f'<label class="option">{at}<i>{units.length_unit}</i></label>{less}{more}')
 
 
-def _action(channel: str, part: Workspace) -> str:
+def _action(form: Form, part: Workspace) -> str:
     if part.asked is not None:
         found = part.found
         done = found.part if found is not None and found.question == part.asked else 0.0
-        press = button(channel, "cancel", "Cancel", "chip", "Stop; what there is stays")
+        press = form.chip("cancel", "Cancel", CancelWorkspace(), "Stop; what there is stays")
         bar = f'<div class="progress" style="--part:{100.0 * done:.0f}%"></div>'
         return f'<div class="bar">{press}<span class="dim">Sampling: {100.0 * done:.0f} %</span></div>{bar}'
-    clear = chip(channel, "clear", "Clear", "Take the workspace away") if part.found is not None else ""
-    return f'<div class="bar">{button(channel, "sample", "Sample", "main")}{clear}</div>'
+    clear = form.chip("clear", "Clear", ClearWorkspace(), "Take the workspace away") if part.found is not None else ""
+    return f'<div class="bar">{form.button("sample", "Sample", SampleWorkspace(), "main")}{clear}</div>'
 
 
-def _told(channel: str, state: State, units: Units) -> str:
+def told_markup(
+    form: Form, state: State, units: Units, save: Callable[[str], None], ways: Callable[[int], Command]
+) -> str:
+    """Return what was found, and what can be done with it: ``save`` gets the kind of file, ``ways`` a sample."""
     part = state[Workspace]
     found = part.found
     if found is None:
@@ -163,57 +178,12 @@ def _told(channel: str, state: State, units: Units) -> str:
             '<p class="dim">Random configurations inside the joint limits, each with the place of its tool: '
             "the reachable workspace WS<sub>1</sub> (4.17).</p>"
         )
-    saves = "".join(chip(channel, cell, f"Save {cell.upper()}", hint) for cell, hint in SAVED.items())
+    saves = "".join(form.chip(kind, f"Save {kind.upper()}", partial(save, kind), hint) for kind, hint in SAVED.items())
     coloured = "" if drawing(state) == "surface" and part.section is not None else scale(found)
     waits = asks_for_boundary(part, state[Joints].arm)
     wait = '<p class="dim">The boundary is being found …</p>' if waits else ""
-    return f'{wait}{coloured}{chosen(state, units, channel)}{facts(state, found, units)}<div class="bar">{saves}</div>'
-
-
-def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command, ...]:
-    """Return what a person asked for.
-
-    Raises
-    ------
-    InputError
-        What was typed is no number; the text says which.
-    """
-    part = state[Workspace]
-    plain: dict[str, Command] = {
-        "sample": SampleWorkspace(),
-        "cancel": CancelWorkspace(),
-        "clear": ClearWorkspace(),
-        "edge": LookAtWorkspace(edge=not part.edge),
-        "clicks": LookAtWorkspace(clicks=not part.clicks),
-    }
-    if cell in plain:
-        return (plain[cell],)
-    if cell in ("again", "ways") and part.chosen is not None:
-        return (GoToSample(part.chosen) if cell == "again" else AimAtSample(part.chosen),)
-    if cell == "seed":
-        if not text.strip().isdecimal() or len(text.strip()) > LONGEST_SEED:
-            raise InputError(f"seed: expected a whole number, got {text.strip()[:40]!r}")
-        return (LookAtWorkspace(seed=int(text)),)
-    if cell == "offset":
-        return (LookAtWorkspace(offset=units.read(text, False, f"place of the slice, {part.cut}")),)
-    return _chosen(state, cell, text)
-
-
-def _chosen(state: State, cell: str, text: str) -> tuple[Command, ...]:
-    part, (what, _, value) = state[Workspace], cell.partition(" ")
-    if cell == "example":
-        return (ChooseWorkspaceExample(text),) if text else ()
-    if cell == "measure":
-        return (LookAtWorkspace(measure=text),)
-    if cell == "count":
-        return (LookAtWorkspace(count=int(text.partition(" ")[2])),) if text.partition(" ")[2].isdecimal() else ()
-    if what == "draw":
-        return (LookAtWorkspace(draw=value),)
-    if what == "cut":
-        return (LookAtWorkspace(cut=value),)
-    if what == "slice" and value in ("1", "-1"):
-        return (LookAtWorkspace(offset=part.offset + float(value) * 0.05 * state[Joints].arm.reach),)
-    return ()
+    there = chosen(form, state, units, ways)
+    return f'{wait}{coloured}{there}{facts(state, found, units)}<div class="bar">{saves}</div>'
 
 
 def _around(state: State) -> Points:

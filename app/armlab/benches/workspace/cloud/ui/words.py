@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 
 from armlab.benches.workspace.cloud.samples import Sampled
-from armlab.benches.workspace.cloud.state import Workspace
+from armlab.benches.workspace.cloud.state import GoToSample, Workspace
 from armlab.benches.workspace.cloud.view import drawing, kept
 from armlab.kin.workspace.measures import measure_named
 from armlab.session.parts.joints import Joints
-from armlab.session.state import State
+from armlab.session.state import Command, State
 from armlab.ui import measured
+from armlab.ui.form import Form
 from armlab.ui.format import capitalised, escaped, pairs
-from armlab.ui.markup import chip
 from armlab.ui.units import Units
 
 
@@ -43,8 +46,8 @@ def facts(state: State, found: Sampled, units: Units) -> str:
     return f"{none}{pairs(rows)}"
 
 
-def chosen(state: State, units: Units, channel: str) -> str:
-    """Return the point the arm went to, and what can be done there."""
+def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command]) -> str:
+    """Return the point the arm went to, and what can be done there; ``ways`` gets its number."""
     part = state[Workspace]
     found, index = part.found, part.chosen
     if found is None or index is None or index >= len(found.shown.points):
@@ -55,11 +58,13 @@ def chosen(state: State, units: Units, channel: str) -> str:
     there = _is_there(state, found, index)
     here = "The arm is there." if there else "The arm has moved on."
     title = measure_named(found.question.measure).title
+    go = form.chip("again", "Go there", GoToSample(index), "Move the arm to this configuration", off=there)
+    target = "Put the target there and open Solutions"
     return (
         f'<div class="verdict ok"><b>◉ ({place}) {units.length_unit}</b>'
         f"{escaped(capitalised(title))} {escaped(value)}. {here}</div>"
-        f'<div class="bar">{chip(channel, "again", "Go there", "Move the arm to this configuration", off=there)}'
-        f"{chip(channel, 'ways', 'All ways to be there', 'Put the target there and open Solutions')}</div>"
+        f'<div class="bar">{go}'
+        f"{form.chip('ways', 'All ways to be there', partial(ways, index), target)}</div>"
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armlab.benches.workspace.dexterous.picture import largest_share, slice_shown
-from armlab.benches.workspace.dexterous.places import GoToRegion, StandStretched, outermost
+from armlab.benches.workspace.dexterous.places import outermost
 from armlab.benches.workspace.dexterous.state import (
     COUNTS,
     DRAWINGS,
@@ -31,18 +31,17 @@ from armlab.benches.workspace.dexterous.ui.words import (
     tool_line,
     tool_words,
 )
-from armlab.errors import InputError
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.state import Command, State
-from armlab.ui.markup import button, chip, chips, row
-from armlab.ui.plugin import NOTHING, Panel, Points, Post, Show
-from armlab.ui.tried import tried
+from armlab.session.state import Post, State
+from armlab.ui.form import Form
+from armlab.ui.markup import row
+from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.widgets import Fields, Gui
+from armlab.ui.widgets import Gui
 
 TITLES = {
     "rings": "Closed form",
@@ -56,53 +55,50 @@ HINTS = "How orientations are found: by a formula, by the wrist, from samples; o
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make choices, regions, figures."""
-    present, units = state, units_of(state)
-
-    def typed(fields: Fields, cell: str, text: str) -> None:
-        if not tried(fields, cell, text, lambda: commands(present, cell, text, units), present, post):
-            show(present)
-
+    units = units_of(state)
     gui.html(definition())
-    choices = gui.fields(lambda cell, text: typed(choices, cell, text))
-    table = gui.fields(lambda cell, text: typed(table, cell, text))
+    choices, table = gui.form(post), gui.form(post)
     told = gui.html()
     seen = False
 
     def show(state: State) -> None:
-        nonlocal present, seen
-        present = state
+        nonlocal seen
         if not seen and len(_around(state)):
             seen = True
             gui.camera.keep_in_view()
-        choices.show(_choices(choices, state, units))
+        choices.show(choices_markup(choices, state, units))
         rings = method_of(state) == "rings"
-        table.show(tool_words(state, units) + regions_table(table.channel_id, state, units) if rings else "")
+        table.show(tool_words(state, units) + regions_table(table, state, units) if rings else "")
         told.show(_told(state, units))
 
     return show
 
 
-def _choices(fields: Fields, state: State, units: Units) -> str:
-    arm, part, channel = state[Joints].arm, state[Dexterous], fields.channel_id
+def choices_markup(form: Form, state: State, units: Units) -> str:
+    """Return how orientations are found, what is shown of them, and how far that has come."""
+    arm, part = state[Joints].arm, state[Dexterous]
     known, method = methods(arm), method_of(state)
-    names = {f"method {key}": TITLES[key] for key in known}
-    lines = row("By", chips(channel, names, f"method {method}", HINTS))
+    names: dict[str, str] = {key: TITLES[key] for key in known}
+    lines = row("By", form.chips("method", names, method, HINTS, lambda key: LookAtDexterous(method=key)))
     if known == ("sampled",):
         lines += f'<p class="dim">{why_sampled_alone(arm)}</p>'
     if state.derived(rings_alone):
         return lines
     if method == "wrist":
-        lines += row("Show", chips(channel, {f"draw {k}": v for k, v in DRAWINGS.items()}, f"draw {part.draw}", ""))
+        lines += row("Show", form.chips("draw", DRAWINGS, part.draw, "", lambda key: LookAtDexterous(draw=key)))
     if method == "wrist" and part.draw == "body":
-        shares = {f"share {share}": "all" if share >= 1.0 else f"{100.0 * share:.0f} %" for share in SHARES}
-        lines += row("At least", chips(channel, shares, f"share {part.share}", "Of the approach directions"))
+        shares = {str(share): "all" if share >= 1.0 else f"{100.0 * share:.0f} %" for share in SHARES}
+        hint = "Of the approach directions"
+        chosen = form.chips("share", shares, str(part.share), hint, lambda key: LookAtDexterous(share=float(key)))
+        lines += row("At least", chosen)
         lines += _nowhere(state)
     else:
-        lines += _slice(fields, state, units)
+        lines += _slice(form, state, units)
     if method in ("rings", "sampled"):
-        counts = {f"count {count}": _counted(count) for count in COUNTS}
-        lines += row("Samples", chips(channel, counts, f"count {part.count}", ""))
-    return lines + _progress(channel, state)
+        counts = {str(count): _counted(count) for count in COUNTS}
+        chosen = form.chips("count", counts, str(part.count), "", lambda key: LookAtDexterous(count=int(key)))
+        lines += row("Samples", chosen)
+    return lines + _progress(form, state)
 
 
 def _nowhere(state: State) -> str:
@@ -122,16 +118,17 @@ def _counted(count: int) -> str:
     return f"{count / 1e6:g} M"
 
 
-def _slice(fields: Fields, state: State, units: Units) -> str:
+def _slice(form: Form, state: State, units: Units) -> str:
     """Return where the slice is, and the button that brings it to the tool."""
     joint, method = first_joint(state[Joints].arm), method_of(state)
-    through = chip(fields.channel_id, "through", "As the tool is", _THROUGH[method == "count"])
+    through = form.chip("through", "As the tool is", LookThroughTool(), _THROUGH[method == "count"])
     if joint.planar:
         return row("Turned", through) if method == "count" else ""
     turns = joint.revolute
     s = slice_of(state)
     shown = units.turned(s) if turns else units.text(s, turns)
-    cell = fields.field("slice", shown, "Half plane through axis 1" if turns else "Place of the plane")
+    label = "Half plane through axis 1" if turns else "Place of the plane"
+    cell = form.field("slice", shown, label, lambda text: LookAtDexterous(s=units.read(text, turns, "slice")))
     return row("Slice at", f'<label class="option">{cell}<i>{units.unit(turns)}</i></label>{through}')
 
 
@@ -141,15 +138,16 @@ _THROUGH = (
 )
 
 
-def _progress(channel: str, state: State) -> str:
+def _progress(form: Form, state: State) -> str:
     question, found = state.derived(question_of), state.derived(study_of)
     if question is None or (found is not None and found.finished):
         return ""
     if question == state[Dexterous].stopped:
-        return f'<div class="bar">{button(channel, "resume", "Compute", "main")}<span class="dim">Stopped.</span></div>'
+        press = form.button("resume", "Compute", ResumeDexterous(), "main")
+        return f'<div class="bar">{press}<span class="dim">Stopped.</span></div>'
     done = 100.0 * (found.done if found is not None else 0.0)
     bar = f'<div class="progress" style="--part:{done:.0f}%"></div>'
-    press = chip(channel, "stop", "Cancel", "Stop; what there is stays")
+    press = form.chip("stop", "Cancel", StopDexterous(), "Stop; what there is stays")
     return f'<div class="bar">{press}<span class="dim">Computing: {done:.0f} %</span></div>{bar}'
 
 
@@ -160,43 +158,6 @@ def _told(state: State, units: Units) -> str:
     if found is None:
         return rings
     return f"{rings}{scale(state, found)}{tool_line(state, found)}{proven(state, found, units)}"
-
-
-def commands(state: State, cell: str, text: str, units: Units) -> tuple[Command, ...]:
-    """Return what a person asked for.
-
-    Raises
-    ------
-    InputError
-        What was typed is no number; the text says which.
-    """
-    plain: dict[str, Command] = {
-        "through": LookThroughTool(),
-        "stop": StopDexterous(),
-        "resume": ResumeDexterous(),
-    }
-    if cell in plain:
-        return (plain[cell],)
-    if cell == "slice":
-        turns = first_joint(state[Joints].arm).revolute
-        return (LookAtDexterous(s=units.read(text, turns, "slice")),)
-    what, *values = cell.split(" ")
-    if what == "method":
-        return (LookAtDexterous(method=" ".join(values)),)
-    if what == "draw":
-        return (LookAtDexterous(draw=" ".join(values)),)
-    try:
-        if what == "count":
-            return (LookAtDexterous(count=int(values[0])),)
-        if what == "share":
-            return (LookAtDexterous(share=float(values[0])),)
-        if what == "region":
-            return (GoToRegion(int(values[0])),)
-        if what == "way":
-            return (StandStretched(int(values[0]), int(values[1])),)
-    except (ValueError, IndexError):
-        raise InputError(f"expected one of the choices, got {cell[:40]!r}") from None
-    return ()
 
 
 def _around(state: State) -> Points:

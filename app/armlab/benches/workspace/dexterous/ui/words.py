@@ -7,7 +7,13 @@ import math
 import numpy as np
 
 from armlab.benches.workspace.dexterous.picture import AtTool, at_tool
-from armlab.benches.workspace.dexterous.places import region_near, target_distance, tool_standing
+from armlab.benches.workspace.dexterous.places import (
+    GoToRegion,
+    StandStretched,
+    region_near,
+    target_distance,
+    tool_standing,
+)
 from armlab.benches.workspace.dexterous.study import Study, misses_orientations, never_turns, turns_in_place
 from armlab.kin.workspace.planar import lengths_of, orientations, planar_workspace, pose_solutions, turns_fully
 from armlab.kin.workspace.planar_regions import Region, regions
@@ -16,8 +22,8 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui import measured
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, number, pairs
-from armlab.ui.markup import button, chip
 from armlab.ui.units import Units
 
 COLOURS: dict[str, Rgb] = {
@@ -41,7 +47,7 @@ NOTES_DIFFER = {
 }
 
 
-def regions_table(channel: str, state: State, units: Units) -> str:
+def regions_table(form: Form, state: State, units: Units) -> str:
     """Return the regions from the inside out, each a button that brings the tool there, and what holds at the tool."""
     arm = state[Joints].arm
     lengths, standing = lengths_of(arm), state.derived(tool_standing)
@@ -50,21 +56,22 @@ def regions_table(channel: str, state: State, units: Units) -> str:
     rows = []
     for index, region in enumerate(regions(lengths)):
         here = region is standing.region
-        rows.append(_row(channel, index, region, here, units))
+        rows.append(_row(form, index, region, here, units))
         if here:
-            rows.append(_here(channel, index, region, state, units))
+            rows.append(_here(form, index, region, state, units))
     heads = "<span></span><span>r, " + units.length_unit + "</span><span>Region</span><span>Orientations</span>"
     return f'<div class="dx-regions"><div class="dx-head">{heads}</div>{"".join(rows)}</div>'
 
 
-def _row(channel: str, index: int, region: Region, here: bool, units: Units) -> str:
+def _row(form: Form, index: int, region: Region, here: bool, units: Units) -> str:
     circle = region.low == region.high
     span = units.text(region.low, False)
     if not circle:
         span = f"{span} – {units.text(region.high, False)}"
     swatch = f'<i class="{"ring" if circle else "area"}" style="--c:{css(COLOURS[region.kind])}"></i>'
     inside = f"{swatch}<span>{span}</span><span>{escaped(region.name)}</span><span>{_measure(region, units)}</span>"
-    return button(channel, f"region {index}", inside, "dx-region", "Bring the tool there", pressed=here)
+    hint = "Bring the tool there"
+    return form.button(f"region {index}", inside, GoToRegion(index), "dx-region", hint, pressed=here)
 
 
 def _measure(region: Region, units: Units) -> str:
@@ -83,12 +90,12 @@ def _rounded(angle: float, units: Units) -> str:
     return number(math.degrees(angle), 0) if units.in_degrees else number(angle, 2)
 
 
-def _here(channel: str, index: int, region: Region, state: State, units: Units) -> str:
+def _here(form: Form, index: int, region: Region, state: State, units: Units) -> str:
     """Return what there is to say about the region of the tool, and its singular configurations to look at."""
     ways = ""
     if region.ways:
         each = "".join(
-            chip(channel, f"way {index} {k}", " ".join(WAYS[sign] for sign in way), "Stand so")
+            form.chip(f"way {index} {k}", " ".join(WAYS[sign] for sign in way), StandStretched(index, k), "Stand so")
             for k, way in enumerate(region.ways)
         )
         ways = f'<p>Singular: {each}<br><small class="dim">→ a link outward, ← a link back</small></p>'

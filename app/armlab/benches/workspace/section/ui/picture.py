@@ -90,8 +90,8 @@ def image_rule(found: Found, name: str) -> str:
     return f"<style>.al .{name}{{background-image:url({address})}}</style>"
 
 
-def view(state: State, found: Found, units: Units, channel: str) -> str:
-    """Return the picture; a click on it sends where it was, as parts of what is seen."""
+def view(state: State, found: Found, units: Units, place: str) -> str:
+    """Return the picture; ``place`` are the attributes of what a click on it is sent by."""
     whole, frame = in_own_plane(found), frame_of(found)
     box, seen = _image_box(found, whole, frame), frame.at([frame.low, frame.high])
     reach = _dimensions(found, whole, frame, units)
@@ -101,7 +101,7 @@ def view(state: State, found: Found, units: Units, channel: str) -> str:
         f'<div class="sc-image" style="{_placed(box, frame)}"></div>'
         f'<svg viewBox="0 0 {WIDTH:g} {frame.height:.1f}" role="img" aria-label="{said}">'
         f"{_axes(found, whole, frame)}{_outlines(found)}{reach}{_marks(state, found, frame)}</svg>"
-        f'<div class="sc-pick" data-chan="{channel}" data-cell="go" data-pick style="{_placed(seen, frame)}"'
+        f'<div class="sc-pick" {place} style="{_placed(seen, frame)}"'
         f' title="{escaped("Click: the tool goes there")}"></div></div>'
     )
 

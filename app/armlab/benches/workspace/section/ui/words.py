@@ -7,14 +7,14 @@ from numpy.typing import NDArray
 
 from armlab.benches.workspace.section.found import REACH, Found
 from armlab.benches.workspace.section.marks import Measured, target_measured, tool_measured
-from armlab.benches.workspace.section.state import found_of
+from armlab.benches.workspace.section.state import GoToPoint, found_of
 from armlab.kin.workspace.crossings import fineness
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.section_size import dimension
 from armlab.session.state import State
 from armlab.ui import measured
+from armlab.ui.form import Form
 from armlab.ui.format import MINUS, number, pairs
-from armlab.ui.markup import chip
 from armlab.ui.units import Units
 
 EDGE = 2.0
@@ -102,7 +102,7 @@ def _how(found: Found, units: Units) -> str:
     )
 
 
-def distances(state: State, units: Units, channel: str) -> str:
+def distances(form: Form, state: State, units: Units) -> str:
     """Return how far tool and target are from the boundary, and a way to go there."""
     tool, target = state.derived(tool_measured), state.derived(target_measured)
     if tool is None:
@@ -110,9 +110,10 @@ def distances(state: State, units: Units, channel: str) -> str:
     rows = [("Tool", _way(state, tool, units))]
     if target is not None:
         rows.append(("Target", _way(state, target, units)))
-    place = ", ".join(units.text(float(value), False) for value in (target or tool).to.foot)
+    x, y, z = (target or tool).to.foot.tolist()
+    place = ", ".join(units.text(value, False) for value in (x, y, z))
     rows.append(("Boundary at", f"({place}) {units.length_unit}"))
-    go = chip(channel, "boundary", "Go to it", "Bring the tool to the nearest boundary point")
+    go = form.chip("boundary", "Go to it", GoToPoint((x, y, z)), "Bring the tool to the nearest boundary point")
     return f"<h3>To the boundary</h3><div class='sc-facts'>{pairs(rows)}</div><div class='bar'>{go}</div>"
 
 

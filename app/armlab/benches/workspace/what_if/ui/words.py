@@ -7,14 +7,14 @@ import math
 from armlab.benches.workspace.section.ui.words import across
 from armlab.benches.workspace.what_if.arm import LIMITS, TOOL, Change, turns, value_of
 from armlab.benches.workspace.what_if.found import Compared, Figures
-from armlab.benches.workspace.what_if.state import WhatIf, is_present
+from armlab.benches.workspace.what_if.state import Suppose, WhatIf, is_present
 from armlab.benches.workspace.what_if.ui.scene import COLOURS, THOUGHT
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.session.state import State
 from armlab.ui.colours import css
+from armlab.ui.form import Form
 from armlab.ui.format import escaped, number
-from armlab.ui.markup import chip
 from armlab.ui.units import Units
 
 NAMES = {"low": "from", "high": "to"}
@@ -58,19 +58,20 @@ def with_unit(value: float, angle: bool, units: Units) -> str:
     return units.angle(value) if angle else units.length(value)
 
 
-def changes_markup(channel: str, part: WhatIf, units: Units) -> str:
+def changes_markup(form: Form, part: WhatIf, units: Units) -> str:
     """Return what is thought to be different, each with a button that takes it back."""
     if not part.changes:
         return ""
-    rows = "".join(_change(channel, part.arm, change, units) for change in part.changes)
+    rows = "".join(_change(form, part.arm, change, units) for change in part.changes)
     return f'<h3>Changes in thought</h3><div class="wi-changes">{rows}</div>'
 
 
-def _change(channel: str, arm: Arm, change: Change, units: Units) -> str:
+def _change(form: Form, arm: Arm, change: Change, units: Units) -> str:
     angle = turns(arm, change.row, change.field)
     was = value_of(arm, change.row, change.field)
     name = name_of(arm, change.row, change.field, units)
-    back = chip(channel, f"back {change.row} {change.field}", "×", f"{name} as it is")
+    as_it_is = Suppose(change.row, change.field, was)
+    back = form.chip(f"back {change.row} {change.field}", "×", as_it_is, f"{name} as it is")
     ends = f"{with_unit(was, angle, units)} → <b>{with_unit(change.value, angle, units)}</b>"
     return f"<span>{escaped(name)}</span><span>{ends}</span>{back}"
 

@@ -1,4 +1,4 @@
-"""One thing a path or a law can be told besides its waypoints, its distance and its time."""
+"""One thing that can be set, described so that it can be checked, and a form be made of it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import as_floats, whole_number, wrong
 
-Kind = Literal["number", "whole", "choice", "flag", "vector", "list", "rows"]
+Kind = Literal["number", "whole", "choice", "flag", "vector", "list", "rows", "text"]
 Options = Mapping[str, Any]
 
 
@@ -26,11 +26,11 @@ class Field:
         For programs, as the notes write it, and in words.
     kind : str
         ``"number"``, ``"whole"`` number, ``"choice"``, ``"flag"``; ``"vector"``: one number a coordinate; ``"list"``:
-        one number for each waypoint or segment; ``"rows"``: a table of numbers.
+        one number for each waypoint or segment; ``"rows"``: a table of numbers; ``"text"``.
     default : object
         None: may be left out, and then something sensible is chosen, which the title says.
     low, high : float
-        Smallest and largest value of a number.
+        Smallest and largest value of a number; of a text the most characters.
     above : bool
         Whether ``low`` itself is too small.
     unit : str
@@ -94,6 +94,10 @@ class Field:
             keys = [key for key, _ in self.choices]
             if value not in keys:
                 raise UnknownName(self.key, value, keys)
+            return value
+        if self.kind == "text":
+            if not isinstance(value, str) or len(value) > self.high:
+                raise wrong(self.key, f"a text of at most {self.high:g} characters", value)
             return value
         if self.kind == "whole":
             whole = whole_number(value, self.key, int(self.low))

@@ -1,0 +1,35 @@
+"""Facts of the matrix exponential that lessons can check: its entries, and how much a sum leaves out."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.benches.control.exponential.state import Exponential
+from armlab.session.facts import Fact, Facts
+from armlab.session.state import State
+
+
+def _eigenvalues(state: State) -> np.ndarray | None:
+    """Return real eigenvalues of A, the larger first; None where they are not real."""
+    values = np.linalg.eigvals(np.array(state[Exponential].A))
+    return None if np.iscomplexobj(values) and np.abs(values.imag).max() > 0.0 else np.sort(values.real)[::-1]
+
+
+def _error(state: State) -> float:
+    part = state[Exponential]
+    return float(part.found.errors[part.terms - 1])
+
+
+FACTS = Facts(
+    __name__,
+    (Exponential,),
+    {
+        "matrix": Fact("the entries of exp(A t), row by row", lambda s: s[Exponential].found.whole, kind="numbers"),
+        "state": Fact("x(t)", lambda s: s[Exponential].found.whole @ np.array(s[Exponential].x0), kind="numbers"),
+        "error": Fact("the largest error of the sum of the series", _error),
+        "terms": Fact("the number of terms that are summed", lambda s: s[Exponential].terms, kind="count"),
+        "t": Fact("the time t", lambda s: s[Exponential].t, "s"),
+        "eigenvalues": Fact("the real eigenvalues of A", _eigenvalues, "1/s", "numbers"),
+        "printed_error": Fact("how far what the notes print is from exp(A t)", lambda s: s[Exponential].found.printed),
+    },
+)

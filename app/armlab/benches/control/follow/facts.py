@@ -1,0 +1,54 @@
+"""Facts of the selected run that lessons can check; they are known once the run has been made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from armlab.benches.control.follow.job import JOB
+from armlab.benches.control.follow.runs import Figures
+from armlab.benches.control.follow.state import Control, questions
+from armlab.benches.motion.api import Plan
+from armlab.session.facts import Fact, Facts
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+
+
+def _figures(state: State) -> Figures | None:
+    """Return what the selected run has given as it is set up now; None while it is being made, or cannot be."""
+    part = state[Control]
+    outcome = part.outcome
+    if outcome is None or outcome.question != state.derived(questions)[part.selected]:
+        return None
+    return outcome.figures
+
+
+def _of_run(value: Callable[[Figures], Any]) -> Callable[[State], Any]:
+    def found(state: State) -> Any:
+        figures = _figures(state)
+        return None if figures is None else value(figures)
+
+    return found
+
+
+FACTS = Facts(
+    __name__,
+    (Control, Plan, Joints),
+    {
+        "largest_error": Fact("the largest error of the position", _of_run(lambda f: f.position.value), "m"),
+        "last_error": Fact("the error of the position at the end", _of_run(lambda f: f.final_position), "m"),
+        "largest_turn_error": Fact("the largest error of the orientation", _of_run(lambda f: f.rotation.value), "rad"),
+        "last_turn_error": Fact("the error of the orientation at the end", _of_run(lambda f: f.final_rotation), "rad"),
+        "peak_speeds": Fact(
+            "the largest speeds of the joints, in rad/s and m/s",
+            _of_run(lambda f: [peak.value for peak in f.speeds]),
+            kind="numbers",
+        ),
+        "smallest_sigma": Fact("the smallest singular value on the way", _of_run(lambda f: f.sigma_min.value)),
+        "saturated": Fact("how long the motors were at their limits", _of_run(lambda f: f.saturated), "s"),
+        "duration": Fact("the duration of the run", _of_run(lambda f: f.duration), "s"),
+        "in_range": Fact("all joints stay in their ranges", _of_run(lambda f: f.left_range is None), kind="truth"),
+        "runs": Fact("the number of runs", lambda s: len(s[Control].runs), kind="count"),
+    },
+    JOB,
+)

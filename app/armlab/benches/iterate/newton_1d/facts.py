@@ -1,0 +1,34 @@
+"""Facts of Newton's method for one equation that lessons can check: where it ends, and in how many steps."""
+
+from __future__ import annotations
+
+from armlab.benches.iterate.newton_1d.state import Newton1D, solution
+from armlab.session.facts import Fact, Facts
+from armlab.session.state import State
+
+
+def _root(state: State) -> float | None:
+    """Return the root that was found; None where there is none."""
+    found = state.derived(solution)
+    return float(found.iterates[-1].x) if found.status == "converged" else None
+
+
+FACTS = Facts(
+    __name__,
+    (Newton1D,),
+    {
+        "start": Fact("the start", lambda s: s[Newton1D].x0),
+        "root": Fact("the root that was found", _root),
+        "steps": Fact("the number of steps", lambda s: s.derived(solution).last, kind="count"),
+        "converged": Fact("a root was found", lambda s: s.derived(solution).status == "converged", kind="truth"),
+        "status": Fact(
+            "how it ends: converged, level, round, away, undefined or most",
+            lambda s: s.derived(solution).status,
+            kind="text",
+        ),
+        "first_step": Fact(
+            "the first step, x₁ − x₀",
+            lambda s: s.derived(solution).iterates[1].x - s[Newton1D].x0 if s.derived(solution).last else None,
+        ),
+    },
+)

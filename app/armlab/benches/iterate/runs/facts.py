@@ -1,0 +1,48 @@
+"""Facts of the selected run of iterations that lessons can check; they are known once its film has been made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from armlab.benches.iterate.runs.films import Film
+from armlab.benches.iterate.runs.job import JOB
+from armlab.benches.iterate.runs.state import Iterations, questions
+from armlab.session.facts import Fact, Facts
+from armlab.session.parts.joints import Joints
+from armlab.session.state import State
+
+
+def _film(state: State) -> Film | None:
+    """Return the film of the selected run as it is set up now; None while it is being made."""
+    part = state[Iterations]
+    film = part.films.get(part.run.colour)
+    asked = state.derived(questions)[part.runs.index(part.run)]
+    return film if film is not None and film.question == asked else None
+
+
+def _of_film(value: Callable[[Film], Any]) -> Callable[[State], Any]:
+    def found(state: State) -> Any:
+        film = _film(state)
+        return None if film is None else value(film)
+
+    return found
+
+
+FACTS = Facts(
+    __name__,
+    (Iterations, Joints),
+    {
+        "steps": Fact("the number of steps", _of_film(lambda f: f.last), kind="count"),
+        "converged": Fact("the target is reached", _of_film(lambda f: f.success), kind="truth"),
+        "status": Fact("how the run ends, in a word", _of_film(lambda f: f.status), kind="text"),
+        "last_error": Fact("the error of the position at the end", _of_film(lambda f: f.position_error[-1]), "m"),
+        "last_turn_error": Fact(
+            "the error of the orientation at the end", _of_film(lambda f: f.rotation_error[-1]), "rad"
+        ),
+        "end": Fact("the joint values at the end, in rad and m", _of_film(lambda f: f.q[-1]), kind="numbers"),
+        "method": Fact("the method", lambda s: s[Iterations].run.method, kind="text"),
+        "start": Fact("the start, in rad and m", lambda s: s[Iterations].start, kind="numbers"),
+    },
+    JOB,
+)

@@ -1,0 +1,44 @@
+"""Facts of the microscope that lessons can check: how near a singularity is, and what each method makes of a wish."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armlab.benches.velocity.microscope.look import Look
+from armlab.benches.velocity.microscope.state import Microscope, looked, near
+from armlab.session.facts import Fact, Facts
+from armlab.session.state import State
+
+
+def _look(state: State) -> Look:
+    return state.derived(looked)
+
+
+def _joint_speed(state: State) -> float | None:
+    """Return the size of the scaled joint speeds of the method that is watched; None where it has no answer."""
+    look = _look(state)
+    qdot = look.answer(look.part.method).qdot
+    return None if qdot is None else float(np.linalg.norm(qdot))
+
+
+def _away(state: State) -> float | None:
+    """Return by how much the joint would have to move to the nearest singular configuration, rad or m."""
+    found = state.derived(near)
+    return None if found is None else abs(float(found.pose.away))
+
+
+FACTS = Facts(
+    __name__,
+    (Microscope,),
+    {
+        "singular_values": Fact("the singular values of the scaled Jacobian", lambda s: _look(s).sigma, kind="numbers"),
+        "inverse_condition": Fact("the smallest singular value over the largest", lambda s: _look(s).inverse_condition),
+        "singular": Fact("the arm is singular", lambda s: _look(s).singular, kind="truth"),
+        "away": Fact("how far one joint is from the nearest singular configuration, in rad or m", _away),
+        "wish": Fact("the size of the wanted velocity, scaled", lambda s: np.linalg.norm(_look(s).wish)),
+        "joint_speed": Fact(
+            "the size of the joint speeds of the method that is watched, scaled",
+            _joint_speed,
+        ),
+    },
+)

@@ -1,0 +1,35 @@
+"""Facts of the sampled workspace that lessons can check; they are known once it has been sampled as it is set up."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from armlab.benches.workspace.cloud.job import JOB
+from armlab.benches.workspace.cloud.samples import Sampled
+from armlab.benches.workspace.cloud.state import SampleWorkspace, Workspace, question_of
+from armlab.session.facts import Fact, Facts
+from armlab.session.state import State
+
+
+def _of_samples(value: Callable[[Sampled], Any]) -> Callable[[State], Any]:
+    def known(state: State) -> Any:
+        found = state[Workspace].found
+        return value(found) if found is not None and found.finished and found.question == question_of(state) else None
+
+    return known
+
+
+FACTS = Facts(
+    __name__,
+    (Workspace,),
+    {
+        "samples": Fact("the number of samples", _of_samples(lambda found: found.done), kind="count"),
+        "measure": Fact("the key of the measure", lambda s: s[Workspace].measure, kind="text"),
+        "farthest": Fact(
+            "the largest distance of a sample from frame 0", _of_samples(lambda found: found.farthest), "m"
+        ),
+    },
+    JOB,
+    SampleWorkspace().apply,
+)

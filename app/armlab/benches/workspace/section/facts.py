@@ -1,0 +1,50 @@
+"""Facts of the section of the workspace that lessons can check; they are known once it has been found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from armlab.benches.workspace.section.found import Found
+from armlab.benches.workspace.section.job import JOB
+from armlab.benches.workspace.section.state import SectionView, found_of
+from armlab.kin.workspace.section_size import Reach
+from armlab.session.facts import Fact, Facts
+from armlab.session.state import State
+
+
+def _size(unit: str) -> Callable[[State], float | None]:
+    def found(state: State) -> float | None:
+        seen = _finished(state)
+        size = None if seen is None else seen.size
+        return size.value if size is not None and size.unit == unit else None
+
+    return found
+
+
+def _of_reach(value: Callable[[Reach], float]) -> Callable[[State], float | None]:
+    def found(state: State) -> float | None:
+        seen = _finished(state)
+        return None if seen is None or seen.reach is None else value(seen.reach)
+
+    return found
+
+
+def _finished(state: State) -> Found | None:
+    found = found_of(state)
+    return found if found is not None and found.finished else None
+
+
+FACTS = Facts(
+    __name__,
+    (SectionView,),
+    {
+        "area": Fact("the area of the workspace of a planar arm", _size("m²"), "m²"),
+        "volume": Fact("the volume of the workspace of an arm in space", _size("m³"), "m³"),
+        "inner": Fact("the least distance from the axis of joint 1", _of_reach(lambda reach: reach.inner), "m"),
+        "outer": Fact("the largest distance from the axis of joint 1", _of_reach(lambda reach: reach.outer), "m"),
+        "lowest": Fact("the least height along the axis of joint 1", _of_reach(lambda reach: reach.low), "m"),
+        "highest": Fact("the largest height along the axis of joint 1", _of_reach(lambda reach: reach.high), "m"),
+        "farthest": Fact("the largest distance that is reached", _of_reach(lambda reach: reach.farthest), "m"),
+    },
+    JOB,
+)

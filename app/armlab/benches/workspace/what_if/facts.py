@@ -1,0 +1,41 @@
+"""Facts of an arm as it is thought to be that lessons can check; sizes are known once both workspaces are found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from armlab.benches.workspace.what_if.found import Figures
+from armlab.benches.workspace.what_if.job import JOB
+from armlab.benches.workspace.what_if.state import WhatIf
+from armlab.session.facts import Fact, Facts
+from armlab.session.state import State
+
+
+def _figures(which: int, value: Callable[[Figures], float | None]) -> Callable[[State], float | None]:
+    """Return what is known of the arm before (0) or after (1) the changes, at the end of the work."""
+
+    def known(state: State) -> float | None:
+        part = state[WhatIf]
+        found = part.found
+        there = found is not None and found.finished and found.before is part.arm and found.after is part.other
+        return value(found.figures[which]) if found is not None and there else None
+
+    return known
+
+
+def _size(figures: Figures) -> float | None:
+    return None if figures.size is None else figures.size.value
+
+
+FACTS = Facts(
+    __name__,
+    (WhatIf,),
+    {
+        "changes": Fact("the number of changes", lambda s: len(s[WhatIf].changes), kind="count"),
+        "size_before": Fact("the size of the workspace before, in m² or m³", _figures(0, _size)),
+        "size_after": Fact("the size of the workspace after, in m² or m³", _figures(1, _size)),
+        "outer_before": Fact("the outer reach before", _figures(0, lambda figures: figures.reach.outer), "m"),
+        "outer_after": Fact("the outer reach after", _figures(1, lambda figures: figures.reach.outer), "m"),
+    },
+    JOB,
+)

@@ -1,0 +1,146 @@
+"""A fact that a bench publishes has a value: near to one, at least or at most one, a text, or true or false."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from armlab.content.bench_words import fact_name
+from armlab.content.check import PLAIN, CheckType, Words
+from armlab.content.fact_words import said
+from armlab.content.lesson_fields import Fields
+from armlab.content.observation import Observation
+from armlab.content.reader import Table, shown
+from armlab.content.robots import Robot
+from armlab.content.seen_fact import Value
+
+MOST_COMPONENTS = 100
+
+
+@dataclass(frozen=True)
+class FactIs:
+    """What is asked of a fact; numbers in its own unit.
+
+    Attributes
+    ----------
+    fact : str
+        Its word, such as ``velocity.statics.torques``.
+    component : int
+        Which of several numbers, from 1; 0 for all of them, or for a fact of one.
+    value : Value or None
+        Which it has to be; None where it has to lie between two.
+    tolerance : float or None
+        By which numbers may differ from it; None where it is left out, which is for counts, texts and truth only.
+    at_least, at_most : float or None
+    degrees : bool
+        Whether the file gives its numbers in degrees; which is right for angles only.
+    """
+
+    fact: str
+    component: int = 0
+    value: Value | None = None
+    tolerance: float | None = None
+    at_least: float | None = None
+    at_most: float | None = None
+    degrees: bool = False
+
+    @property
+    def facts(self) -> tuple[str, ...]:
+        """The word of its fact."""
+        return (self.fact,)
+
+    def is_met(self, observation: Observation) -> bool:
+        """Whether the fact is known and as it is asked."""
+        value = self._now(observation)
+        if value is None:
+            return False
+        if isinstance(value, (str, bool)) or isinstance(self.value, (str, bool)):
+            return type(value) is type(self.value) and value == self.value
+        if isinstance(value, tuple) or isinstance(self.value, tuple):
+            return self._near_all(value)
+        if self.value is not None and not abs(value - self.value) <= (self.tolerance or 0.0):
+            return False
+        return (self.at_least is None or value >= self.at_least) and (self.at_most is None or value <= self.at_most)
+
+    def says(self, observation: Observation, words: Words = PLAIN) -> str:
+        """Return what the fact is, and what is asked."""
+        seen, value = observation.facts.get(self.fact), self._now(observation)
+        title = self.titled(seen.title if seen else self.fact)
+        if seen is None or value is None:
+            return f"{title[:1].upper()}{title[1:]}: not known yet."
+        asked = "" if self.is_met(observation) else f" Asked: {self.asked(seen.unit, words)}."
+        return f"{title[:1].upper()}{title[1:]}: {said(value, seen.unit, words)}.{asked}"
+
+    def titled(self, title: str) -> str:
+        """Return what the check looks at, by the title of the fact."""
+        return f"{title}, component {self.component}" if self.component else title
+
+    def asked(self, unit: str, words: Words = PLAIN) -> str:
+        """Return in words what the fact has to be."""
+        if self.value is not None:
+            within = f" ± {said(self.tolerance, unit, words)}" if self.tolerance else ""
+            return f"{said(self.value, unit, words)}{within}"
+        ends = (("at least", self.at_least), ("at most", self.at_most))
+        return " and ".join(f"{name} {said(end, unit, words)}" for name, end in ends if end is not None)
+
+    def _now(self, observation: Observation) -> Value | None:
+        seen = observation.facts.get(self.fact)
+        value = None if seen is None else seen.value
+        if not self.component or value is None:
+            return value
+        return value[self.component - 1] if isinstance(value, tuple) and self.component <= len(value) else None
+
+    def _near_all(self, value: Value) -> bool:
+        if not isinstance(value, tuple) or not isinstance(self.value, tuple) or len(value) != len(self.value):
+            return False
+        return all(abs(one - other) <= (self.tolerance or 0.0) for one, other in zip(value, self.value, strict=True))
+
+
+def read(table: Table, robot: Robot) -> FactIs:
+    """Read ``fact``; ``value`` with ``tolerance``, or ``at_least`` and ``at_most``; ``component``.
+
+    Numbers of a fact that is an angle may be in degrees: ``value_deg``, ``tolerance_deg`` and so on, all of them then.
+    """
+    fields = Fields.of(table)
+    fact = fact_name(fields, "fact")
+    component = fields.whole("component", 1, MOST_COMPONENTS) if fields.has("component") else 0
+    keys = [key for name in _NAMES for key in (name, f"{name}_deg") if fields.has(key)]
+    degrees = any(key.endswith("_deg") for key in keys)
+    if degrees and not all(key.endswith("_deg") for key in keys):
+        raise fields.fail(keys[0], "expected all numbers in degrees, or none")
+    unit, factor = ("_deg", math.radians(1.0)) if degrees else ("", 1.0)
+    value = _value(fields, f"value{unit}", factor)
+    tolerance, least, most = (_end(fields, f"{name}{unit}", factor) for name in _NAMES[1:])
+    if (value is None) == (least is None and most is None):
+        raise fields.fail(f"value{unit}", "expected either value, or at_least and at_most or one of them")
+    if tolerance is not None and (value is None or isinstance(value, (str, bool)) or tolerance < 0.0):
+        raise fields.fail(f"tolerance{unit}", "expected a number not below zero, with a value that is a number")
+    if least is not None and most is not None and least > most:
+        raise fields.fail(f"at_most{unit}", f"expected at least {least / factor:g}, got {most / factor:g}")
+    for key in ("fact", "component", *(f"{name}{end}" for name in _NAMES for end in ("", "_deg"))):
+        table.has(key)  # what was taken here is known to the table given, too
+    return FactIs(fact, component, value, tolerance, least, most, degrees)
+
+
+_NAMES = ("value", "tolerance", "at_least", "at_most")
+
+
+def _end(fields: Fields, key: str, factor: float) -> float | None:
+    return fields.number(key) * factor if fields.has(key) else None
+
+
+def _value(fields: Fields, key: str, factor: float) -> Value | None:
+    """Take a number, a list of numbers, a text, or true or false."""
+    if not fields.has(key):
+        return None
+    value = fields.value(key)
+    if isinstance(value, list) and 1 <= len(value) <= MOST_COMPONENTS:
+        return tuple((fields.numbers(key, len(value)) * factor).tolist())
+    if isinstance(value, (str, bool)) and factor == 1.0:
+        return value
+    if isinstance(value, (list, dict, str, bool)):
+        raise fields.fail(key, f"expected a number or a list of numbers, got {shown(value)}")
+    return fields.number(key) * factor
+
+
+CHECK = CheckType("fact", 80, read)

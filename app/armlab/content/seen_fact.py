@@ -1,0 +1,51 @@
+"""What a lesson sees of a bench: a fact that the bench publishes, as it is at the moment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armlab.content import evidence
+from armlab.kin.checks import wrong
+
+Value = float | tuple[float, ...] | str | bool
+"""What a fact is: a number, several numbers, a text, or true or false."""
+
+MOST_NUMBERS = 100
+
+
+@dataclass(frozen=True)
+class SeenFact:
+    """A fact at the moment.
+
+    Attributes
+    ----------
+    title : str
+        What it is, such as ``"the torques of the joints"``.
+    unit : str
+        Empty for none.
+    value : Value or None
+        None where the arm has no such thing, or it is not worked out yet.
+    """
+
+    title: str
+    unit: str
+    value: Value | None
+
+
+def read_value(value: object, where: str) -> Value | None:
+    """Return the value of a fact from a file that anyone may have changed.
+
+    Raises
+    ------
+    InputError
+        It is of no such kind, or too large.
+    """
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, str):
+        return evidence.name(value, where)
+    if isinstance(value, list):
+        if len(value) > MOST_NUMBERS:
+            raise wrong(where, f"at most {MOST_NUMBERS} numbers", value)
+        return tuple(evidence.number(each, where) for each in value)
+    return evidence.number(value, where)

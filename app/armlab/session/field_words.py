@@ -1,0 +1,71 @@
+"""The fields that parts declare, as arguments of a command that files can write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from armlab.errors import InputError
+from armlab.kin.field import Field
+from armlab.session.arguments import Argument, Kind, kind_of, one_of
+from armlab.session.fields import EXAMPLE, FieldPart, fields_of, put
+from armlab.session.state import Command, State
+
+KINDS: dict[str, Any] = {"number": float, "whole": int, "flag": bool, "text": str, "vector": tuple[float, ...]}
+"""What a field is as an argument, by its kind."""
+
+
+def field_arguments(part: type[FieldPart]) -> tuple[Argument, ...]:
+    """Return the fields of a part as arguments; each may be left out. Which example is in place cannot be set."""
+    found = ((field, _kind(field)) for field in fields_of(part).values() if field.key != EXAMPLE)
+    return tuple(Argument(field.key, kind, False, _about(field)) for field, kind in found if kind is not None)
+
+
+def _kind(field: Field) -> Kind | None:
+    if field.kind == "choice":
+        return one_of(tuple(key for key, _ in field.choices))
+    return kind_of(KINDS[field.kind]) if field.kind in KINDS else None
+
+
+def _about(field: Field) -> str:
+    return field.title if field.unit in ("", "1") else f"{field.title}, {field.unit}"
+
+
+@dataclass(frozen=True)
+class SetFields(Command):
+    """Set some fields of a part at once.
+
+    Parameters
+    ----------
+    part : type
+    values : tuple of (str, object)
+        Name and value of each.
+    """
+
+    part: type[FieldPart]
+    values: tuple[tuple[str, Any], ...]
+
+    @classmethod
+    def of(cls, part: type[FieldPart], **values: Any) -> SetFields:
+        """Return the command; `InputError` where there is nothing to set."""
+        if not values:
+            raise InputError(f"expected some of {', '.join(each.name for each in field_arguments(part))}")
+        return cls(part, tuple(values.items()))
+
+    @property
+    def label(self) -> str:  # type: ignore[override]
+        """The key of the part."""
+        return self.part.key
+
+    @property
+    def undoable(self) -> bool:  # type: ignore[override]
+        """Whether the part is work, and not only what is being looked at."""
+        return not self.part.kept_by_undo
+
+    def apply(self, state: State) -> State:
+        """Return the state with the fields set, and no example in place any more."""
+        part = state[self.part]
+        changed = part.with_values(dict(self.values))
+        if changed == part:
+            return state
+        return put(state, replace(changed, **{EXAMPLE: ""}) if EXAMPLE in fields_of(self.part) else changed)

@@ -1,0 +1,61 @@
+"""A part of a bench as it was saved, as a command that files can write; and what a lesson begins with as words."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from armlab.errors import InputError
+from armlab.plugins import BENCHES
+from armlab.session.examples import with_clip_closed
+from armlab.session.parts.robot import RobotPart
+from armlab.session.state import Command, Part, State, part_types
+
+
+@dataclass(frozen=True)
+class PutPart(Command):
+    """Put a bench as it was saved.
+
+    Parameters
+    ----------
+    part : type
+    saved : str
+        What the part has written down, in JSON.
+    """
+
+    part: type[Part]
+    saved: str
+    label: ClassVar[str] = "saved bench"
+
+    def apply(self, state: State) -> State:
+        """Return the state with the part; `InputError` where it is not usable with the arm on the table."""
+        try:
+            part = self.part.from_json(json.loads(self.saved), state[RobotPart].robot)
+        except Exception as error:
+            # Nobody can list what a part may raise about data of anyone.
+            raise InputError(f"{self.part.key}: what was saved is not usable with this arm: {error}") from error
+        return with_clip_closed(state).replace(part)
+
+
+def put_words(page: str) -> dict[str, type[Part]]:
+    """Return the parts of a page such as ``velocity.statics`` by the words that put them as they were saved."""
+    parts = [kind for kind in part_types() if kind.__module__.startswith(f"{BENCHES}.{page}.")]
+    return {f"{page}.put" if len(parts) == 1 else f"{page}.put_{kind.key}": kind for kind in parts}
+
+
+def begun_as(state: State) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield words and their arguments that put the benches of a fresh state as those of a state are.
+
+    Only of benches that differ from how they open with the arm on the table.
+    """
+    robot = state[RobotPart].robot
+    for kind in part_types():
+        page = ".".join(kind.__module__.removeprefix(f"{BENCHES}.").split(".")[:2])
+        if not kind.__module__.startswith(f"{BENCHES}."):
+            continue
+        saved = state[kind].to_json()
+        if saved != kind.initial(robot).to_json():
+            word = next(name for name, part in put_words(page).items() if part is kind)
+            yield word, {"saved": json.dumps(saved, ensure_ascii=False)}

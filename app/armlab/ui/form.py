@@ -1,0 +1,187 @@
+"""Markup whose buttons, choices and fields carry what they do: commands, or what makes commands of a text."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+from armlab.errors import InputError
+from armlab.session.session import Asked
+from armlab.session.state import Command, Post
+from armlab.ui import markup
+from armlab.ui.fields import Fields, OnInput
+
+Wish = Command | Sequence[Command] | None
+"""What an action asks for: commands of which all are done or none; None where only this page has changed."""
+
+Pressed = Command | Sequence[Command] | Callable[[], Wish]
+"""What a button does: commands, or a function that returns them or changes the page itself."""
+
+Typed = Callable[[str], Wish]
+"""What a field or a choice does with its text; an `InputError` is said at the field."""
+
+Picked = Callable[[float, float, int], Wish]
+"""What a place does, in parts of its box from the upper left; the last is the number of the drag, 0 for a click."""
+
+
+class Form:
+    """Markup with controls that carry what they do.
+
+    What is made between two `show` is bound to what the second shows, and only that can be pressed or filled: a cell
+    that is not on the page, disabled, or not among the options does nothing. A refusal, of the text here or of a
+    command by the worker, stands where the wish came from, with the text as it was typed.
+
+    Parameters
+    ----------
+    make : callable
+        Makes the `Fields` that hand cell and text to what it is given.
+    post : callable
+        Hands a command to the worker.
+    again : callable
+        Shows once more the page it is on.
+    beside : bool
+        Whether there is room for a refusal; otherwise it is a notice.
+    """
+
+    def __init__(
+        self, make: Callable[[OnInput], Fields], post: Post, again: Callable[[], None], beside: bool = True
+    ) -> None:
+        self._fields, self._post, self._again, self._beside = make(self._asked), post, again, beside
+        self._bound: dict[str, Typed] = {}
+        self._binding: dict[str, Typed] = {}
+
+    @property
+    def channel_id(self) -> str:
+        """Where the page's script sends a text of its own; see `takes`."""
+        return self._fields.channel_id
+
+    @property
+    def stale(self) -> bool:
+        """Whether a person has typed or pressed since the markup was shown; see `Fields.stale`."""
+        return self._fields.stale
+
+    def forgive(self) -> None:
+        """Show the fields as they hold with the next `show`."""
+        self._fields.forgive()
+
+    # -- what can stand in the markup ----------------------------------------------------------------------------
+
+    def button(
+        self,
+        cell: str,
+        inside: str,
+        action: Pressed,
+        kind: str = "",
+        hint: str = "",
+        label: str = "",
+        pressed: bool | None = None,
+        off: bool = False,
+        **more: str,
+    ) -> str:
+        """Return a button, whose inside is markup; see `markup.button`. One that is off cannot be pressed."""
+        self._press(cell, action, off)
+        return markup.button(self._fields.channel_id, cell, inside, kind, hint, label, pressed, off, **more)
+
+    def chip(
+        self, cell: str, text: str, action: Pressed, hint: str = "", pressed: bool | None = None, off: bool = False
+    ) -> str:
+        """Return a small button with a text."""
+        self._press(cell, action, off)
+        return markup.chip(self._fields.channel_id, cell, text, hint, pressed, off)
+
+    def chips(self, name: str, texts: Mapping[str, str], chosen: str, hint: str, action: Typed) -> str:
+        """Return a chip for each option, key to text, with cells ``name key``; the action gets the key."""
+        return "".join(
+            self.chip(f"{name} {key}", text, _with(action, key), hint, key == chosen) for key, text in texts.items()
+        )
+
+    def select(
+        self, cell: str, label: str, texts: Mapping[str, str], chosen: str, action: Typed, hint: str = ""
+    ) -> str:
+        """Return a choice among options, key to text; the action gets the key. An empty key chooses nothing."""
+        self._binding[cell] = lambda key: action(key) if key and key in texts else ()
+        return markup.select(self._fields.channel_id, cell, label, markup.options(texts, chosen), hint)
+
+    def select_in_groups(
+        self, cell: str, label: str, groups: Mapping[str, Mapping[str, str]], chosen: str, action: Typed
+    ) -> str:
+        """Return a choice among options in groups, title to key to text; the action gets the key."""
+        known = {key for texts in groups.values() for key in texts}
+        self._binding[cell] = lambda key: action(key) if key in known else ()
+        return markup.select(self._fields.channel_id, cell, label, markup.groups(groups, chosen))
+
+    def field(
+        self, cell: str, value: str, label: str, action: Typed, below: str = "", off: bool = False, **more: str
+    ) -> str:
+        """Return a field; Enter goes on to the field ``below``; ``more`` attributes. The action gets the text."""
+        if not off:
+            self._binding[cell] = action
+        return self._fields.field(cell, value, label, off, below, **more)
+
+    def area(self, cell: str, value: str, label: str, lines: int, action: Typed) -> str:
+        """Return a field of several lines. The action gets the text."""
+        self._binding[cell] = action
+        return self._fields.area(cell, value, label, lines)
+
+    def place(self, cell: str, action: Picked, drag: bool = False) -> str:
+        """Return the attributes of an element in which a place is clicked or, with ``drag``, dragged."""
+        return f"{self.bound(cell, lambda text: action(*_place(text)))} data-pick{'=drag' if drag else ''}"
+
+    def bound(self, cell: str, action: Typed) -> str:
+        """Return the attributes of an element of the caller's own that sends a text."""
+        self.takes(cell, action)
+        return f'data-chan="{self._fields.channel_id}" data-cell="{cell}"'
+
+    def takes(self, cell: str, action: Typed) -> None:
+        """Bind what the page's script says by itself."""
+        self._binding[cell] = action
+
+    # -- what comes of it ----------------------------------------------------------------------------------------
+
+    def show(self, content: str) -> None:
+        """Show this markup; what was made for it since the last one is what can be pressed now."""
+        self._bound, self._binding = self._binding, {}
+        self._fields.show(content)
+
+    def visible(self, on: bool) -> None:
+        """Show or hide the whole."""
+        self._fields.visible(on)
+
+    def _press(self, cell: str, action: Pressed, off: bool) -> None:
+        if not off:
+            self._binding[cell] = lambda _: action() if callable(action) else action
+
+    def _asked(self, cell: str, text: str) -> None:
+        action = self._bound.get(cell)
+        if action is None:
+            return
+        try:
+            wish = action(text)
+        except InputError as refusal:
+            self._fields.refuse(cell, text, str(refusal))
+            wish = None
+        if wish is None:
+            self._again()
+            return
+        asked = (wish,) if isinstance(wish, Command) else tuple(wish)
+        if len(asked) == 1 and (asked[0].snapshot or not self._beside):
+            self._post(asked[0])
+        elif asked:
+            refuse = self._fields.refuse_later(cell, text)
+            self._post(Asked(asked, refuse))
+
+
+def _with(action: Typed, key: str) -> Callable[[], Wish]:
+    return lambda: action(key)
+
+
+def _place(text: str) -> tuple[float, float, int]:
+    """Return a place as a page sends it; `InputError` when no page of ours has sent it."""
+    try:
+        x, y, *drag = (float(each) for each in text.split(","))
+        number = int(drag[0]) if drag else 0
+    except (ValueError, OverflowError):
+        raise InputError(f"expected a place, got {text[:40]!r}") from None
+    if len(drag) > 1 or not math.isfinite(x + y):
+        raise InputError(f"expected a place, got {text[:40]!r}")
+    return x, y, number

@@ -1,0 +1,137 @@
+"""The page Pictures: two lines, the norm against det J, the square and the torus, as markup and over the wire."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.benches.velocity.pictures.ui import page as pictures
+from armlab.benches.velocity.solve.examples import ChooseSolveExample
+from armlab.benches.velocity.solve.pictures import DragTo, StandAt, flat, square
+from armlab.benches.velocity.solve.state import PicturePair
+from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, marks_style, nice
+from armlab.benches.velocity.solve.ui.torus import HIGH, WIDE, pressed, projected, torus_markup, torus_style
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.parts.notation import Notation
+from armlab.session.state import State, apply
+from armlab.ui.units import Units, units_of
+from support.forms import asked
+from support.student import run, student
+
+UNITS = Units(Notation())
+
+
+def example(key):
+    return apply(State.initial(catalogue()["planar_2r"]), ChooseSolveExample(key))
+
+
+def picked(state, cell, text):
+    def made(form):
+        return pictures.head_markup(form, state, UNITS) + pictures.maps_markup(form, state, square(state), UNITS)
+
+    return asked(made, cell, text)
+
+
+@pytest.mark.parametrize(
+    ("cell", "text", "expected"),
+    [
+        ("first", "1", PicturePair(1, 0)),
+        ("first", "2", PicturePair(2, 1)),
+        ("second", "0", PicturePair(1, 0)),
+        ("second", "2", PicturePair(0, 2)),
+        ("square", "0.25,0.75", StandAt(0.25, 0.25)),
+        ("square", "0.25,0.75,3", DragTo(0.25, 0.25, 3)),
+    ],
+)
+def test_what_is_pressed_in_the_pictures_becomes_a_command(cell, text, expected):
+    assert picked(State.initial(catalogue()["planar_3r"]), cell, text) == (expected,)
+
+
+def test_a_place_that_is_none_is_refused():
+    for text in ("nowhere", "nan,0", "0.25,0.75,nan"):
+        with pytest.raises(InputError, match="expected a place"):
+            picked(example("one"), "square", text)
+
+
+def test_two_lines_meet_are_parallel_or_one():
+    for key, words in (
+        ("one", "meet in one point"),
+        ("stretched_30", "No point is on both"),
+        ("stretched_90", "no line"),
+    ):
+        state = example(key)
+        two, units = flat(state), units_of(state)
+        assert words in lines_words(state, two, units)
+        drawing = lines_svg(state, two, units)
+        assert drawing.count('class="row') == (1 if key == "stretched_90" else 2)
+        assert ('class="nearest"' in drawing) == (key == "stretched_30")
+
+
+def test_the_determinant_of_the_pictures_has_its_unit():
+    state = example("one")
+    assert f"det J = {math.sin(math.radians(55.0)):.4f} m²" in pictures.norm_markup(state, UNITS)
+    assert "det J: 1 m²" in pictures.norm_markup(state, UNITS)
+
+
+def test_the_mark_in_the_square_is_where_the_arm_stands():
+    state = apply(example("one"), StandAt(0.7, 0.2))
+    style = marks_style(state, square(state), flat(state))
+    assert "--x:70.00%" in style
+    assert "--y:20.00%" in style
+    assert "--way:block" in style
+
+
+def test_round_numbers_are_not_smaller():
+    rng = np.random.default_rng(5)
+    for value in (10.0 ** rng.uniform(-6, 6, 200)).tolist():
+        assert value * (1.0 - 1e-9) <= nice(value) <= 1.7 * value
+
+
+def test_a_press_on_the_torus_is_where_it_is_drawn():
+    rng = np.random.default_rng(3)
+    for q in rng.uniform(-math.pi, math.pi, (200, 2)):
+        (x, y), seen = projected(q)
+        assert 0.0 <= x <= WIDE
+        assert 0.0 <= y <= HIGH
+        found_at = pressed(x / WIDE, y / HIGH)
+        back, front = projected(found_at)
+        assert front  # what is behind cannot be pressed
+        assert np.linalg.norm(back - (x, y)) < 8.0
+        outside = abs(math.cos(q[1])) > 0.6 and math.cos(q[1]) > 0.0 and math.sin(q[0]) < -0.3
+        if seen and outside:
+            gap = np.array(found_at) - q
+            assert np.abs(gap - math.tau * np.round(gap / math.tau)).max() < 0.15
+    assert pressed(0.01, 0.02) is None
+    assert pressed(0.5, 0.5) is None or projected(pressed(0.5, 0.5))[1]
+
+
+def test_the_torus_shows_the_singular_set_the_arm_and_its_velocity():
+    state = example("one")
+    markup = torus_markup("", square(state))
+    assert markup.count('class="singular') == 2
+    style = torus_style(state, flat(state))
+    (x, _), _ = projected(np.radians([40.0, 55.0]))
+    assert f"--x:{100.0 * x / WIDE:.2f}%" in style
+    assert "--way:block" in style
+    (command,) = picked(state, "torus", f"{x / WIDE},0.9")
+    assert isinstance(command, StandAt)
+    assert picked(state, "torus", "0.01,0.02") == ()
+
+
+def test_a_press_in_the_square_moves_the_arm_and_other_arms_are_refused(url):
+    async def main():
+        browser = await student(url, path="/robot/planar_2r")
+        await browser.open("velocity", "pictures")
+        await browser.until(lambda: "so-map" in browser.html())
+        await browser.press("square", "0.75,0.75")
+        await browser.until(lambda: "--x:75.00%" in browser.html())
+        assert "--y:25.00%" in browser.html()
+        await browser.close()
+        other = await student(url, path="/robot/puma560")
+        await other.open("velocity", "pictures")
+        await other.until(lambda: "axes are parallel" in other.html())
+        assert "so-map" not in other.html()
+        await other.close()
+
+    run(main())

@@ -1,0 +1,129 @@
+"""The check of a fact: what it takes from a file, when it is met, and what it says."""
+
+import math
+
+import numpy as np
+import pytest
+
+from armlab.content.check import Words, read_check
+from armlab.content.checks.fact import FactIs
+from armlab.content.fact_words import said
+from armlab.content.observation import Observation
+from armlab.content.reader import Table
+from armlab.content.robots import catalogue
+from armlab.content.seen_fact import SeenFact, read_value
+from armlab.errors import ContentError, InputError
+
+ROBOT = catalogue()["planar_2r"]
+WORD = "tab.page.fact"
+
+
+def check(text):
+    table = Table.parse("f.md", f'kind = "fact"\nfact = "{WORD}"\n{text}')
+    table.where = "step 1.check"
+    return read_check(table, ROBOT)
+
+
+def seen(value, unit=""):
+    return Observation.of(ROBOT.arm, [0, 0], facts={WORD: SeenFact("the thing", unit, value)})
+
+
+@pytest.mark.parametrize(
+    ("text", "met", "not_met"),
+    [
+        ("value = 2\ntolerance = 0.5", [1.5, 2.0, 2.5], [1.49, 2.51, math.inf, "2", True, (2.0,), None]),
+        ("value = 3", [3.0], [2.0, 3.0001, None]),
+        ("at_least = 1", [1.0, 5.0, math.inf], [0.99, None, True, "1"]),
+        ("at_most = 1", [1.0, -5.0], [1.01, None]),
+        ("at_least = 1\nat_most = 2", [1.0, 2.0], [0.9, 2.1]),
+        ("value = [1, 2]\ntolerance = 0.1", [(1.05, 1.95)], [(1.2, 2.0), (1.0,), (1.0, 2.0, 3.0), 1.0, None]),
+        ("component = 2\nvalue = 5\ntolerance = 0.1", [(0.0, 5.0)], [(5.0, 0.0), (5.0,), 5.0]),
+        ('value = "up"', ["up"], ["down", 1.0, None]),
+        ("value = true", [True], [False, 1.0, None]),
+        ("value = false", [False], [True, 0.0, None]),
+        ("value_deg = 90\ntolerance_deg = 1", [math.radians(89.5)], [math.radians(88), 90.0]),
+        ("at_least_deg = 10", [math.radians(11)], [math.radians(9)]),
+    ],
+)
+def test_a_check_is_met_by_what_it_asks_for(text, met, not_met):
+    asked = check(text)
+    for value in met:
+        assert asked.is_met(seen(value)), value
+    for value in not_met:
+        assert not asked.is_met(seen(value)), value
+    assert not asked.is_met(Observation.of(ROBOT.arm, [0, 0]))
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "value: expected either value, or at_least and at_most or one of them"),
+        ("value = 1\nat_least = 0", "value: expected either value, or at_least"),
+        ("at_least = 2\nat_most = 1", "at_most: expected at least 2, got 1"),
+        ("value = 1\ntolerance = -1", "tolerance: expected a number not below zero"),
+        ('value = "x"\ntolerance = 1', "tolerance: expected a number not below zero, with a value that is a number"),
+        ("value = 1\ntolerance_deg = 1", "value: expected all numbers in degrees, or none"),
+        ('value_deg = "x"', "value_deg: expected a number or a list of numbers, got 'x'"),
+        ("value = []", r"value: expected a number or a list of numbers, got \[\]"),
+        ("value = [1, 'x']", r"value\[2\]: expected a number"),
+        ("component = 0\nat_least = 1", "component: expected a whole number from 1 to 100"),
+        ("at_lest = 1\nvalue = 1", "at_lest: unknown key; did you mean 'at_least'"),
+        ('value = 1\nfact = "x"', "not valid TOML"),
+    ],
+)
+def test_a_broken_check_is_a_sentence(text, says):
+    with pytest.raises(ContentError, match=says):
+        check(text)
+
+
+def test_the_sentence_says_what_is_and_what_is_asked():
+    asked = check("value = [1, 2]\ntolerance = 0.1")
+    assert asked.says(seen((1.0, 3.0), "N")) == "The thing: (1, 3) N. Asked: (1, 2) N ± 0.1 N."
+    assert asked.says(seen((1.0, 2.0), "N")) == "The thing: (1, 2) N."
+    assert asked.says(seen(None)) == "The thing: not known yet."
+    assert asked.says(Observation.of(ROBOT.arm, [0, 0])) == "Tab.page.fact: not known yet."
+    both = check("component = 1\nat_least = 1\nat_most = 2")
+    assert both.says(seen((0.0,))) == "The thing, component 1: 0. Asked: at least 1 and at most 2."
+
+
+def test_lengths_and_angles_are_in_the_units_of_the_screen():
+    words = Words(lambda x: f"{1000 * x:.0f} mm", lambda x: f"{x:.2f} rad")
+    assert check("at_most = 1").says(seen(0.25, "m"), words) == "The thing: 250 mm."
+    assert said((0.5, 1.0), "rad", words) == "(0.50 rad, 1.00 rad)"
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (100_000.0, "", "100000"),
+        (-3.0, "N", "−3 N"),
+        (1e-15, "N m", "0 N m"),
+        (0.00012345, "", "0.0001234"),
+        (math.inf, "", "∞"),
+        (-math.inf, "", "−∞"),
+        (False, "", "no"),
+        ("elbow up", "", "elbow up"),
+        (None, "m", "–"),
+    ],
+)
+def test_values_in_words(value, unit, text):
+    assert said(value, unit) == text
+
+
+def test_a_check_names_its_fact_for_the_lab():
+    assert FactIs(WORD, at_least=1.0).facts == (WORD,)
+
+
+@pytest.mark.parametrize("value", [None, True, "x", 1.5, [1, 2.5]])
+def test_values_are_read_back(value):
+    assert read_value(value, "told") == (tuple(map(float, value)) if isinstance(value, list) else value)
+
+
+@pytest.mark.parametrize("value", [math.nan, 1e7, ["x"], [[1]], {}, "x" * 65, [0.0] * 101])
+def test_other_values_are_refused(value):
+    with pytest.raises(InputError, match="told"):
+        read_value(value, "told")
+
+
+def test_numbers_of_degrees_are_kept_in_radians():
+    np.testing.assert_allclose(check("value_deg = [90, 180]\ntolerance_deg = 1").value, [math.pi / 2, math.pi])

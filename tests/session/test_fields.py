@@ -1,0 +1,149 @@
+"""Parts whose fields are declared: read back as they were written, junk refused, and set by one command."""
+
+import json
+import math
+from dataclasses import replace
+
+import pytest
+
+from armlab.benches.control.loop.state import CLIP_KEY, Loop
+from armlab.content.robots import catalogue
+from armlab.errors import InputError, UnknownName
+from armlab.session.fields import EXAMPLE, FieldPart, Set, declarations, fields_of, put
+from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
+from armlab.session.session import Session, Undo
+from armlab.session.state import State, apply, part_types
+
+DECLARED = [kind for kind in part_types() if issubclass(kind, FieldPart)]
+BESPOKE = [kind for kind in DECLARED if "to_json" in vars(kind)]
+"""Those that were written in another form before fields were declared, and still are."""
+
+ARMS = ("planar_2r", "puma560", "panda", "scara", "stanford")
+ROBOT, ORIGIN = catalogue()["puma560"], (0, 1, 2, 3, 4, 5)
+JUNK = (None, "x", -1e300, 1e300, math.nan, math.inf, [], [1.0], [[1.0]], {}, True, object())
+
+
+@pytest.fixture(params=DECLARED, ids=lambda kind: kind.key)
+def kind(request):
+    return request.param
+
+
+def values(part):
+    """Return the values of the declared fields, by name."""
+    return {name: getattr(part, name) for name in declarations(type(part))}
+
+
+def other_values(part, field, robot):
+    """Return values that a field may have instead of its own."""
+    now = getattr(part, field.key)
+    if field.kind == "flag":
+        return [not now]
+    if field.kind == "choice":
+        return [key for key, _ in field.choices if key != now]
+    if field.kind == "text":
+        return ["other"]
+    if now is None:
+        return [field.low, field.high]
+    step = 1 if field.kind == "whole" else 0.25
+    near = [value for value in (field.low, field.high, 1, 2) if math.isfinite(value)]
+    if field.kind == "vector":
+        return [[each + 0.25 for each in now], [0.5] * len(now)]
+    return [value for value in (now + step, now - step, *near) if value != now and field.low <= value <= field.high]
+
+
+def test_there_are_parts_that_declare_their_fields():
+    assert Loop in DECLARED
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_a_part_is_written_and_read_back_and_what_is_missing_is_as_it_opens(kind, arm):
+    robot = catalogue()[arm]
+    part = kind.initial(robot)
+    data = json.loads(json.dumps(part.to_json()))
+    assert kind.from_json(data, robot).to_json() == part.to_json()
+    if kind in BESPOKE:
+        return
+    assert list(data) == list(declarations(kind))
+    assert kind.from_json({}, robot).to_json() == part.to_json()
+    assert kind.from_json({"unheard_of": 1}, robot).to_json() == part.to_json()
+
+
+def test_junk_is_refused_with_a_sentence_and_changes_nothing(kind):
+    state = State.initial(catalogue()["puma560"])
+    for name in fields_of(kind):
+        for junk in JUNK:
+            try:
+                changed = apply(state, Set(kind, name, junk))
+            except InputError:
+                continue
+            held = changed[kind].to_json()
+            assert kind.from_json(json.loads(json.dumps(held, allow_nan=False)), ROBOT).to_json() == held
+    if kind not in BESPOKE:
+        with pytest.raises(InputError, match="expected fields by name"):
+            kind.from_json([], ROBOT)
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_a_field_is_set_and_no_other(kind, arm):
+    robot = catalogue()[arm]
+    state = State.initial(robot)
+    for name, field in fields_of(kind).items():
+        for value in other_values(state[kind], field, robot):
+            try:
+                changed = apply(state, Set(kind, name, value))[kind]
+            except InputError:
+                continue
+            before, after = values(state[kind]), values(changed)
+            assert after[name] != before[name]
+            assert {key for key in after if after[key] != before[key]} <= {name, EXAMPLE}
+            assert values(kind.from_json(json.loads(json.dumps(changed.to_json())), robot)) == after
+
+
+def test_what_is_kept_survives_another_arm_and_edits_of_the_table(kind):
+    other = catalogue()["planar_3r"]
+    part, of_other = State.initial(ROBOT)[kind], values(kind.initial(other))
+    for name, (field, kept) in declarations(kind).items():
+        for value in other_values(part, field, ROBOT):
+            try:
+                changed = part.with_values({name: value})
+            except InputError:
+                continue
+            edited, there = values(changed.for_edited(ROBOT, ORIGIN)), values(changed.for_robot(other))
+            if kept:
+                assert edited[name] == values(changed)[name]
+            if kept == "always":
+                # Unless it does not fit the other arm, which then opens as it would.
+                assert there[name] == values(changed)[name] or there == of_other
+
+
+def test_an_unknown_field_is_named_with_those_there_are():
+    with pytest.raises(UnknownName, match=r"unknown name 'colour'.*mass"):
+        apply(State.initial(ROBOT), Set(Loop, "colour", 1.0))
+
+
+def test_a_field_that_is_set_to_what_it_is_changes_nothing():
+    state = State.initial(ROBOT)
+    assert apply(state, Set(Loop, "mass", state[Loop].mass)) is state
+
+
+def test_the_film_of_a_part_begins_again_and_another_one_does_not():
+    state = apply(apply(State.initial(ROBOT), OpenClip(CLIP_KEY)), Seek(1.0))
+    assert apply(state, Set(Loop, "mass", 2.0))[Timeline].time == 0.0
+    assert put(state, replace(state[Loop], mass=2.0))[Timeline].time == 0.0
+    other = apply(apply(State.initial(ROBOT), OpenClip("sweep")), Seek(1.0))
+    assert apply(other, Set(Loop, "mass", 2.0))[Timeline].time == 1.0
+
+
+def test_an_undo_says_the_title_of_the_field():
+    session = Session.fresh("s", ROBOT)
+    session.apply(Set(Loop, "gain", 3.0), 0.0)
+    assert session.history.undo_label == "gain of the controller"
+    session.apply(Undo(), 1.0)
+    assert session.state[Loop].gain == 10.0
+    assert Set(Loop, "nothing", 1).label == "loop"
+
+
+def test_another_arm_leaves_what_has_nothing_to_do_with_it():
+    state = apply(State.initial(ROBOT), Set(Loop, "mass", 3.0))
+    assert apply(state, ChooseRobot("planar_2r"))[Loop].mass == 3.0

@@ -1,0 +1,44 @@
+"""The text of a lesson shows facts of benches as they are at the moment."""
+
+import re
+
+import pytest
+
+from armlab.benches.velocity.statics.state import SetComponent
+from armlab.content.robots import catalogue
+from armlab.session.lesson_commands import GoToStep, OpenLesson
+from armlab.session.parts.lesson import LessonPart
+from armlab.session.state import State, apply
+from armlab.ui.lesson.text import step_text
+from support.bench_lesson import BENCHES
+from support.small_lessons import library_fixture
+
+own = pytest.fixture(library_fixture, name="own")
+
+
+def shown(state):
+    """Return the live values in the text of the shown step, by name."""
+    part = state[LessonPart]
+    return dict(re.findall(r'data-live="([^"]*)">([^<]*)<', step_text(state, part.lesson, part.index)))
+
+
+def test_a_fact_in_a_text_follows_the_bench(own):
+    own(benches=BENCHES)
+    state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("benches", variant=0))
+    assert shown(state) == {"velocity.statics.torques": "(17.32, 0)"}
+    state = apply(state, SetComponent("force", 1, 10.0))
+    assert shown(state) == {"velocity.statics.torques": "(8.66, 0)"}
+    assert shown(apply(state, GoToStep(1)))["velocity.speeds.turning_speed"] == "0.5236 rad/s"
+
+
+def test_a_fact_that_nobody_publishes_is_a_dash(own):
+    own(benches=BENCHES.replace("speeds.turning_speed", "speeds.turning"))
+    state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("benches", variant=0))
+    assert shown(apply(state, GoToStep(1)))["velocity.speeds.turning"] == "–"
+
+
+def test_a_prediction_hides_facts(own):
+    asked = 'kind = "number"\ntext = "x?"\nanswer = 1\ntolerance = 0.1\nhide = ["values"]'
+    own(benches=BENCHES.replace("```check", f"```question\n{asked}\n```\n\n```check", 1))
+    state = apply(State.initial(catalogue()["planar_2r"]), OpenLesson("benches", variant=0))
+    assert shown(state) == {"velocity.statics.torques": "?"}

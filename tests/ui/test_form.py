@@ -1,0 +1,149 @@
+"""Controls that carry what they do: only what is on the page can be pressed; a refusal stands where it came from."""
+
+from functools import partial
+
+import pytest
+
+from armlab.benches.control.loop.state import Loop
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.fields import Set
+from armlab.session.parts.joints import MoveJoint
+from armlab.session.session import Asked, Session, Undo
+from support.fake_browser import cookie_of
+from support.forms import BareForm, asked
+from support.lab import running_lab
+from support.student import run, student
+
+MASS, GAIN = Set(Loop, "mass", 0.5), Set(Loop, "gain", 0.5)
+BY_INDEX = (partial(Set, Loop, "mass"), partial(Set, Loop, "gain"), None, partial(Set, Loop, "end"))
+
+
+def number(text):
+    try:
+        return Set(Loop, "mass", float(text))
+    except ValueError:
+        raise InputError(f"q: expected a number, got {text!r}") from None
+
+
+def page(form):
+    return (
+        form.button("go", "Go", MASS)
+        + form.button("both", "Both", (MASS, GAIN))
+        + form.button("off", "Off", MASS, off=True)
+        + form.field("q", "0", "q", number)
+        + form.field("shut", "0", "shut", number, off=True)
+        + form.chips("joint", {"0": "first", "1": "second"}, "0", "", lambda key: BY_INDEX[int(key)](0.5))
+        + form.select("one", "One", {"": "Choose", "1": "second"}, "", lambda key: BY_INDEX[int(key)](0.5))
+        + form.select_in_groups(
+            "of", "Of", {"": {"0": "a"}, "more": {"1": "b"}}, "0", lambda key: BY_INDEX[int(key)](1)
+        )
+        + f"<div {form.place('at', lambda x, y, drag: (BY_INDEX[drag](x), BY_INDEX[drag](y)))}></div>"
+    )
+
+
+@pytest.mark.parametrize(
+    ("cell", "text", "commands"),
+    [
+        ("go", "", (MASS,)),
+        ("both", "", (MASS, GAIN)),
+        ("q", "0.5", (MASS,)),
+        ("joint 1", "", (GAIN,)),
+        ("one", "1", (GAIN,)),
+        ("of", "1", (Set(Loop, "gain", 1),)),
+        ("at", "0.25,0.5", (Set(Loop, "mass", 0.25), Set(Loop, "mass", 0.5))),
+        ("at", "0.25,0.5,3", (Set(Loop, "end", 0.25), Set(Loop, "end", 0.5))),
+    ],
+)
+def test_a_control_asks_for_what_it_carries(cell, text, commands):
+    assert asked(page, cell, text) == commands
+
+
+@pytest.mark.parametrize(
+    ("cell", "text"),
+    [("nothing", ""), ("off", ""), ("shut", "1"), ("one", ""), ("one", "2"), ("of", "b"), ("joint 2", "")],
+)
+def test_what_is_not_offered_does_nothing(cell, text):
+    assert asked(page, cell, text) == ()
+
+
+@pytest.mark.parametrize("text", ["", "1", "1,2,3,4", "a,b", "nan,0", "1e999,0", "0,0,1e999"])
+def test_what_is_no_place_is_refused(text):
+    with pytest.raises(InputError, match="expected a place"):
+        asked(page, "at", text)
+
+
+def test_what_is_no_longer_shown_cannot_be_pressed():
+    form = BareForm()
+    form.show(page(form))
+    form.show(form.button("go", "Go", GAIN))
+    form.press("both")
+    form.press("go")
+    assert form.commands == (GAIN,)
+
+
+def test_a_text_that_is_refused_stays_and_its_page_is_shown_again():
+    form, again = BareForm(), []
+    form._again = lambda: again.append(1)
+    form.show(page(form))
+    with pytest.raises(InputError, match="expected a number, got 'x'"):
+        form.press("q", "x")
+    assert again == [1]
+    assert form.posted == []
+
+
+def test_what_changes_only_the_page_has_it_shown_again():
+    form, again = BareForm(), []
+    form._again = lambda: again.append(1)
+    form.show(form.button("fold", "Fold", lambda: None))
+    form.press("fold")
+    assert (again, form.posted) == ([1], [])
+
+
+def test_a_drag_goes_by_itself_so_that_a_newer_one_may_replace_it():
+    drag = MoveJoint(0, 0.5)
+    form = BareForm()
+    form.show(form.button("drag", "", drag) + form.button("go", "", MASS))
+    form.press("drag")
+    form.press("go")
+    assert form.posted[0] is drag
+    assert isinstance(form.posted[1], Asked)
+
+
+@pytest.fixture(scope="module")
+def url(tmp_path_factory):
+    with running_lab(tmp_path_factory.mktemp("state"), "planar_2r") as address:
+        yield address
+
+
+def test_what_the_worker_refuses_is_told_at_the_field_it_came_from_and_at_no_other_page(url):
+    async def main():
+        cookie = cookie_of(url)
+        here, there = await student(url, cookie), await student(url, cookie)
+        await here.open("loop")
+        await there.open("loop")
+        await here.press("l-end", "500")
+        await here.until(lambda: "at most 40 can be shown" in here.html())
+        assert 'value="500"' in here.html()
+        assert "at most 40 can be shown" not in there.html()
+        assert not here.notices
+        await here.press("l-end", "5")
+        await here.until(lambda: "at most 40 can be shown" not in here.html())
+        await there.until(lambda: "5 s</i>" in there.html())
+
+    run(main())
+
+
+def test_of_commands_asked_for_together_none_is_done_when_one_is_refused():
+    session, told = Session.fresh("s", catalogue()["planar_2r"]), []
+    before = session.state
+    session.apply(Asked((MASS, Set(Loop, "mass", -1.0)), told.append), 0.0)
+    assert session.state is before
+    assert session.history.undo_label is None
+    assert len(told) == 1
+    assert session.notice is None
+    session.apply(Asked((MASS, GAIN), told.append), 1.0)
+    assert (session.state[Loop].mass, session.state[Loop].gain) == (0.5, 0.5)
+    session.apply(Undo(), 2.0)
+    assert (session.state[Loop].mass, session.state[Loop].gain) == (0.5, 10.0)
+    assert len(told) == 1
