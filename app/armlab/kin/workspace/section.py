@@ -170,7 +170,7 @@ def sections(
     resolution : int
         Cells along the longer side. It is doubled as often as `is_thin` asks for it.
     samples : int
-        Random configurations to begin with.
+        Random configurations to begin with; of an arm with joints to spare as many more as there are cells.
     seed : int
     wanted : float
         Error of the size, as a part of it, above which the cells are halved.
