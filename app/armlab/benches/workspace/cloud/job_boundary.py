@@ -28,7 +28,7 @@ def run(arm: Arm) -> Iterator[Section | None]:
         if not section.finished:
             yield None
             continue
-        # What shows it must not compute this in the time of everybody.
+        # What shows it must neither compute this in the time of everybody nor load the library that finds neighbours.
         yield from section.boundary.preparing()
         near_boundary(section, np.zeros((1, 3)), 0.0)
         yield section
