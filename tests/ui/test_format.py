@@ -8,8 +8,8 @@ import pytest
 from armlab.content.arithmetic import evaluate
 from armlab.kin.field import Field
 from armlab.ui import format as fmt
-from armlab.ui.option_form import Scale, option_markup, option_value
-from armlab.ui.tried import plain_number
+from armlab.ui.option_form import Scale, option_form, option_value
+from armlab.ui.units import plain_number
 
 
 def test_numbers_have_fixed_decimals_and_a_true_minus():
@@ -36,9 +36,9 @@ def test_a_number_in_a_field_reads_back_as_nearly_the_same(rng):
 
 def test_an_option_typed_again_as_it_is_shown_stays():
     field, scales = Field("v", "v", "speed", "vector", unit="q/s"), (Scale("°", np.pi / 180.0), Scale("mm", 1e-3))
-    fields = SimpleNamespace(channel_id="c", field=lambda cell, text, title: f"[{text}]")
+    form = SimpleNamespace(field=lambda cell, text, title, action: f"[{text}]")
     given = [1.0 / 6000.0 * np.pi / 180.0, -1e-3 / 6000.0]
-    shown = option_markup(fields, "", (field,), {"v": given}, scales)
+    shown = option_form(form, "", (field,), {"v": given}, lambda key, value: (), scales)
     text = shown[shown.index("[") + 1 : shown.index("]")]
     assert text == "0.0001667  −0.0001667"
     np.testing.assert_allclose(option_value(field, text, given, scales), given, rtol=5e-4)

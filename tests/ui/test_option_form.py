@@ -6,25 +6,29 @@ import numpy as np
 import pytest
 
 from armlab.kin.motion.path_types import path_type
-from armlab.ui.option_form import Scale, option_markup, option_value
+from armlab.ui.option_form import Scale, option_form, option_value
 
 DEG, MM = Scale("°", np.pi / 180.0), Scale("mm", 1e-3)
 
 
 class Form:
-    """What a form needs of `armlab.ui.widgets.Fields`: cells that show their text."""
+    """What is needed of `armlab.ui.form.Form`: cells that show their text."""
 
-    channel_id = "channel"
-
-    def field(self, cell, text, title):
+    def field(self, cell, text, title, action):
         return f"<input {cell}={text}>"
 
-    def area(self, cell, text, title, lines):
+    def area(self, cell, text, title, lines, action):
         return f"<textarea {cell}={text}>"
+
+    def select(self, cell, title, texts, chosen, action):
+        return f"<select {cell}>"
+
+    def chip(self, cell, text, action, hint, pressed):
+        return f"<button {cell}>"
 
 
 def form(key, scales, **given):
-    return option_markup(Form(), "", path_type(key).fields, given, scales)
+    return option_form(Form(), "", path_type(key).fields, given, lambda key, value: (), scales)
 
 
 def cells(markup):

@@ -2,33 +2,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from armlab.errors import InputError
 from armlab.kin.field import Field
 from armlab.session.arguments import Argument, Kind, kind_of, one_of
-from armlab.session.fields import EXAMPLE, FieldPart, fields_of, put
+from armlab.session.fields import EXAMPLE, FieldPart, Own, declarations, setting
 from armlab.session.state import Command, State
 
-KINDS: dict[str, Any] = {"number": float, "whole": int, "flag": bool, "text": str, "vector": tuple[float, ...]}
+KINDS: dict[str, Any] = {
+    "number": float,
+    "whole": int,
+    "flag": bool,
+    "text": str,
+    "vector": tuple[float, ...],
+    "own": Any,
+}
 """What a field is as an argument, by its kind."""
 
 
 def field_arguments(part: type[FieldPart]) -> tuple[Argument, ...]:
     """Return the fields of a part as arguments; each may be left out. Which example is in place cannot be set."""
-    found = ((field, _kind(field)) for field in fields_of(part).values() if field.key != EXAMPLE)
+    specs = (each.spec for each in declarations(part).values())
+    found = ((field, _kind(field)) for field in specs if field.key != EXAMPLE)
     return tuple(Argument(field.key, kind, False, _about(field)) for field, kind in found if kind is not None)
 
 
-def _kind(field: Field) -> Kind | None:
-    if field.kind == "choice":
+def _kind(field: Field | Own) -> Kind | None:
+    if isinstance(field, Field) and field.kind == "choice":
         return one_of(tuple(key for key, _ in field.choices))
     return kind_of(KINDS[field.kind]) if field.kind in KINDS else None
 
 
-def _about(field: Field) -> str:
-    return field.title if field.unit in ("", "1") else f"{field.title}, {field.unit}"
+def _about(field: Field | Own) -> str:
+    unit = field.unit if isinstance(field, Field) else ""
+    return field.title if unit in ("", "1") else f"{field.title}, {unit}"
 
 
 @dataclass(frozen=True)
@@ -64,8 +73,4 @@ class SetFields(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the fields set, and no example in place any more."""
-        part = state[self.part]
-        changed = part.with_values(dict(self.values))
-        if changed == part:
-            return state
-        return put(state, replace(changed, **{EXAMPLE: ""}) if EXAMPLE in fields_of(self.part) else changed)
+        return setting(state, self.part, dict(self.values))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Literal, Self
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
+from armlab.kin.checks import finite_floats
 from armlab.kin.field import Field
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Json, Part, State
@@ -19,7 +20,9 @@ from armlab.session.state import Command, Json, Part, State
 Kept = Literal["", "edits", "joints", "always"]
 """What a field survives: nothing, edits of the table, those joint by joint, also another arm."""
 
-SPEC, KEPT = "spec", "kept"
+DECLARED = "declared"
+
+Table = tuple[tuple[float, ...], ...]
 EXAMPLE = "example"
 """Name of the text that holds the key of the example in place; empty as soon as another field is set."""
 
@@ -67,13 +70,100 @@ def vector(
     return _declared(Field("", symbol, title, "vector", default, low, high, unit=unit), kept)
 
 
-def text(title: str, default: str = "", longest: int = 200, kept: Kept = "always") -> Any:
+def text(title: str, default: str = "", longest: int = 200, kept: Kept = "always", under: str = "") -> Any:
     """Declare a text, such as the key of an example."""
-    return _declared(Field("", "", title, "text", default, high=longest), kept)
+    return _declared(Field("", "", title, "text", default, high=longest), kept, under)
 
 
-def _declared(spec: Field, kept: Kept) -> Any:
-    return dataclasses.field(default=spec.default, metadata={SPEC: spec, KEPT: kept})
+def some(title: str, default: Sequence[Any], choices: Sequence[Any], kept: Kept = "always") -> Any:
+    """Declare some of several keys, a `frozenset`, written in the order of the alphabet."""
+
+    def read(data: Json) -> frozenset[str]:
+        if isinstance(data, str) or not all(isinstance(each, str) for each in data):
+            raise TypeError
+        for key in data:
+            if key not in choices:
+                raise UnknownName(title, key, choices)
+        return frozenset(data)
+
+    return own(title, frozenset(default), read, sorted, kept=kept)
+
+
+def table(title: str, default: Table, low: float = -math.inf, high: float = math.inf, kept: Kept = "always") -> Any:
+    """Declare a tuple of tuples of numbers, as many rows of as many numbers as there are by default."""
+    shape = len(default), len(default[0])
+
+    def read(data: Json) -> Table:
+        values = finite_floats(data, title, shape, f"{shape[0]} rows of {shape[1]} finite numbers")
+        if np.any(values < low) or np.any(values > high):
+            raise InputError(f"{title}: expected numbers from {low:g} to {high:g}")
+        return tuple(tuple(row) for row in values.tolist())
+
+    return own(title, default, read, kept=kept)
+
+
+def own(
+    title: str,
+    default: Any,
+    read: Callable[[Json], Any],
+    write: Callable[[Any], Json] | None = None,
+    kept: Kept = "always",
+    under: str = "",
+) -> Any:
+    """Declare a field that is read, and written, in its own way.
+
+    Parameters
+    ----------
+    title : str
+    default : object
+        Immutable.
+    read : callable
+        Returns the value of what was written; takes a value, too. What it raises besides `InputError` is told as one.
+    write : callable, optional
+        Tuples are lists by themselves.
+    kept : str
+    under : str
+        Key of the JSON, where it is not the name of the field.
+    """
+    return _declared(Own("", title, default, read, write or _plain), kept, under)
+
+
+@dataclass(frozen=True)
+class Own:
+    """A field with its own form; see `own`."""
+
+    key: str
+    title: str
+    default: Any
+    read: Callable[[Json], Any]
+    write: Callable[[Any], Json]
+    kind: ClassVar[str] = "own"
+
+    def checked(self, value: Any) -> Any:
+        """Return a value; `InputError` when it cannot be read."""
+        try:
+            return self.read(value)
+        except InputError:
+            raise
+        except (TypeError, ValueError, KeyError, IndexError, AttributeError, OverflowError):
+            raise InputError(f"{self.key}: not usable: {str(value)[:60]}") from None
+
+
+@dataclass(frozen=True)
+class Declared:
+    """What is declared of a field: its kind, what it survives, and its key in the JSON."""
+
+    spec: Field | Own
+    kept: Kept
+    under: str
+
+    def written(self, value: Any) -> Json:
+        """Return a value as JSON."""
+        return self.spec.write(value) if isinstance(self.spec, Own) else _plain(value)
+
+
+def _declared(spec: Field | Own, kept: Kept, under: str = "") -> Any:
+    return dataclasses.field(default=spec.default, metadata={DECLARED: Declared(spec, kept, under)})
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +176,9 @@ class FieldPart(Part):
 
     clip: ClassVar[str] = ""
     """Key of the film of the part; where it is on, it begins again as soon as a field is set."""
+
+    leave_example: ClassVar[tuple[str, ...]] = (EXAMPLE,)
+    """Fields that may be set while the example stays in place."""
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -105,9 +198,9 @@ class FieldPart(Part):
 
     def _for(self, robot: Robot, kept: Sequence[Kept], origin: tuple[int | None, ...]) -> Self:
         new, declared = self.initial(robot), declarations(type(self))
-        values = {name: getattr(self, name) for name, (_, survives) in declared.items() if survives in kept}
+        values = {name: getattr(self, name) for name, each in declared.items() if each.kept in kept}
         if origin:
-            for name in (name for name, (_, survives) in declared.items() if survives == "joints"):
+            for name in (name for name, each in declared.items() if each.kept == "joints"):
                 fresh, before = getattr(new, name), getattr(self, name)
                 values[name] = tuple(fresh[i] if k is None else before[k] for i, k in enumerate(origin))
         try:
@@ -121,11 +214,11 @@ class FieldPart(Part):
         for name in values:
             if name not in declared:
                 raise UnknownName(self.key, name, declared)
-        part = replace(self, **{name: self._checked(declared[name][0], value) for name, value in values.items()})
+        part = replace(self, **{name: self._checked(declared[name].spec, value) for name, value in values.items()})
         part.check()
         return part
 
-    def _checked(self, spec: Field, value: Any) -> Any:
+    def _checked(self, spec: Field | Own, value: Any) -> Any:
         found = spec.checked(value)
         if not isinstance(found, np.ndarray):
             return found
@@ -134,34 +227,42 @@ class FieldPart(Part):
             raise InputError(f"{spec.key}: expected {expected} numbers, got {len(found)}")
         return tuple(found.tolist())
 
+    def without_example(self) -> Self:
+        """Return the part with no example in place any more, if it is kept as a text which one that is."""
+        kept = fields_of(type(self)).get(EXAMPLE)
+        return replace(self, **{EXAMPLE: ""}) if kept is not None and kept.kind == "text" else self
+
     def to_json(self) -> Json:
         """Write the fields declared."""
-        return {name: _plain(getattr(self, name)) for name in declarations(type(self))}
+        return {each.under: each.written(getattr(self, name)) for name, each in declarations(type(self)).items()}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read them back; what is missing is as it opens. Raises `InputError` when it is not usable."""
         if not isinstance(data, dict):
             raise InputError(f"{cls.key}: expected fields by name, got {type(data).__name__}")
-        return cls.initial(robot).with_values({name: data[name] for name in declarations(cls) if name in data})
+        given = {name: data[each.under] for name, each in declarations(cls).items() if each.under in data}
+        return cls.initial(robot).with_values(given)
 
 
-_DECLARED: dict[type[FieldPart], dict[str, tuple[Field, Kept]]] = {}
+_DECLARED: dict[type[FieldPart], dict[str, Declared]] = {}
 """What was looked up already."""
 
 
-def declarations(part: type[FieldPart]) -> dict[str, tuple[Field, Kept]]:
+def declarations(part: type[FieldPart]) -> dict[str, Declared]:
     """Return what is declared of the fields of a part, by name."""
-    if part in _DECLARED:
-        return _DECLARED[part]
-    found = ((each.name, each.metadata) for each in dataclasses.fields(part))
-    _DECLARED[part] = {name: (replace(data[SPEC], key=name), data[KEPT]) for name, data in found if SPEC in data}
+    if part not in _DECLARED:
+        found = ((each.name, each.metadata[DECLARED]) for each in dataclasses.fields(part) if DECLARED in each.metadata)
+        _DECLARED[part] = {
+            name: Declared(replace(each.spec, key=name), each.kept, each.under or name) for name, each in found
+        }
     return _DECLARED[part]
 
 
 def fields_of(part: type[FieldPart]) -> dict[str, Field]:
-    """Return the fields of a part, by name, as forms want them."""
-    return {name: spec for name, (spec, _) in declarations(part).items()}
+    """Return the fields of a part that a form can ask for, by name."""
+    found = ((name, each.spec) for name, each in declarations(part).items())
+    return {name: spec for name, spec in found if isinstance(spec, Field)}
 
 
 @dataclass(frozen=True)
@@ -183,8 +284,8 @@ class Set(Command):
     @property
     def label(self) -> str:  # type: ignore[override]
         """The title of the field."""
-        spec = fields_of(self.part).get(self.name)
-        return spec.title if spec else self.part.key
+        declared = declarations(self.part).get(self.name)
+        return declared.spec.title if declared else self.part.key
 
     @property
     def undoable(self) -> bool:  # type: ignore[override]
@@ -193,14 +294,17 @@ class Set(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the field set, and no example in place any more."""
-        part = state[self.part]
-        changed = part.with_values({self.name: self.value})
-        if getattr(changed, self.name) == getattr(part, self.name):
-            return state
-        example = fields_of(self.part).get(EXAMPLE)
-        if example is not None and example.kind == "text" and self.name != EXAMPLE:
-            changed = replace(changed, **{EXAMPLE: ""})
-        return put(state, changed)
+        return setting(state, self.part, {self.name: self.value})
+
+
+def setting(state: State, kind: type[FieldPart], values: Mapping[str, Any]) -> State:
+    """Return the state with fields of a part set; where one becomes another, no example is in place any more."""
+    part = state[kind]
+    changed = part.with_values(values)
+    others = [name for name in values if getattr(changed, name) != getattr(part, name)]
+    if not others:
+        return state
+    return put(state, changed if set(others) <= set(part.leave_example) else changed.without_example())
 
 
 def put(state: State, part: FieldPart) -> State:

@@ -94,7 +94,8 @@ def _of_fields(page: str) -> Iterator[Word]:
     for part in parts:
         name = f"{page}.set" if len(parts) == 1 else f"{page}.set_{part.key}"
         says = f"Set fields of {part.key}; what is left out stays."
-        yield Word(name, says, part.key, field_arguments(part), partial(SetFields.of, part))
+        if arguments := field_arguments(part):
+            yield Word(name, says, part.key, arguments, partial(SetFields.of, part))
 
 
 def _of_parts(page: str) -> Iterator[Word]:

@@ -7,7 +7,6 @@ from typing import Protocol
 
 from armlab.ui.form import Form, Typed
 from armlab.ui.format import escaped
-from armlab.ui.markup import options, select
 
 
 class Shown(Protocol):
@@ -50,31 +49,4 @@ def examples(
     titles = {"": "Choose …", **{key: example.title for key, example in known.items()}}
     chooser = form.select("example", "Example", titles, chosen, action, "Put one in place")
     look = f'<p class="kit-look">{written(known[chosen].says)}</p>' if chosen in known else ""
-    return f'<div class="kit-head"><span class="dim">{label}</span>{chooser}</div>{look}'
-
-
-def examples_markup(
-    channel: str,
-    examples: Mapping[str, Shown],
-    chosen: str,
-    label: str = "Examples",
-    written: Callable[[str], str] = escaped,
-) -> str:
-    """Return the choice among examples, and below what to look at.
-
-    Parameters
-    ----------
-    channel : str
-        Where the key is sent, as the text of a cell ``example``.
-    examples : mapping of str to example
-        By key, in the order of the list.
-    chosen : str
-        Key of the one in place; empty when there is none.
-    label : str
-    written : callable
-        Returns the markup of what an example says.
-    """
-    titles = {"": "Choose …", **{key: example.title for key, example in examples.items()}}
-    chooser = select(channel, "example", "Example", options(titles, chosen), "Put one in place")
-    look = f'<p class="kit-look">{written(examples[chosen].says)}</p>' if chosen in examples else ""
     return f'<div class="kit-head"><span class="dim">{label}</span>{chooser}</div>{look}'

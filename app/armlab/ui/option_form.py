@@ -12,10 +12,8 @@ import numpy as np
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.field import Field, seen_fields
-from armlab.ui.fields import Fields
 from armlab.ui.form import Form, Typed, Wish
 from armlab.ui.format import capitalised, escaped, readable
-from armlab.ui.markup import chip, options, select
 
 DECIMALS = 4
 
@@ -118,45 +116,6 @@ def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales:
     return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{unit}</i></label>'
 
 
-def option_markup(
-    fields: Fields, prefix: str, kinds: Sequence[Field], given: Mapping[str, Any], scales: Sequence[Scale] = PLAIN
-) -> str:
-    """Return fields and choices for the options that can be used with those given.
-
-    Their cells are ``prefix`` followed by the key of the option.
-
-    Parameters
-    ----------
-    fields : Fields
-    prefix : str
-    kinds : sequence of Field
-    given : mapping
-        The values that were chosen, by key; others are as they come.
-    scales : sequence of Scale
-        One for each coordinate. Numbers and lists are lengths over all of them: in an angle where any turns, otherwise
-        in the first (`armlab.benches.motion.plan.paths.joint_scales`).
-    """
-    return "".join(_option(fields, prefix + kind.key, kind, given, scales) for kind in seen_fields(kinds, given))
-
-
-def _option(fields: Fields, cell: str, kind: Field, given: Mapping[str, Any], scales: Sequence[Scale]) -> str:
-    value, channel = given.get(kind.key, kind.default), fields.channel_id
-    title = capitalised(kind.title)
-    if kind.kind == "choice":
-        chooser = select(channel, cell, title, options(dict(kind.choices), str(value)))
-        return f'<label class="option wide"><span>{escaped(title)}</span>{chooser}</label>'
-    if kind.kind == "flag":
-        pressed = chip(channel, cell, "✓ yes" if value else "no", title, pressed=bool(value))
-        return f'<div class="option wide"><span>{escaped(title)}</span>{pressed}</div>'
-    if kind.kind == "rows":
-        return _rows(fields, cell, kind, _text(kind, value, scales), scales)
-    typed = fields.field(cell, _text(kind, value, scales), title)
-    wide = " wide" if kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1) else ""
-    unit = _units(kind, scales)
-    symbol = f"<span>{_symbol(kind.symbol) or escaped(title)}</span>"
-    return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{escaped(unit)}</i></label>'
-
-
 def _symbol(text: str) -> str:
     """Return a symbol with what follows a low line set as its index.
 
@@ -164,17 +123,6 @@ def _symbol(text: str) -> str:
     ('Δt<sub>k−1,k</sub>', 't<sub>a</sub>, t<sub>b</sub>', 'T<sub>s</sub>/T')
     """
     return re.sub(r"_([^\s/]+?)(?=, |/|$)", r"<sub>\1</sub>", escaped(text))
-
-
-def _rows(fields: Fields, cell: str, kind: Field, text: str, scales: Sequence[Scale]) -> str:
-    """Return a field of several lines, one for each row of a table, under its title."""
-    unit = _units(kind, scales)
-    head = (
-        f"{escaped(f'{kind.symbol}: {kind.title}' if kind.symbol else capitalised(kind.title))} <i>{escaped(unit)}</i>"
-    )
-    lines = min(max(text.count("\n") + 1, 2), MOST_LINES)
-    typed = fields.area(cell, text, capitalised(kind.title), lines)
-    return f'<label class="option wide rows"><span>{head}</span>{typed}</label>'
 
 
 def _units(kind: Field, scales: Sequence[Scale]) -> str:

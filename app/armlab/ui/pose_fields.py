@@ -12,7 +12,6 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.kin.transforms import inverse
-from armlab.ui.fields import Fields
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import mathml
 from armlab.ui.markup import row
@@ -28,7 +27,7 @@ MOST_TURNED = 20.0 * math.pi
 Floats = NDArray[np.floating]
 
 
-def typed_component(arm: Arm, pose: Floats, cell: str, text: str, units: Units) -> Floats:
+def typed_component(arm: Arm, pose: Floats, name: str, text: str, units: Units) -> Floats:
     """Return a pose in the world with one typed component: ``x y z`` or ``yaw pitch roll phi`` in the units on screen.
 
     Raises
@@ -36,20 +35,20 @@ def typed_component(arm: Arm, pose: Floats, cell: str, text: str, units: Units) 
     InputError
         Not a finite number, or an absurd one; `UnknownName` for a component that is none.
     """
-    if cell not in COMPONENTS:
-        raise UnknownName("component", cell, COMPONENTS)
-    turns = cell not in AXES
-    value = units.read(text, turns, cell)
+    if name not in COMPONENTS:
+        raise UnknownName("component", name, COMPONENTS)
+    turns = name not in AXES
+    value = units.read(text, turns, name)
     most = MOST_TURNED if turns else FARTHEST
     if abs(value) > most:
-        raise InputError(f"{cell}: expected at most {units.angle(most) if turns else units.length(most)}, got {text}")
+        raise InputError(f"{name}: expected at most {units.angle(most) if turns else units.length(most)}, got {text}")
     reference = _reference(arm)
     local = inverse(reference) @ pose
     if not turns:
-        local[AXES.index(cell), 3] = value
+        local[AXES.index(name), 3] = value
     else:
         angles = list(euler_zyx(local[:3, :3])[0])
-        angles[0 if cell == "phi" else ANGLES.index(cell)] = value
+        angles[0 if name == "phi" else ANGLES.index(name)] = value
         local[:3, :3] = rotation_from_sequence("zyx", angles)
     return np.asarray(reference @ local)
 
@@ -60,33 +59,6 @@ def _reference(arm: Arm) -> NDArray[np.float64]:
     The task is about the axes of frame 0; a wall-mounted planar arm cannot be asked for the world's x and y.
     """
     return np.eye(4) if np.array_equal(arm.base[:3, :3], np.eye(3)) else arm.base
-
-
-def pose_fields(fields: Fields, arm: Arm, pose: Floats, units: Units, prefix: str = "") -> str:
-    """Return fields for the components of a pose in the world that an arm controls; cells begin with ``prefix``."""
-    task, reference = arm.task, _reference(arm)
-    local = inverse(reference) @ pose
-    position = _row(
-        f"{'position' if reference is not arm.base else 'in frame 0'}, {units.length_unit}",
-        [
-            fields.field(
-                prefix + axis,
-                units.text(float(local[k, 3]), False),
-                f"{axis} in {units.length_unit}",
-                axis not in task.position,
-            )
-            for k, axis in enumerate(AXES)
-        ],
-    )
-    yaw, pitch, roll = (units.turned(float(value)) for value in euler_zyx(local[:3, :3])[0])
-    if task.rotation == "none":
-        return position
-    if task.rotation == "phi":
-        phi = fields.field(f"{prefix}phi", yaw, f"phi in {units.angle_unit}")
-        return position + _row(f"φ about z, {units.angle_unit}", [phi])
-    cells = zip(ANGLES, (yaw, pitch, roll), strict=True)
-    angles = [fields.field(prefix + name, value, f"{name} in {units.angle_unit}") for name, value in cells]
-    return position + _row(f"yaw pitch roll, {units.angle_unit}", angles)
 
 
 def pose_form(

@@ -191,3 +191,12 @@ _LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 def units_of(state: State) -> Units:
     """Return the units of a student."""
     return Units(state[Notation])
+
+
+def plain_number(text: str) -> float:
+    """Return a typed number without a unit; `InputError` when it is none."""
+    plain = text.strip().replace("−", "-").replace(",", ".")
+    try:
+        return float(plain)
+    except ValueError:
+        raise InputError(f"expected a number, got {text.strip()[:40]!r}") from None

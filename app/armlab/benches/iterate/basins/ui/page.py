@@ -44,8 +44,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import capitalised, escaped, trimmed
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.tried import plain_number
-from armlab.ui.units import Units, units_of
+from armlab.ui.units import Units, plain_number, units_of
 from armlab.ui.widgets import Gui
 
 LIMITS = {"none": "Not kept", "clamp": "Kept"}

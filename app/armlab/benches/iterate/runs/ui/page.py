@@ -21,8 +21,7 @@ from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.tried import plain_number
-from armlab.ui.units import units_of
+from armlab.ui.units import plain_number, units_of
 from armlab.ui.widgets import Gui
 
 LIMITS = {"clamp": "Kept", "none": "Not kept"}

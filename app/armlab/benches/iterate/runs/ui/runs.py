@@ -19,8 +19,7 @@ from armlab.session.state import State
 from armlab.ui.colours import RUN_COLOURS, css
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, escaped, trimmed
-from armlab.ui.tried import plain_number
-from armlab.ui.units import units_of
+from armlab.ui.units import plain_number, units_of
 
 
 def runs_markup(form: Form, state: State) -> str:

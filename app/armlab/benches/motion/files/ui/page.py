@@ -24,7 +24,7 @@ from armlab.ui import recording
 from armlab.ui.file_names import file_name
 from armlab.ui.format import number
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.tried import plain_number
+from armlab.ui.units import plain_number
 from armlab.ui.widgets import Gui
 
 log = logging.getLogger(__name__)

@@ -12,8 +12,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Form, Typed
 from armlab.ui.format import readable
-from armlab.ui.tried import plain_number
-from armlab.ui.units import Units, units_of
+from armlab.ui.units import Units, plain_number, units_of
 
 
 def time_markup(form: Form, state: State) -> str:

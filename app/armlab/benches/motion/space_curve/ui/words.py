@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from armlab.errors import InputError
 from armlab.ui.format import escaped, number, scientific
-from armlab.ui.tried import plain_number
-from armlab.ui.units import Units
+from armlab.ui.units import Units, plain_number
 from armlab.ui.verdicts import SIGNS
 
 Row = tuple[str, str, Sequence[str]]

@@ -19,8 +19,7 @@ from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.tried import plain_number
-from armlab.ui.units import units_of
+from armlab.ui.units import plain_number, units_of
 from armlab.ui.widgets import Gui
 
 MOST_CHIPS = 6
