@@ -12,8 +12,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
-from armlab.kin.workspace.section import section, sections
 from armlab.kin.workspace.section_size import MOST_CELLS, WANTED, _between, size
+from armlab.kin.workspace.sections import section, sections
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 
