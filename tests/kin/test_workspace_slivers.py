@@ -73,7 +73,7 @@ def test_while_the_cells_are_halved_what_there_was_before_is_yielded():
 def test_where_s_comes_in_intervals_as_many_samples_tell_about_a_smaller_cell(joints, times, monkeypatch):
     rows = [("R", 0, pi / 2, 0.4, 0), *[("R", 0.5, 0, 0, 0)] * (joints - 1)]
     arm = Arm.from_dh(rows, limits=[[-1.0, 1.0], *[[-0.5, 1.5]] * (joints - 1)])
-    module, asked = sys.modules["armlab.kin.workspace.section"], []
+    module, asked = sys.modules["armlab.kin.workspace.sections"], []
     at = module._at
 
     def noted(joint, cells, samples, *more):
