@@ -94,7 +94,7 @@ class Field:
             keys = [key for key, _ in self.choices]
             if value not in keys:
                 raise UnknownName(self.key, value, keys)
-            return value
+            return keys[keys.index(value)]
         if self.kind == "text":
             if not isinstance(value, str) or len(value) > self.high:
                 raise wrong(self.key, f"a text of at most {self.high:g} characters", value)

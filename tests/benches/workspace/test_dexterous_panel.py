@@ -26,8 +26,9 @@ from armlab.content.robots import catalogue, own_robot
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.planar_regions import regions
 from armlab.kin.workspace.section_size import Size
+from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.notation import Label
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.state import State, apply
 from armlab.ui.colours import GREEN, ORANGE, VERMILLION, viridis
@@ -116,7 +117,7 @@ def test_the_numbers_at_the_tool_are_those_of_the_closed_form():
     half = math.acos((4.0 + 1.0 - 4.0) / (2 * 2.0 * 1.0))
     assert f"{math.degrees(2 * half):.1f}° of 360.0°" in words(state)
     assert "r = 2000.0 mm" in words(state)
-    radians = apply(apply(state, Label("angle", "rad")), Label("length", "m"))
+    radians = apply(apply(state, Set(Notation, "angle", "rad")), Set(Notation, "length", "m"))
     assert f"{2 * half:.3f} rad of 6.283 rad" in words(radians)
     assert "r = 2.0000 m" in words(radians)
     assert "0.00 – 6.28 rad" in words(radians)
@@ -231,7 +232,7 @@ def test_the_slice_is_named_within_one_turn_and_in_the_units_chosen():
     (command,) = asked(lambda form: choices_markup(form, state, units_of(state)), "slice", "1e9")
     shown = apply(state, command)
     assert f'value="{number(math.remainder(1e9, 360.0), 1)}"' in chosen(shown)
-    radians = apply(apply(state, LookAtDexterous(s=2.0)), Label("angle", "rad"))
+    radians = apply(apply(state, LookAtDexterous(s=2.0)), Set(Notation, "angle", "rad"))
     assert re.search(r'value="2\.000"[^>]*data-cell="slice"', chosen(radians))
 
 
