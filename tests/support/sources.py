@@ -14,17 +14,18 @@ def tree_of(path):
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
-def imports_of(path):
-    """Return the dotted names a file imports, also inside functions, except for types only."""
+def imports_of(path, types=False):
+    """Return the dotted names a file imports, also inside functions; or only at its top, then also for types."""
     tree = tree_of(path)
-    typing_only = {
-        id(node)
+    skipped = [
+        block
         for block in ast.walk(tree)
-        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
-        for node in ast.walk(block)
-    }
+        if (isinstance(block, ast.FunctionDef) and types)
+        or (isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING" and not types)
+    ]
+    left_out = {id(node) for block in skipped for node in ast.walk(block)}
     for node in ast.walk(tree):
-        if id(node) in typing_only:
+        if id(node) in left_out:
             continue
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)

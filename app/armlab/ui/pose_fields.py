@@ -27,7 +27,7 @@ MOST_TURNED = 20.0 * math.pi
 Floats = NDArray[np.floating]
 
 
-def typed_component(arm: Arm, pose: Floats, cell: str, text: str, units: Units) -> Floats:
+def typed_component(arm: Arm, pose: Floats, name: str, text: str, units: Units) -> Floats:
     """Return a pose in the world with one typed component: ``x y z`` or ``yaw pitch roll phi`` in the units on screen.
 
     Raises
@@ -35,20 +35,20 @@ def typed_component(arm: Arm, pose: Floats, cell: str, text: str, units: Units) 
     InputError
         Not a finite number, or an absurd one; `UnknownName` for a component that is none.
     """
-    if cell not in COMPONENTS:
-        raise UnknownName("component", cell, COMPONENTS)
-    turns = cell not in AXES
-    value = units.read(text, turns, cell)
+    if name not in COMPONENTS:
+        raise UnknownName("component", name, COMPONENTS)
+    turns = name not in AXES
+    value = units.read(text, turns, name)
     most = MOST_TURNED if turns else FARTHEST
     if abs(value) > most:
-        raise InputError(f"{cell}: expected at most {units.angle(most) if turns else units.length(most)}, got {text}")
+        raise InputError(f"{name}: expected at most {units.angle(most) if turns else units.length(most)}, got {text}")
     reference = _reference(arm)
     local = inverse(reference) @ pose
     if not turns:
-        local[AXES.index(cell), 3] = value
+        local[AXES.index(name), 3] = value
     else:
         angles = list(euler_zyx(local[:3, :3])[0])
-        angles[0 if cell == "phi" else ANGLES.index(cell)] = value
+        angles[0 if name == "phi" else ANGLES.index(name)] = value
         local[:3, :3] = rotation_from_sequence("zyx", angles)
     return np.asarray(reference @ local)
 

@@ -60,14 +60,14 @@ def head_markup(form: Form, state: State, units: Units) -> str:
         return ""
     names = {str(k): units.variable(k, bool(arm.revolute[k])) for k in range(arm.n)}
 
-    def choice(side: int, cell: str) -> str:
+    def choice(side: int, which: str) -> str:
         def chosen(key: str) -> PicturePair:
             joint = int(key)
             # The joint that stands on the other side changes places with this one.
             other = pair[side] if joint == pair[1 - side] else pair[1 - side]
             return PicturePair(joint, other) if side == 0 else PicturePair(other, joint)
 
-        return form.select(cell, f"{cell.capitalize()} joint", names, str(pair[side]), chosen)
+        return form.select(which, f"{which.capitalize()} joint", names, str(pair[side]), chosen)
 
     return row("Joints", f"{choice(0, 'first')}<i>and</i>{choice(1, 'second')}<i>the others stand still</i>")
 

@@ -1,0 +1,55 @@
+"""What a control does goes with the control: nothing works round it."""
+
+import ast
+
+import pytest
+
+from support.sources import PACKAGE, tree_of
+
+KIT = {"ui/fields.py", "ui/form.py", "ui/markup.py"}
+"""Where the name of a cell means something: it tells the page's script which control is which."""
+
+
+def around_forms(package):
+    """Return every place outside the kit that looks at the name of a cell, or makes markup that sends by itself."""
+    found = []
+    for path in sorted([*(package / "ui").rglob("*.py"), *(package / "benches").glob("*/*/ui/**/*.py")]):
+        file = path.relative_to(package).as_posix()
+        if file in KIT:
+            continue
+        for node in ast.walk(tree_of(path)):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str) and "data-chan=" in node.value:
+                found.append(f"{file}:{node.lineno} writes where a control sends to")
+            if isinstance(node, ast.Compare) and any(map(_is_cell, [node.left, *node.comparators])):
+                found.append(f"{file}:{node.lineno} compares the name of a cell")
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and _is_cell(node.func.value):
+                found.append(f"{file}:{node.lineno} takes the name of a cell to pieces")
+            if isinstance(node, ast.Match) and _is_cell(node.subject):
+                found.append(f"{file}:{node.lineno} compares the name of a cell")
+    return found
+
+
+def _is_cell(node):
+    return isinstance(node, ast.Name) and node.id == "cell"
+
+
+def test_nothing_outside_the_kit_looks_at_the_name_of_a_cell():
+    assert around_forms(PACKAGE) == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "def typed(cell, text):\n    return 1 if cell == 'go' else 2",
+        "def typed(cell, text):\n    return cell.partition(' ')",
+        "def typed(cell, text):\n    match cell:\n        case 'go':\n            return 1",
+        "def typed(cell, text):\n    return {'go': 1}[cell] if cell in ('go',) else None",
+        'MADE = f\'<i data-chan="{1}" data-cell="go">\'',
+    ],
+)
+def test_a_planted_way_round_is_found(line, tmp_path):
+    (tmp_path / "ui").mkdir()
+    page = tmp_path / "benches" / "robot" / "film" / "ui" / "page.py"
+    page.parent.mkdir(parents=True)
+    page.write_text(line, encoding="utf-8")
+    assert around_forms(tmp_path)
