@@ -50,7 +50,7 @@ def flag(title: str, default: bool, kept: Kept = "always") -> Any:
     return _declared(Field("", "", title, "flag", default), kept)
 
 
-def choice(title: str, default: str, choices: Mapping[Any, str] | Sequence[Any], kept: Kept = "always") -> Any:
+def choice(title: str, default: Any, choices: Mapping[Any, str] | Sequence[Any], kept: Kept = "always") -> Any:
     """Declare one of some keys; as a mapping with the words of each."""
     words = choices if isinstance(choices, Mapping) else {key: key for key in choices}
     return _declared(Field("", "", title, "choice", default, choices=tuple(words.items())), kept)
