@@ -8,6 +8,7 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.kin.rotations import rotation_about
+from armlab.session.fields import Set
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
@@ -15,7 +16,6 @@ from armlab.session.parts.target import (
     DragTarget,
     EndDrag,
     GoAnotherWay,
-    HandleBy,
     PlaceTarget,
     Target,
     TargetToTool,
@@ -70,8 +70,8 @@ def test_a_value_beyond_a_limit_stops_at_the_limit(state):
         (TakePose("nowhere"), "pose: unknown name 'nowhere'"),
         (ChooseRobot("puma"), "robot: unknown name 'puma'; did you mean 'puma560'"),
         (Show("<fog>", True), "display: not the name of a switch: '<fog>'"),
-        (HandleBy(method="magic"), "method: unknown name 'magic'"),
-        (HandleBy(axes="body"), "axes: unknown name 'body'. Available: tool, world"),
+        (Set(Target, "method", "magic"), "method: unknown name 'magic'"),
+        (Set(Target, "axes", "body"), "axes: unknown name 'body'. Available: tool, world"),
         (PlaceTarget(np.full((4, 4), np.inf)), "target: every entry must be finite"),
         (PlaceTarget(np.zeros((4, 4))), "target: the last row"),
         (DragTarget(np.diag([1.0, 1.0, -1.0, 1.0]), 1), "target: .* is not a rotation"),
@@ -171,7 +171,7 @@ def test_random_poses_are_reproducible_and_differ(state):
 
 
 def test_choosing_an_arm_starts_in_its_home_pose_and_keeps_the_picture(state):
-    state = apply(apply(state, Show("dark", True)), HandleBy(axes="tool"))
+    state = apply(apply(state, Show("dark", True)), Set(Target, "axes", "tool"))
     after = apply(state, ChooseRobot("scara"))
     assert after[RobotPart].robot.key == "scara"
     np.testing.assert_array_equal(after[Joints].q, catalogue()["scara"].home)
@@ -181,7 +181,7 @@ def test_choosing_an_arm_starts_in_its_home_pose_and_keeps_the_picture(state):
 
 
 def test_a_command_that_changes_nothing_returns_the_same_state(state):
-    for command in (HandleBy(axes="world"), LockJoint(0, False), TakePose("home")):
+    for command in (Set(Target, "axes", "world"), LockJoint(0, False), TakePose("home")):
         assert apply(state, command) is state
 
 
@@ -213,7 +213,7 @@ def test_arrays_in_the_state_are_read_only(state):
 def test_every_state_can_be_written_down_and_read_back(robot):
     state = State.initial(robot)
     commands = [RandomPose(), EndDrag(moved(target_pose(state), 0.1, 0.2, 0.3), 1), LockJoint(0, True)]
-    commands += [Show("trace", True), HandleBy(axes="tool", method="gradient")]
+    commands += [Show("trace", True), Set(Target, "axes", "tool"), Set(Target, "method", "gradient")]
     for command in commands:
         state = apply(state, command)
         text = json.dumps(state.to_json())
@@ -238,7 +238,7 @@ def test_random_commands_never_break_the_state(rng):
             EndDrag(T, 1),
             PlaceTarget(T),
             TargetToTool(),
-            HandleBy(handle="turn"),
+            Set(Target, "handle", "turn"),
             Show("frames", bool(rng.integers(2))),
         ][rng.integers(11)]
         state = apply(state, command)

@@ -25,7 +25,7 @@ from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson, SignAs
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.notation import Label, Notation
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import OpenShared, Shelf
 from armlab.session.parts.target import PlaceTarget, Target
@@ -55,7 +55,8 @@ def busy(robot, rng):
     near = arm.base[:3, 3] + 0.2 * arm.length_scale * rng.normal(size=(2, 3))
     lines = [DragLine(k, near[k], rng.normal(size=3), object()) for k in (0, 1)]
     names = ("skeleton", "frames", "names", "trace", "ellipsoid", "projections", "angles", "lengths")
-    labels = [Label("angle", "rad"), Label("length", "m"), Label("variable", "theta"), Label("book", "craig")]
+    wanted = {"angle": "rad", "length": "m", "variable": "theta", "book": "craig"}
+    labels = [Set(Notation, name, value) for name, value in wanted.items()]
     shown = [Show(name, True) for name in names]
     clip = [
         OpenClip("film"),

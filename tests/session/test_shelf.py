@@ -10,11 +10,12 @@ from armlab.benches.velocity.ellipsoid.state_sweep import SweepJoint
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.edits import SetCell
+from armlab.session.fields import Set
 from armlab.session.lesson_commands import Answer, CloseLesson, GoToStep, OpenLesson
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.notation import Label
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import (
     HOME,
@@ -61,7 +62,14 @@ def test_a_sandbox_begins_with_the_arm_as_it_is_and_the_lesson_waits(lesson):
 
 def test_the_lesson_and_the_sandbox_are_as_they_were_left(lesson):
     left = lesson.state
-    applied(lesson, ToSandbox(), ChooseRobot("scara"), MoveJoint(0, 1.0), Show("names", False), Label("angle", "rad"))
+    applied(
+        lesson,
+        ToSandbox(),
+        ChooseRobot("scara"),
+        MoveJoint(0, 1.0),
+        Show("names", False),
+        Set(Notation, "angle", "rad"),
+    )
     played = lesson.state
     applied(lesson, BackToLesson())
     same(lesson.state, left)

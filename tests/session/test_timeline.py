@@ -8,10 +8,11 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
 from armlab.session.edits import RemoveJoint
+from armlab.session.fields import Set
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.parts.robot import ChooseRobot
-from armlab.session.parts.timeline import Advance, OpenClip, Play, PlayLike, Seek, Step, Timeline, clips, duration
+from armlab.session.parts.timeline import Advance, OpenClip, Play, Seek, Step, Timeline, clips, duration
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 
@@ -106,18 +107,18 @@ def test_stepping_goes_from_stop_to_stop_and_pauses():
 
 
 def test_speed_and_loop():
-    assert timeline(PlayLike(speed=0.1), PlayLike(loop=True)) == Timeline("film", 0.0, False, 0.1, True)
-    state = made(PlayLike(speed=2.0))
-    assert apply(state, PlayLike(speed=2.0)) is state
+    assert timeline(Set(Timeline, "speed", 0.1), Set(Timeline, "loop", True)) == Timeline("film", 0.0, False, 0.1, True)
+    state = made(Set(Timeline, "speed", 2.0))
+    assert apply(state, Set(Timeline, "speed", 2.0)) is state
     for speed in (0.0, 0.05, 4.5, math.nan, -1.0):
         with pytest.raises(InputError, match="speed: expected"):
-            timeline(PlayLike(speed=speed))
+            timeline(Set(Timeline, "speed", speed))
 
 
 def test_none_of_it_is_a_step_of_undo():
     session = Session.fresh("token", ROBOT)
     session.apply(MoveJoint(0, 0.3), 0.0)
-    for command in (OpenClip("film"), Seek(3.0), PlayLike(speed=2.0), Play(True), Advance(3.0, 3.5)):
+    for command in (OpenClip("film"), Seek(3.0), Set(Timeline, "speed", 2.0), Play(True), Advance(3.0, 3.5)):
         session.apply(command, 10.0)
     assert len(session.history.past) == 1
     session.apply(Undo(), 20.0)
@@ -125,7 +126,7 @@ def test_none_of_it_is_a_step_of_undo():
 
 
 def test_another_arm_begins_at_the_start_and_an_edit_stays():
-    state = made(Seek(6.5), PlayLike(speed=0.5), Play(True))
+    state = made(Seek(6.5), Set(Timeline, "speed", 0.5), Play(True))
     assert made(ChooseRobot("panda"), state=state)[Timeline] == Timeline("film", 0.0, False, 0.5)
     # One joint is left, and four moves.
     edited = made(RemoveJoint(1), state=state)
@@ -134,7 +135,7 @@ def test_another_arm_begins_at_the_start_and_an_edit_stays():
 
 
 def test_it_is_written_down_and_read_back_paused():
-    state = made(Seek(4.5), PlayLike(speed=0.25, loop=True), Play(True))
+    state = made(Seek(4.5), Set(Timeline, "speed", 0.25), Set(Timeline, "loop", True), Play(True))
     assert Timeline.from_json(state[Timeline].to_json(), ROBOT) == Timeline("film", 4.5, False, 0.25, True)
 
 
@@ -156,7 +157,7 @@ def test_random_presses_never_leave_the_clip():
     state = made()
     for _ in range(400):
         time = float(rng.uniform(-2.0, 14.0))
-        kinds = [Play(bool(rng.integers(2))), Seek(time), Step(bool(rng.integers(2))), PlayLike(loop=True)]
+        kinds = [Play(bool(rng.integers(2))), Seek(time), Step(bool(rng.integers(2))), Set(Timeline, "loop", True)]
         kinds += [Advance(state[Timeline].time, max(time, 0.0)), OpenClip("film")]
         state = apply(state, kinds[rng.integers(len(kinds))])
         assert 0.0 <= state[Timeline].time <= END

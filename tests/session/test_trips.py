@@ -9,11 +9,12 @@ from armlab.benches.robot.trainer.commands import StartTrainer
 from armlab.benches.velocity.ellipsoid.state_sweep import SweepJoint
 from armlab.content.robots import catalogue
 from armlab.session.edits import AddJoint, SetCell, SetLimits
+from armlab.session.fields import Set
 from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose, TakePose
 from armlab.session.parts.lesson import LessonPart
-from armlab.session.parts.notation import Label
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.selection import Select
 from armlab.session.parts.shelf import (
@@ -27,7 +28,7 @@ from armlab.session.parts.shelf import (
     ToSandbox,
 )
 from armlab.session.parts.target import PlaceTarget, target_pose
-from armlab.session.parts.timeline import OpenClip, PlayLike, Seek, Timeline
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import State
 from support.trips import SCARA, UR10, applied, reloaded, same
@@ -49,13 +50,13 @@ def play(rng, session):
         lambda: SetLimits(joint, -0.5, 0.5),
         lambda: AddJoint(joint),
         lambda: Show(str(rng.choice(["frames", "dark", "trace"])), bool(rng.integers(2))),
-        lambda: Label("angle", str(rng.choice(["deg", "rad"]))),
+        lambda: Set(Notation, "angle", str(rng.choice(["deg", "rad"]))),
         lambda: PlaceTarget(_near(rng, session)),
         lambda: PlaceLines(str(rng.choice(["skew", "parallel"]))),
         lambda: TakeAxes(int(rng.integers(max(1, arm.n - 1)))),
         lambda: OpenClip(str(rng.choice(["film", "sweep", ""]))),
         lambda: Seek(float(rng.uniform(0.0, 9.0))),
-        lambda: PlayLike(loop=bool(rng.integers(2))),
+        lambda: Set(Timeline, "loop", bool(rng.integers(2))),
         lambda: SweepJoint(joint),
         lambda: Select("pose", 0, joint),
         lambda: LookAt("0", "E"),

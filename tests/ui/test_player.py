@@ -7,8 +7,9 @@ import pytest
 
 from armlab.benches.robot.film.clip import ends_of
 from armlab.content.robots import catalogue
-from armlab.session.parts.notation import Label
-from armlab.session.parts.timeline import Advance, OpenClip, Play, PlayLike, Seek, Timeline
+from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
+from armlab.session.parts.timeline import Advance, OpenClip, Play, Seek, Timeline
 from armlab.session.session import Session
 from armlab.ui.player import INTERVAL, PATIENCE, Player
 from armlab.ui.plugin import pages
@@ -83,7 +84,7 @@ class Stage:
 
 @pytest.mark.parametrize("speed", SPEEDS)
 def test_time_follows_the_clock_at_the_chosen_speed(speed):
-    stage = Stage(PlayLike(speed=speed), Play(True))
+    stage = Stage(Set(Timeline, "speed", speed), Play(True))
     stage.clock.pass_by(2.0)
     assert stage.timeline.time == pytest.approx(2.0 * speed, abs=2 * INTERVAL * speed)
     assert stage.timeline.playing
@@ -99,7 +100,7 @@ def test_it_ends_exactly_at_the_end_and_stops():
 
 
 def test_in_a_loop_it_begins_again_on_time():
-    stage = Stage(PlayLike(loop=True, speed=4.0), Play(True))
+    stage = Stage(Set(Timeline, "speed", 4.0), Set(Timeline, "loop", True), Play(True))
     stage.clock.pass_by((END + 4.0) / 4.0)
     assert stage.timeline.playing
     assert stage.timeline.time == pytest.approx(4.0, abs=0.4)
@@ -142,7 +143,7 @@ def test_it_is_never_sent_twice_for_one_that_had_to_wait():
         stage.clock.pass_by(1.5 * INTERVAL)
         assert len(stage.waiting) == 1
         stage.answer()
-        stage.do(Label("angle", "rad"))
+        stage.do(Set(Notation, "angle", "rad"))
     assert sum(isinstance(each, Advance) for each in stage.posted) <= 1.5 * 60 + 1
 
 
@@ -164,7 +165,7 @@ def test_a_hand_on_the_bar_is_followed_from_where_it_lets_go():
 def test_another_speed_counts_from_the_present_time():
     stage = Stage(Play(True))
     stage.clock.pass_by(2.0)
-    stage.do(PlayLike(speed=0.1))
+    stage.do(Set(Timeline, "speed", 0.1))
     stage.clock.pass_by(2.0)
     assert stage.timeline.time == pytest.approx(2.2, abs=0.05)
 
@@ -185,7 +186,7 @@ def test_other_commands_do_not_disturb_it():
     stage = Stage(Play(True))
     for k in range(60):
         stage.clock.pass_by(0.05)
-        stage.do(Label("angle", ("deg", "rad")[k % 2]))
+        stage.do(Set(Notation, "angle", ("deg", "rad")[k % 2]))
     assert stage.timeline.time == pytest.approx(3.0, abs=0.05)
 
 

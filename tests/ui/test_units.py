@@ -18,8 +18,9 @@ from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.kin.ik import Verdict
 from armlab.kin.rotations import rotation_from_sequence
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.notation import OPTIONS, Label, Notation
+from armlab.session.parts.notation import OPTIONS, Notation
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply
 from armlab.ui import verdicts
@@ -140,12 +141,12 @@ def test_what_is_no_number_is_refused_with_the_unit_expected():
 def test_labels_change_nothing_but_labels_and_are_no_step():
     session = Session.fresh("token", catalogue()["puma560"])
     before = session.state
-    session.apply(Label("angle", "rad"), 0.0)
+    session.apply(Set(Notation, "angle", "rad"), 0.0)
     assert units_of(session.state).angle_unit == "rad"
     assert session.state[Joints] is before[Joints]
     session.apply(Undo(), 1.0)
     assert units_of(session.state).angle_unit == "rad"
-    for wrong in (Label("colour", "red"), Label("angle", "grad")):
+    for wrong in (Set(Notation, "colour", "red"), Set(Notation, "angle", "grad")):
         with pytest.raises(UnknownName, match="Available"):
             apply(session.state, wrong)
 

@@ -93,8 +93,8 @@ class Field:
         if self.kind == "choice":
             keys = [key for key, _ in self.choices]
             if value not in keys:
-                raise UnknownName(self.key, value, keys)
-            return value
+                raise UnknownName(self.key, value, map(str, keys))
+            return keys[keys.index(value)]
         if self.kind == "text":
             if not isinstance(value, str) or len(value) > self.high:
                 raise wrong(self.key, f"a text of at most {self.high:g} characters", value)

@@ -14,7 +14,6 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import finite_floats
 from armlab.kin.field import Field
-from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Json, Part, State
 
 Kept = Literal["", "edits", "joints", "always"]
@@ -41,8 +40,8 @@ def number(
     return _declared(Field("", symbol, title, "number", default, low, high, above, unit), kept)
 
 
-def whole(title: str, default: int, low: int, high: float = math.inf, kept: Kept = "always") -> Any:
-    """Declare a whole number."""
+def whole(title: str, default: int | None, low: int, high: float = math.inf, kept: Kept = "always") -> Any:
+    """Declare a whole number. One whose default is None may be None."""
     return _declared(Field("", "", title, "whole", default, low, high), kept)
 
 
@@ -51,7 +50,7 @@ def flag(title: str, default: bool, kept: Kept = "always") -> Any:
     return _declared(Field("", "", title, "flag", default), kept)
 
 
-def choice(title: str, default: str, choices: Mapping[Any, str] | Sequence[Any], kept: Kept = "always") -> Any:
+def choice(title: str, default: Any, choices: Mapping[Any, str] | Sequence[Any], kept: Kept = "always") -> Any:
     """Declare one of some keys; as a mapping with the words of each."""
     words = choices if isinstance(choices, Mapping) else {key: key for key in choices}
     return _declared(Field("", "", title, "choice", default, choices=tuple(words.items())), kept)
@@ -120,7 +119,7 @@ def own(
     read : callable
         Returns the value of what was written; takes a value, too. What it raises besides `InputError` is told as one.
     write : callable, optional
-        Tuples are lists by themselves.
+        Tuples and arrays are lists by themselves.
     kept : str
     under : str
         Key of the JSON, where it is not the name of the field.
@@ -206,7 +205,7 @@ class FieldPart(Part):
         try:
             return new.with_values(values)
         except InputError:
-            return new
+            return self.for_robot(robot) if origin else new
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
         """Return the part with some fields set; `UnknownName` or `InputError` when it cannot be."""
@@ -220,7 +219,7 @@ class FieldPart(Part):
 
     def _checked(self, spec: Field | Own, value: Any) -> Any:
         found = spec.checked(value)
-        if not isinstance(found, np.ndarray):
+        if spec.kind != "vector":
             return found
         expected = len(getattr(self, spec.key))
         if len(found) != expected:
@@ -301,7 +300,7 @@ def setting(state: State, kind: type[FieldPart], values: Mapping[str, Any]) -> S
     """Return the state with fields of a part set; where one becomes another, no example is in place any more."""
     part = state[kind]
     changed = part.with_values(values)
-    others = [name for name in values if getattr(changed, name) != getattr(part, name)]
+    others = [name for name in values if not _same(getattr(changed, name), getattr(part, name))]
     if not others:
         return state
     return put(state, changed if set(others) <= set(part.leave_example) else changed.without_example())
@@ -312,11 +311,15 @@ def put(state: State, part: FieldPart) -> State:
     part.check()
     if part == state[type(part)]:
         return state
-    timeline = state[Timeline]
-    if part.clip and timeline.clip == part.clip:
-        return state.replace(part, replace(timeline, time=0.0, playing=False))
-    return state.replace(part)
+    films = (each.rewound(part.clip) for each in state) if part.clip else ()
+    return state.replace(*films, part)
+
+
+def _same(one: Any, other: Any) -> bool:
+    return np.array_equal(one, other) if isinstance(one, np.ndarray) else bool(one == other)
 
 
 def _plain(value: Any) -> Json:
+    if isinstance(value, np.ndarray):
+        return value.tolist()
     return [_plain(each) for each in value] if isinstance(value, tuple) else value

@@ -51,6 +51,10 @@ class Part:
         """Return the part adapted to what a command changed in others; called once for each command."""
         return self
 
+    def rewound(self, clip: str) -> Self:
+        """Return the part with the film of a key at its beginning, if it is what holds the film that is on."""
+        return self
+
     def guard(self, before: State, now: State) -> None:
         """Raise `InputError` to refuse what a command, or an undo, is about to change in others."""
 

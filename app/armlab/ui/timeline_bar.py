@@ -8,7 +8,8 @@ import math
 import viser
 
 from armlab.errors import InputError
-from armlab.session.parts.timeline import OpenClip, Play, PlayLike, Seek, Step, Timeline, clips, duration
+from armlab.session.fields import Set
+from armlab.session.parts.timeline import OpenClip, Play, Seek, Step, Timeline, clips, duration
 from armlab.session.state import Command, Post, State
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
@@ -58,7 +59,7 @@ class TimelineBar:
         speeds = sorted({*SPEEDS, timeline.speed})
         texts = {f"{s:g}": f"{s:g}×" for s in speeds}
         seek = self._bar.bound("seek", lambda text: Seek(_number(text) * end))
-        chosen = f"{timeline.speed:g}"
+        chosen, begin_again = f"{timeline.speed:g}", Set(Timeline, "loop", not timeline.loop)
         play = ("pause", "Pause (space)") if timeline.playing else ("play", "Play (space)")
         return (
             '<div class="al-over al-time" role="group" aria-label="Timeline">'
@@ -70,8 +71,8 @@ class TimelineBar:
             f'<input type="range" min="0" max="1" step="any" aria-label="Time" {seek}'
             ' data-live="1"></span>'
             f'<span class="now"></span>'
-            + button("loop", "⟳", "Begin again at the end", PlayLike(loop=not timeline.loop), pressed=timeline.loop)
-            + self._bar.select("speed", "Speed", texts, chosen, lambda text: PlayLike(speed=_number(text)), "Speed")
+            + button("loop", "⟳", "Begin again at the end", begin_again, pressed=timeline.loop)
+            + self._bar.select("speed", "Speed", texts, chosen, _speed, "Speed")
             + button("close", "✕", "Close", OpenClip(""))
             + "</div>"
         )
@@ -79,6 +80,10 @@ class TimelineBar:
 
 def _sign(name: str) -> str:
     return f'<svg viewBox="0 0 16 16" width="13" height="13" aria-hidden="true"><path d="{_SHAPES[name]}"/></svg>'
+
+
+def _speed(text: str) -> Command:
+    return Set(Timeline, "speed", _number(text))
 
 
 def _number(text: str) -> float:

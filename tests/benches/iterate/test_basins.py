@@ -13,7 +13,6 @@ from armlab.benches.iterate.basins.state import (
     CancelBasins,
     DrawBasins,
     MapJoints,
-    MapLike,
     MapMethod,
     MapRest,
     StartInMap,
@@ -29,6 +28,8 @@ from armlab.errors import ArmlabError, InputError
 from armlab.kin import ik
 from armlab.kin.ik.iterate.basins import FAILED
 from armlab.session.edits import AddJoint, RemoveJoint, SetCell
+from armlab.session.field_words import SetFields
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.target import PlaceTarget
@@ -50,7 +51,7 @@ def opened(key="planar_2r", *commands):
 @cache
 def mapped(key="planar_2r", *commands):
     """Return a state with a small map; each is drawn once."""
-    return drawn(opened(key, MapLike(points=64), *commands, DrawBasins()))
+    return drawn(opened(key, Set(Basins, "points", 64), *commands, DrawBasins()))
 
 
 def test_nothing_is_computed_until_it_is_asked_for_and_then_whether_or_not_somebody_looks():
@@ -67,7 +68,7 @@ def test_nothing_is_computed_until_it_is_asked_for_and_then_whether_or_not_someb
 
 
 def test_the_map_comes_in_pieces_and_is_done_once():
-    state = apply(opened("planar_2r", MapLike(points=64)), DrawBasins())
+    state = apply(opened("planar_2r", Set(Basins, "points", 64)), DrawBasins())
     question = state[Basins].drawing
     done = []
     for found in run(question):
@@ -83,7 +84,7 @@ def test_the_map_comes_in_pieces_and_is_done_once():
 
 
 def test_a_cancelled_map_keeps_what_it_has_and_late_pieces_are_let_go():
-    state = apply(opened("planar_2r", MapLike(points=64)), DrawBasins())
+    state = apply(opened("planar_2r", Set(Basins, "points", 64)), DrawBasins())
     question = state[Basins].drawing
     pieces = (found for found in run(question) if found is not None)
     next(pieces)
@@ -130,9 +131,12 @@ def test_a_film_begun_in_the_map_ends_in_its_solution():
 
 def test_a_film_is_made_with_all_that_the_map_was_made_with():
     state = mapped(
-        "planar_3r", TakeJoint(3), MapMethod("dls_constant", "lambda", 0.05), MapLike(most=50, limits="clamp")
+        "planar_3r",
+        TakeJoint(3),
+        MapMethod("dls_constant", "lambda", 0.05),
+        SetFields.of(Basins, most=50, limits="clamp"),
     )
-    other = apply(apply(state, MapMethod("gradient")), MapLike(most=200))
+    other = apply(apply(state, MapMethod("gradient")), Set(Basins, "most", 200))
     other = apply(apply(other, ChooseTask(None)), AimAt(catalogue()["planar_3r"].arm.fk([0.1, 0.2, 0.3])))
     assert belongs_elsewhere(other)
     begun = apply(other, StartInMap(0.6, 0.6))
@@ -188,7 +192,7 @@ def test_the_map_stays_and_says_so_when_the_target_moves_and_goes_with_the_arm()
 
 
 def test_what_was_chosen_goes_along_with_edits_of_the_table():
-    state = opened("elbow_3r", MapMethod("ccd"), MapRest(0, 0.4), MapLike(points=256))
+    state = opened("elbow_3r", MapMethod("ccd"), MapRest(0, 0.4), Set(Basins, "points", 256))
     assert state[Basins].joints == (1, 2)
     added = apply(state, AddJoint(-1))
     assert added[Basins].joints == (2, 3)
@@ -216,7 +220,9 @@ def test_undo_leaves_the_map_and_takes_the_start_back():
 
 @pytest.mark.parametrize("key", list(catalogue().robots))
 def test_every_arm_opens_and_what_is_chosen_is_read_back(key):
-    state = opened(key, MapMethod("dls_constant", "lambda", 0.2), MapLike(points=64, most=50, limits="clamp"))
+    state = opened(
+        key, MapMethod("dls_constant", "lambda", 0.2), SetFields.of(Basins, points=64, most=50, limits="clamp")
+    )
     back = state_from_text(json.dumps({"format": 1, "parts": state.to_json()}))[Basins]
     assert back.to_json() == state[Basins].to_json()
     assert (back.run.values["lambda"], back.points, back.most, back.limits) == (0.2, 64, 50, "clamp")
@@ -267,11 +273,11 @@ def test_damaged_files_are_refused(damage):
         (MapJoints(0, 5), "two different joints of 1 to 2"),
         (MapJoints(-1, 0), "two different joints"),
         (MapRest(5, 0.0), "joint: expected 1 to 2, got 6"),
-        (MapRest(0, math.inf), "start"),
+        (MapRest(0, math.inf), "rest: expected finite numbers"),
         (MapRest(0, 1e7), "ten turns"),
-        (MapLike(points=65), "points: unknown name 65"),
-        (MapLike(most=7), "most: unknown name 7"),
-        (MapLike(limits="maybe"), "limits: unknown name"),
+        (Set(Basins, "points", 65), "points: unknown name 65"),
+        (Set(Basins, "most", 7), "most: unknown name 7"),
+        (Set(Basins, "limits", "maybe"), "limits: unknown name"),
         (TakeJoint(3), "joint: expected 1 to 2, got 3"),
     ],
 )
@@ -312,7 +318,9 @@ def test_position_only_of_the_3r_is_refused_with_what_to_do_and_the_third_joint_
 
 def test_a_locked_joint_stays_where_it_stands_and_its_map_is_one_of_the_film():
     arm = catalogue()["planar_3r"].arm
-    state = opened("planar_3r", ChooseTask(ik.task_vector(arm, "xy")), AimAt(), LockJoint(2, True), MapLike(points=64))
+    state = opened(
+        "planar_3r", ChooseTask(ik.task_vector(arm, "xy")), AimAt(), LockJoint(2, True), Set(Basins, "points", 64)
+    )
     assert refusal(state) == ""
     state = drawn(apply(state, DrawBasins()))
     found = state[Basins].map
@@ -333,7 +341,7 @@ def test_a_locked_joint_stays_where_it_stands_and_its_map_is_one_of_the_film():
 def test_a_target_out_of_reach_is_white_and_says_that_there_is_no_solution():
     pose = np.eye(4)
     pose[:3, 3] = [3.0, 0.0, 0.0]
-    found = drawn(opened("planar_2r", MapLike(points=64, most=50), AimAt(pose), DrawBasins()))[Basins].map
+    found = drawn(opened("planar_2r", SetFields.of(Basins, points=64, most=50), AimAt(pose), DrawBasins()))[Basins].map
     assert (found.found.index == FAILED).all()
     assert found.names == ()
     assert "no" in found.known.lower()

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 from armlab.benches.iterate.basins.job import drawn
-from armlab.benches.iterate.basins.state import Basins, DrawBasins, MapLike, MapMethod, StartInMap
+from armlab.benches.iterate.basins.state import Basins, DrawBasins, MapMethod, StartInMap
 from armlab.benches.iterate.basins.ui.map import legend, places, standing
 from armlab.benches.iterate.basins.ui.page import choices_markup
 from armlab.benches.iterate.basins.ui.picture import (
@@ -22,6 +22,8 @@ from armlab.benches.iterate.basins.ui.picture import (
 from armlab.content.robots import catalogue
 from armlab.kin.ik.iterate import Basins as Found
 from armlab.kin.ik.iterate.basins import FAILED, NOT_YET
+from armlab.session.field_words import SetFields
+from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.state import State, apply
 from armlab.ui.colours import BLUE, GREY, ORANGE
@@ -84,7 +86,7 @@ def test_every_entry_of_the_palette_has_one_byte_and_the_file_holds_each_pixel()
 
 @pytest.fixture(scope="module")
 def state():
-    begun = apply(State.initial(catalogue()["planar_2r"]), MapLike(points=64, most=50))
+    begun = apply(State.initial(catalogue()["planar_2r"]), SetFields.of(Basins, points=64, most=50))
     return drawn(apply(begun, DrawBasins()))
 
 
@@ -116,9 +118,9 @@ def test_marks_follow_the_arm_and_the_map_of_another_target_says_so(state):
     [
         ("method", "newton", MapMethod("newton")),
         ("parameter-alpha", "0,25", MapMethod("gradient", "alpha", 0.25)),
-        ("points 256", "", MapLike(points=256)),
-        ("most 200", "", MapLike(most=200)),
-        ("limits clamp", "", MapLike(limits="clamp")),
+        ("points 256", "", Set(Basins, "points", 256)),
+        ("most 200", "", Set(Basins, "most", 200)),
+        ("limits clamp", "", Set(Basins, "limits", "clamp")),
         ("draw", "", DrawBasins()),
         ("rest-99", "1", None),
         ("across", "x", None),

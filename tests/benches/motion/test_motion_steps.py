@@ -19,7 +19,8 @@ from armlab.benches.motion.steps.ui.plots import JointPlot, StepPlot
 from armlab.benches.motion.steps.worked import steps
 from armlab.content.robots import catalogue
 from armlab.kin.motion import path_types
-from armlab.session.parts.notation import Label, Notation
+from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.format import mathml
 from armlab.ui.units import Units, units_of
@@ -133,7 +134,7 @@ def test_every_arm_has_words_for_every_step(key):
     state = State.initial(catalogue()[key])
     for space in ("joint", "cartesian"):
         state = apply(state, SetMove(1, space=space))
-        state = apply(state, Label("length", "m"))
+        state = apply(state, Set(Notation, "length", "m"))
         found = steps(with_plan(state))
         for markup in everything(found, units_of(state)):
             assert "nan" not in markup

@@ -18,7 +18,8 @@ from armlab.benches.motion.space_curve.ui.turn import turn_form
 from armlab.benches.motion.space_curve.ui.words import length, lengths
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
-from armlab.session.parts.notation import Label, Notation
+from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.units import Units
 from support.forms import BareForm, asked
@@ -118,7 +119,7 @@ def test_the_turn_is_shown_with_both_ways_and_takes_the_tool(url):
 
 @pytest.mark.parametrize("key", [key for key, example in EXAMPLES.items() if example.sets["shown"] == "curve"])
 def test_the_numbers_of_every_example_have_units_and_no_rounding_errors(key):
-    for label in (Label("length", "mm"), Label("length", "m")):
+    for label in (Set(Notation, "length", "mm"), Set(Notation, "length", "m")):
         state = apply(apply(opened(), label), ChooseExample(key))
         html = at_present(BareForm(), state) + moving(state) + whole(state)
         assert "nan" not in html

@@ -30,7 +30,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
-from armlab.session.parts.notation import Label
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Select
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import State, apply
@@ -147,7 +147,7 @@ def test_every_example_has_its_numbers(key):
 def test_units_are_those_that_were_chosen():
     state = opened("planar_2r", MoveJoint(0, 0.0), MoveJoint(1, 0.0), SetSpeed(0, 1.0), SetSpeed(1, 0.0))
     assert "2000.0 mm/s" in size_markup(state)
-    other = apply(apply(state, Label("length", "m")), Label("angle", "rad"))
+    other = apply(apply(state, Set(Notation, "length", "m")), Set(Notation, "angle", "rad"))
     assert "2.0000 m/s" in size_markup(other)
     assert "1.000 rad/s" in size_markup(other)
 

@@ -22,7 +22,6 @@ from armlab.benches.workspace.dexterous.state import (
     COUNTS,
     Dexterous,
     GoToSlice,
-    LookAtDexterous,
     LookThroughTool,
     ResumeDexterous,
     StopDexterous,
@@ -41,6 +40,8 @@ from armlab.kin.workspace.planar import lengths_of, orientations, planar_workspa
 from armlab.kin.workspace.planar_pose import Place, configurations, place_of
 from armlab.kin.workspace.planar_regions import regions
 from armlab.session.edits import SetCell, SetKind
+from armlab.session.field_words import SetFields
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, RandomPose
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
@@ -51,7 +52,7 @@ OPEN = frozenset({"dexterous"})
 
 def state_of(key, **settings):
     """Return the state with an arm of the catalogue, few samples, and these settings."""
-    return apply(State.initial(catalogue()[key]), LookAtDexterous(**{"count": COUNTS[0], **settings}))
+    return apply(State.initial(catalogue()[key]), SetFields.of(Dexterous, **{"count": COUNTS[0], **settings}))
 
 
 @cache
@@ -70,7 +71,7 @@ def limited():
     """Return a state with a planar 3R whose joints do not turn all the way round."""
     arm = catalogue()["planar_3r"].arm
     tight = Arm.from_dh(arm.rows, limits=[[-2.5, 2.5], [-2.0, 2.0], [-1.5, 1.5]], task=arm.task)
-    return apply(State.initial(own_robot(tight, "tight")), LookAtDexterous(count=COUNTS[0]))
+    return apply(State.initial(own_robot(tight, "tight")), Set(Dexterous, "count", COUNTS[0]))
 
 
 @pytest.mark.parametrize(
@@ -94,10 +95,10 @@ def test_it_is_computed_while_the_page_is_seen_and_once():
     assert first.inputs.method == "wrist"
     state = studied_anew(state)
     assert wanted(state, OPEN) is None
-    state = apply(state, LookAtDexterous(method="sampled"))
+    state = apply(state, Set(Dexterous, "method", "sampled"))
     assert wanted(state, OPEN).key != first.key
     # What was found before is there at once when it is looked at again.
-    state = apply(studied(state), LookAtDexterous(method="wrist"))
+    state = apply(studied(state), Set(Dexterous, "method", "wrist"))
     assert wanted(state, OPEN) is None
     assert study_of(state).finished
 
@@ -150,14 +151,16 @@ def test_the_slice_goes_through_the_tool_when_asked_and_a_full_turn_needs_no_new
     shown = slice_shown(state)
     assert abs(np.cross(shown.right, shown.up) @ (tool - shown.corner)) < 1e-9
     # The limits of the first joint of this one take more away on one side than on another.
-    state = apply(studied(state_of("puma560", method="sampled")), LookAtDexterous(s=2.5))
+    state = apply(studied(state_of("puma560", method="sampled")), Set(Dexterous, "s", 2.5))
     assert study_of(state) is None
 
 
 @pytest.mark.parametrize("key", ["puma560", "ur5e", "scara", "cartesian_3p"])
 def test_a_click_on_a_sampled_slice_puts_the_tool_into_that_cell(key):
     state = studied(state_of(key, method="sampled"))
-    state = apply(state, LookAtDexterous(s=slice_of(state))) if key != "ur5e" else apply(state, LookAtDexterous(s=0.9))
+    state = (
+        apply(state, Set(Dexterous, "s", slice_of(state))) if key != "ur5e" else apply(state, Set(Dexterous, "s", 0.9))
+    )
     shown = slice_shown(state)
     cells = np.argwhere(np.isfinite(shown.values))
     for cell in cells[:: len(cells) // 6]:
@@ -225,7 +228,9 @@ def test_the_wrist_is_shown_as_a_slice_or_as_a_body_cut_open():
     point = shown.corner + shown.step * ((cell[0] + 0.5) * shown.right + (cell[1] + 0.5) * shown.up)
     assert wrist.at(point) == pytest.approx(shown.values[cell], abs=1e-6)
     assert body_shown(state) is None
-    bodies = [body_shown(apply(state, LookAtDexterous(draw="body", share=share))).sum() for share in (0.25, 0.5, 0.75)]
+    bodies = [
+        body_shown(apply(state, SetFields.of(Dexterous, draw="body", share=share))).sum() for share in (0.25, 0.5, 0.75)
+    ]
     assert bodies[0] > bodies[1] > bodies[2] > 0
     assert bodies[0] < 0.7 * (wrist.fraction > 0.25).sum()
     here = at_tool(state)
@@ -318,18 +323,18 @@ def test_settings_are_written_down_and_read_back():
 
 @pytest.mark.parametrize("turns", [-7, -1, 0, 1, 2_777_777])
 def test_the_angle_of_a_slice_is_within_one_turn(turns):
-    state = apply(state_of("ur5e"), LookAtDexterous(s=0.9 + turns * math.tau))
+    state = apply(state_of("ur5e"), SetFields.of(Dexterous, s=0.9 + turns * math.tau))
     assert slice_of(state) == pytest.approx(0.9, abs=1e-8)
-    assert slice_of(apply(state, LookAtDexterous(s=-math.pi))) == math.pi
+    assert slice_of(apply(state, Set(Dexterous, "s", -math.pi))) == math.pi
 
 
 def test_a_slice_at_an_angle_is_not_one_at_a_distance_of_another_kind_of_joint():
-    state = apply(state_of("elbow_3r"), LookAtDexterous(s=3.0))
+    state = apply(state_of("elbow_3r"), Set(Dexterous, "s", 3.0))
     assert apply(state, SetCell(1, "a", 1.1))[Dexterous].s == 3.0
     assert apply(state, SetKind(0, "P"))[Dexterous].s is None
     elbow, cartesian = catalogue()["elbow_3r"], catalogue()["cartesian_3p"]
-    angle = Dexterous.from_json({**state[Dexterous].to_json(), "s": 1e12}, elbow).s
-    assert angle == pytest.approx(math.remainder(1e12, math.tau))
+    far = Dexterous.from_json({**state[Dexterous].to_json(), "s": 1e12}, elbow)
+    assert slice_of(state.replace(far)) == pytest.approx(math.remainder(1e12, math.tau))
     data = State.initial(cartesian)[Dexterous].to_json()
     with pytest.raises(InputError, match="place of the slice"):
         Dexterous.from_json({**data, "s": 1e12}, cartesian)
@@ -338,9 +343,9 @@ def test_a_slice_at_an_angle_is_not_one_at_a_distance_of_another_kind_of_joint()
 def test_a_plane_beyond_the_reach_is_refused():
     state = state_of("cartesian_3p")
     reach = state[Joints].arm.reach
-    assert slice_of(apply(state, LookAtDexterous(s=-0.9 * reach))) == -0.9 * reach
+    assert slice_of(apply(state, SetFields.of(Dexterous, s=-0.9 * reach))) == -0.9 * reach
     with pytest.raises(InputError, match="at most"):
-        apply(state, LookAtDexterous(s=1.1 * reach))
+        apply(state, SetFields.of(Dexterous, s=1.1 * reach))
 
 
 @pytest.mark.parametrize(
@@ -368,7 +373,11 @@ def test_the_largest_share_is_one_that_a_voxel_has():
 
 def test_what_is_none_of_the_choices_is_refused():
     state = state_of("ur5e")
-    for command in (LookAtDexterous(method="wrist"), LookAtDexterous(share=2.0), LookAtDexterous(s=math.inf)):
+    for command in (
+        Set(Dexterous, "method", "wrist"),
+        Set(Dexterous, "share", 2.0),
+        Set(Dexterous, "s", math.inf),
+    ):
         with pytest.raises((InputError, UnknownName)):
             apply(state, command)
 

@@ -9,7 +9,7 @@ import pytest
 
 from armlab.benches.workspace.dexterous.job import studied
 from armlab.benches.workspace.dexterous.places import GoToRegion, StandStretched
-from armlab.benches.workspace.dexterous.state import COUNTS, LookAtDexterous, study_of
+from armlab.benches.workspace.dexterous.state import COUNTS, Dexterous, study_of
 from armlab.benches.workspace.dexterous.ui.page import PANEL, choices_markup
 from armlab.benches.workspace.dexterous.ui.rings import ALPHA, picture
 from armlab.benches.workspace.dexterous.ui.scene import SIDE, image
@@ -26,8 +26,10 @@ from armlab.content.robots import catalogue, own_robot
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.planar_regions import regions
 from armlab.kin.workspace.section_size import Size
+from armlab.session.field_words import SetFields
+from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.parts.notation import Label
+from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.state import State, apply
 from armlab.ui.colours import GREEN, ORANGE, VERMILLION, viridis
@@ -40,7 +42,7 @@ from support.student import run, student
 
 def state_of(key, **settings):
     """Return the state with an arm, few samples, and these settings."""
-    return apply(State.initial(catalogue()[key]), LookAtDexterous(**{"count": COUNTS[0], **settings}))
+    return apply(State.initial(catalogue()[key]), SetFields.of(Dexterous, **{"count": COUNTS[0], **settings}))
 
 
 def words(state):
@@ -116,7 +118,7 @@ def test_the_numbers_at_the_tool_are_those_of_the_closed_form():
     half = math.acos((4.0 + 1.0 - 4.0) / (2 * 2.0 * 1.0))
     assert f"{math.degrees(2 * half):.1f}° of 360.0°" in words(state)
     assert "r = 2000.0 mm" in words(state)
-    radians = apply(apply(state, Label("angle", "rad")), Label("length", "m"))
+    radians = apply(apply(state, Set(Notation, "angle", "rad")), Set(Notation, "length", "m"))
     assert f"{2 * half:.3f} rad of 6.283 rad" in words(radians)
     assert "r = 2.0000 m" in words(radians)
     assert "0.00 – 6.28 rad" in words(radians)
@@ -140,7 +142,7 @@ def test_the_target_has_its_own_region():
 def test_limits_are_not_passed_over_in_silence():
     arm = catalogue()["planar_3r"].arm
     tight = Arm.from_dh(arm.rows, limits=[[-2.5, 2.5], [-2.0, 2.0], [-1.5, 1.5]], task=arm.task)
-    state = studied(apply(State.initial(own_robot(tight, "tight")), LookAtDexterous(count=COUNTS[0])))
+    state = studied(apply(State.initial(own_robot(tight, "tight")), Set(Dexterous, "count", COUNTS[0])))
     assert "without joint limits" in words(state)
     assert "without joint limits" not in words(state_of("planar_3r"))
     found = study_of(state)
@@ -160,7 +162,7 @@ def test_what_is_known_of_a_wrist_counts_its_limits_and_samples_say_at_least():
     # The limits of joint 5 alone leave (1 + sin 10°) / 2 of the sphere, and not all of that.
     assert "Largest share" in said
     assert 0.5 < found.wrist.fraction.max() < 0.5 * (1.0 + math.sin(math.radians(10.0))) + 0.1
-    state = studied(apply(state, LookAtDexterous(method="sampled")))
+    state = studied(apply(state, Set(Dexterous, "method", "sampled")))
     found = study_of(state)
     assert "at least" in proven(state, found, units_of(state))
     assert "at least" in tool_line(state, found)
@@ -185,8 +187,8 @@ def chosen(state):
 def test_where_no_point_has_the_share_of_a_body_another_is_named():
     state = studied(state_of("puma560", draw="body"))
     assert "No point has all directions; try 50 %." in chosen(state)
-    assert "No point" not in chosen(apply(state, LookAtDexterous(share=0.5)))
-    assert "No point" not in chosen(apply(state, LookAtDexterous(draw="slice")))
+    assert "No point" not in chosen(apply(state, Set(Dexterous, "share", 0.5)))
+    assert "No point" not in chosen(apply(state, Set(Dexterous, "draw", "slice")))
 
 
 def test_a_volume_without_the_limits_of_the_wrist_is_called_so_and_no_bound():
@@ -194,7 +196,7 @@ def test_a_volume_without_the_limits_of_the_wrist_is_called_so_and_no_bound():
     rows = [("P", 0, 0, 0.1, 0), ("R", 0.6, 0, 0, 0), ("R", 0.4, np.pi / 2, 0, 0), ("R", 0, -np.pi / 2, 0, 0)]
     rows += [("R", 0, np.pi / 2, 0, 0), ("R", 0, 0, 0.1, 0)]
     arm = Arm.from_dh(rows, limits=[[0, 1.5], *[[-3, 3]] * 2, *[[-2, 2]] * 3])
-    state = studied(apply(State.initial(own_robot(arm, "sliding")), LookAtDexterous(count=COUNTS[0])))
+    state = studied(apply(State.initial(own_robot(arm, "sliding")), Set(Dexterous, "count", COUNTS[0])))
     found = study_of(state)
     assert found.wrist.volume > 0.0
     said = proven(state, found, units_of(state))
@@ -231,7 +233,7 @@ def test_the_slice_is_named_within_one_turn_and_in_the_units_chosen():
     (command,) = asked(lambda form: choices_markup(form, state, units_of(state)), "slice", "1e9")
     shown = apply(state, command)
     assert f'value="{number(math.remainder(1e9, 360.0), 1)}"' in chosen(shown)
-    radians = apply(apply(state, LookAtDexterous(s=2.0)), Label("angle", "rad"))
+    radians = apply(apply(state, Set(Dexterous, "s", 2.0)), Set(Notation, "angle", "rad"))
     assert re.search(r'value="2\.000"[^>]*data-cell="slice"', chosen(radians))
 
 

@@ -19,7 +19,7 @@ from armlab.kin.dh import Row
 from armlab.kin.workspace.section_size import Size
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.notation import Label
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.measured import with_error
 from armlab.ui.units import units_of
@@ -123,7 +123,7 @@ def test_the_directions_across_a_sliding_joint_1_have_names():
 
 @pytest.mark.parametrize(("unit", "shown"), [("deg", "−29.8"), ("rad", "−0.520")])
 def test_the_place_of_the_slice_has_the_usual_decimals(unit, shown):
-    state = apply(apply(whole("elbow_3r"), PlaceSlice(-0.52)), Label("angle", unit))
+    state = apply(apply(whole("elbow_3r"), PlaceSlice(-0.52)), Set(Notation, "angle", unit))
     assert f'value="{shown}"' in choices_markup(BareForm(), state, units_of(state))
 
 

@@ -30,7 +30,8 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.dh import Row
 from armlab.kin.workspace.first_joint import first_joint
-from armlab.session.parts.notation import Label
+from armlab.session.fields import Set
+from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.units import units_of
 from support.forms import BareForm, asked
@@ -94,7 +95,7 @@ def test_quantities_have_the_names_of_the_table():
         "q₄ to",
     ]
     assert name_of(arm, 7, "z", units) == "tool z"
-    puma = opened("puma560", Label("variable", "theta"))
+    puma = opened("puma560", Set(Notation, "variable", "theta"))
     assert name_of(puma[WhatIf].arm, 1, "a", units_of(puma)) == "a₂"
     assert name_of(puma[WhatIf].arm, 1, "low", units_of(puma)) == "θ₂ from"
 
@@ -103,7 +104,7 @@ def test_changes_are_listed_in_the_units_on_screen():
     state = opened("puma560", Suppose(1, "a", 0.5), Suppose(1, "high", 1.0))
     words = plain(changes_markup(BareForm(), state[WhatIf], units_of(state)))
     assert words == "Changes in thought a₂ 431.8 mm → 500.0 mm × q₂ to 225.0° → 57.3° ×"
-    state = apply(apply(state, Label("length", "m")), Label("angle", "rad"))
+    state = apply(apply(state, Set(Notation, "length", "m")), Set(Notation, "angle", "rad"))
     words = plain(changes_markup(BareForm(), state[WhatIf], units_of(state)))
     assert words == "Changes in thought a₂ 0.4318 m → 0.5000 m × q₂ to 3.927 rad → 1.000 rad ×"
 

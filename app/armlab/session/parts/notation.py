@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from armlab.content.robots import Robot
-from armlab.errors import UnknownName
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.fields import FieldPart, choice
+from armlab.session.state import Json, PartType
 
 OPTIONS: dict[str, tuple[str, ...]] = {
     "angle": ("deg", "rad"),
@@ -19,7 +19,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
 
 
 @dataclass(frozen=True)
-class Notation(Part):
+class Notation(FieldPart):
     """How things are labelled.
 
     Attributes
@@ -35,46 +35,17 @@ class Notation(Part):
     key: ClassVar[str] = "notation"
     kept_by_undo: ClassVar[bool] = True
 
-    angle: str = "deg"
-    length: str = "mm"
-    variable: str = "q"
-    book: str = "notes"
-
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return the notation of the notes, in degrees and millimetres."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep everything."""
-        return self
-
-    def to_json(self) -> Json:
-        """Write the choices."""
-        return asdict(self)
+    angle: str = choice("angles", "deg", OPTIONS["angle"])
+    length: str = choice("lengths", "mm", OPTIONS["length"])
+    variable: str = choice("joint variables", "q", OPTIONS["variable"])
+    book: str = choice("book", "notes", OPTIONS["book"])
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read the choices there are."""
-        return cls(**{name: data[name] for name, options in OPTIONS.items() if data.get(name) in options})
+        """Read the choices there are: no work is lost for one that is not."""
+        if isinstance(data, dict):
+            data = {name: data[name] for name, options in OPTIONS.items() if data.get(name) in options}
+        return super().from_json(data, robot)
 
 
 PART = PartType(Notation, order=35)
-
-
-@dataclass(frozen=True)
-class Label(Command):
-    """Choose one unit or name."""
-
-    name: str
-    value: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made."""
-        if self.name not in OPTIONS:
-            raise UnknownName("notation", self.name, OPTIONS)
-        if self.value not in OPTIONS[self.name]:
-            raise UnknownName(self.name, self.value, OPTIONS[self.name])
-        changed = replace(state[Notation], **{self.name: self.value})
-        return state if changed == state[Notation] else state.replace(changed)

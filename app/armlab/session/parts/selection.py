@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Self
+from typing import ClassVar
 
-from armlab.content.robots import Robot
 from armlab.errors import InputError
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.fields import FieldPart
+from armlab.session.state import Command, PartType, State
 
 
 @dataclass(frozen=True)
-class Selection(Part):
-    """One selection at a time.
+class Selection(FieldPart):
+    """One selection at a time; it is of the moment, and not saved.
 
     Attributes
     ----------
@@ -29,11 +29,6 @@ class Selection(Part):
     row: int | None = None
     column: int | None = None
 
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return no selection."""
-        return cls()
-
     def of(self, matrix: str) -> Selection:
         """Return the selection if it is in this matrix, else none."""
         return self if self.matrix == matrix else Selection()
@@ -41,15 +36,6 @@ class Selection(Part):
     def holds(self, row: int, column: int) -> bool:
         """Return whether an entry is selected, by itself or with its row or column."""
         return bool(self.matrix) and self.row in (None, row) and self.column in (None, column)
-
-    def to_json(self) -> Json:
-        """Write nothing: a selection is of the moment."""
-        return {}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Return no selection."""
-        return cls()
 
 
 PART = PartType(Selection, order=80)

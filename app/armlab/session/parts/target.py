@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin import ik
 from armlab.kin.ik.search import problem_of
 from armlab.kin.ik.solve import come_closer
@@ -17,8 +17,9 @@ from armlab.kin.ik.target import feasible
 from armlab.kin.ik.verdict import free_joints
 from armlab.kin.transforms import as_pose
 from armlab.session.branch_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
+from armlab.session.fields import FieldPart, choice, own
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 from armlab.session.way_to_solution import another_way
 
 Axes = Literal["world", "tool"]
@@ -57,8 +58,12 @@ class Judged(ik.Verdict):
     notes: tuple[str, ...] = ()
 
 
+def _read_pose(data: Json) -> NDArray[np.float64] | None:
+    return None if data is None else as_pose(data, "target")
+
+
 @dataclass(frozen=True, eq=False)
-class Target(Part):
+class Target(FieldPart):
     """Where the tool is wanted.
 
     Attributes
@@ -80,28 +85,21 @@ class Target(Part):
 
     key: ClassVar[str] = "target"
 
-    pose: NDArray[np.float64] | None = None
+    pose: NDArray[np.float64] | None = own(
+        "target", None, lambda T: None if T is None else as_pose(T, "target"), kept=""
+    )
     catching_up: bool = False
-    axes: Axes = "world"
-    handle: Handle = "move"
-    method: str = "dls"
+    axes: Axes = choice("axes of the handle", "world", AXES)
+    handle: Handle = choice("what dragging does", "move", HANDLES, kept="edits")
+    method: str = own("method", "dls", lambda key: ik.method_named(key).key)
     branch: Branch = ()
     crossing: Said | None = None
     near: Said | None = None
 
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return a target on the tool."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep axes and method; put the target on the tool of the new arm."""
-        return replace(self.on_tool(), handle="move")
-
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep the handle too when the arm still has that handle."""
-        kept = self.for_robot(robot)
-        return replace(kept, handle=self.handle) if robot.arm.task.rotation != "none" else kept
+        kept = super().for_edited(robot, origin)
+        return replace(kept, handle="move") if robot.arm.task.rotation == "none" else kept
 
     def after(self, before: State, now: State) -> Self:
         """Put the target back on the tool when the joints were moved by anything but the target itself.
@@ -131,19 +129,6 @@ class Target(Part):
         near = _lasting(self.near, now.at)
         text = near_singularity(arm, q, NEAR if near is None else STILL_NEAR)
         return replace(self, branch=branch, crossing=crossing, near=Said(text, now.at) if text else near)
-
-    def to_json(self) -> Json:
-        """Write the target and how it is handled."""
-        pose = None if self.pose is None else self.pose.tolist()
-        return {"pose": pose, "axes": self.axes, "handle": self.handle, "method": self.method}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back."""
-        pose = None if data["pose"] is None else as_pose(data["pose"], "target")
-        axes = next(name for name in AXES if name == data["axes"])
-        handle = next(name for name in HANDLES if name == data["handle"])
-        return cls(pose, False, axes, handle, ik.method_named(data["method"]).key)
 
 
 PART = PartType(Target, order=20)
@@ -272,33 +257,6 @@ class TargetToTool(Command):
         """Return the state with the target on the tool."""
         target = state[Target]
         return state if target.pose is None else state.replace(target.on_tool())
-
-
-@dataclass(frozen=True)
-class HandleBy(Command):
-    """Choose along which axes the handle moves, what it does, or the method that follows it; None leaves as it is."""
-
-    axes: Axes | None = None
-    handle: Handle | None = None
-    method: str | None = None
-    label: ClassVar[str] = "choice"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made."""
-        target = state[Target]
-        for name, value, options in (("axes", self.axes, AXES), ("handle", self.handle, HANDLES)):
-            if value is not None and value not in options:
-                raise UnknownName(name, value, options)
-        if self.method is not None:
-            ik.method_named(self.method)
-        chosen = replace(
-            target,
-            axes=self.axes or target.axes,
-            handle=self.handle or target.handle,
-            method=self.method or target.method,
-        )
-        same = (chosen.axes, chosen.handle, chosen.method) == (target.axes, target.handle, target.method)
-        return state if same else state.replace(chosen)
 
 
 def _followed(state: State, handle: NDArray[np.floating] | None, travel: float) -> State:

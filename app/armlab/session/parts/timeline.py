@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import ClassVar, Self
 
-from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.plugins import discover_in_benches
+from armlab.session.fields import FieldPart, flag, number, own
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, PartType, State
 
 SLOWEST, FASTEST = 0.1, 4.0
 
@@ -55,7 +55,7 @@ def clips() -> dict[str, Clip]:
 
 
 @dataclass(frozen=True)
-class Timeline(Part):
+class Timeline(FieldPart):
     """What is on.
 
     Attributes
@@ -72,24 +72,16 @@ class Timeline(Part):
     key: ClassVar[str] = "timeline"
     kept_by_undo: ClassVar[bool] = True
 
-    clip: str = ""
-    time: float = 0.0
+    # Not a film of its own, as other parts have one, but the one that is on.
+    clip: str = own("film", "", lambda key: key if key in clips() else "")  # type: ignore[misc]
+    time: float = number("t", "time of the film", 0.0, 0.0, unit="s", kept="edits")
     playing: bool = False
-    speed: float = 1.0
-    loop: bool = False
+    speed: float = number("", "speed", 1.0, SLOWEST, FASTEST)
+    loop: bool = flag("begin again at the end", False)
 
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return a timeline with nothing on."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep clip, speed and loop; go back to the start."""
-        return replace(self, time=0.0, playing=False)
-
-    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Stay where it is: `after` moves what lies beyond the end."""
-        return replace(self, playing=False)
+    def rewound(self, clip: str) -> Self:
+        """Return to the start, paused, if this clip is on."""
+        return replace(self, time=0.0, playing=False) if clip == self.clip else self
 
     def after(self, before: State, now: State) -> Self:
         """Stay inside the clip, whose duration may depend on what has changed; pause when a hand moves the arm."""
@@ -101,19 +93,6 @@ class Timeline(Part):
             return replace(self, playing=False)
         end = clips()[self.clip].duration(now)
         return replace(self, time=end) if self.time > end else self
-
-    def to_json(self) -> Json:
-        """Write everything but that it plays."""
-        return {"clip": self.clip, "time": self.time, "speed": self.speed, "loop": self.loop}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back, paused."""
-        clip = data["clip"] if data["clip"] in clips() else ""
-        time, speed = float(data["time"]), float(data["speed"])
-        if not (math.isfinite(time) and time >= 0.0 and SLOWEST <= speed <= FASTEST):
-            raise InputError(f"timeline: not usable: {data}")
-        return cls(clip, time, False, speed, bool(data["loop"]))
 
 
 PART = PartType(Timeline, order=90)
@@ -238,25 +217,6 @@ class Step(Command):
         earlier = [t for t in stops if t < timeline.time - near]
         paused = state.replace(replace(timeline, playing=False))
         return _at(paused, (min(later, default=stops[-1])) if self.forward else max(earlier, default=0.0))
-
-
-@dataclass(frozen=True)
-class PlayLike(Command):
-    """Set the speed, or whether it begins again at the end; None leaves as it is."""
-
-    speed: float | None = None
-    loop: bool | None = None
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made."""
-        timeline = state[Timeline]
-        speed = timeline.speed if self.speed is None else self.speed
-        if not SLOWEST <= speed <= FASTEST:
-            raise InputError(f"speed: expected {SLOWEST} to {FASTEST}, got {speed}")
-        loop = timeline.loop if self.loop is None else self.loop
-        changed = replace(timeline, speed=speed, loop=loop)
-        return state if changed == timeline else state.replace(changed)
 
 
 def _at(state: State, time: float) -> State:

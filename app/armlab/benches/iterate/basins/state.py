@@ -17,21 +17,20 @@ from armlab.benches.iterate.runs.state import (
     MOST_STEPS,
     Iterations,
     StartIterations,
-    checked_limits,
     checked_start,
     vector_of,
 )
 from armlab.benches.iterate.runs.worked import Run, fitting, refitted, run_of
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.ik.iterate import TaskVector, iteration_method, task_vector
 from armlab.kin.ik.iterate.record import Limits
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.task import Task
+from armlab.session.fields import FieldPart, choice, own, setting, vector
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.robot import RobotPart
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 
 POINTS = (64, 128, 256)
 """Starts along either side of a map, to choose from."""
@@ -41,11 +40,12 @@ STEPS = (50, 100, 200, MOST_STEPS)
 
 
 @dataclass(frozen=True, eq=False)
-class Basins(Part):
+class Basins(FieldPart):
     """The map that will be drawn, the one that is being drawn, and the one there is.
 
     Attributes
     ----------
+    arm : Arm
     run : Run
         Method and parameters; its colour does not matter.
     joints : (int, int)
@@ -64,59 +64,36 @@ class Basins(Part):
     key: ClassVar[str] = "basins"
     kept_by_undo: ClassVar[bool] = True
 
-    run: Run
-    joints: tuple[int, int]
-    rest: tuple[float, ...]
-    points: int = POINTS[1]
-    most: int = STEPS[2]
-    limits: Limits = "none"
+    arm: Arm
+    run: Run = own("method", None, lambda run: _read_run(run), Run.to_json, kept="edits")
+    joints: tuple[int, int] = own("joints across and up", (), lambda pair: _read_pair(pair), kept="")
+    rest: tuple[float, ...] = vector("q", "start values", kept="joints")
+    points: int = choice("starts along either side", POINTS[1], POINTS)
+    most: int = choice("largest number of steps", STEPS[2], STEPS)
+    limits: Limits = choice("joint limits", "none", ("clamp", "none"))
     drawing: Question | None = None
     map: Map | None = None
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return Newton's method over the first two joints that change more than where everything is turned."""
-        return cls(run_of("newton"), _first_joints(robot.arm), tuple(map(float, robot.home)))
+        return cls(robot.arm, run_of("newton"), _first_joints(robot.arm), tuple(map(float, robot.home)))
+
+    def check(self) -> None:
+        """Refuse joints that the arm has not, and start values where none can stand."""
+        _check_joints(self.arm, *self.joints)
+        checked_start(self.arm, self.rest)
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep the method, with a step size that suits the arm, and how finely it is mapped."""
-        run = refitted(self.run, robot.arm)
-        return replace(self.initial(robot), run=run, points=self.points, most=self.most, limits=self.limits)
+        return replace(super().for_robot(robot), run=refitted(self.run, robot.arm))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep also joints and start values of joints that are still there; a map was of the arm as it was."""
-        fresh, rest = self.for_robot(robot), np.array(robot.home, dtype=float)
-        for i, was in enumerate(origin):
-            if was is not None and was < len(self.rest):
-                rest[i] = self.rest[was]
+        kept = super().for_edited(robot, origin)
         across, up = (origin.index(joint) if joint in origin else -1 for joint in self.joints)
         # An arm of one joint has but one for both axes.
-        joints = (across, up) if min(across, up) >= 0 and across != up else fresh.joints
-        return replace(fresh, run=self.run, rest=tuple(rest.tolist()), joints=joints)
-
-    def to_json(self) -> Json:
-        """Write what will be drawn."""
-        return {
-            "run": self.run.to_json(),
-            "joints": list(self.joints),
-            "rest": list(self.rest),
-            "points": self.points,
-            "most": self.most,
-            "limits": self.limits,
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable with this arm."""
-        across, up = (int(joint) for joint in data["joints"])
-        return cls(
-            run=_checked_run(*data["run"][:2]),
-            joints=_checked_joints(robot.arm, across, up),
-            rest=checked_start(robot, data["rest"]),
-            points=_one_of("points", int(data["points"]), POINTS),
-            most=_one_of("most", int(data["most"]), STEPS),
-            limits=checked_limits(data["limits"]),
-        )
+        return replace(kept, joints=(across, up)) if min(across, up) >= 0 and across != up else kept
 
     @property
     def finished(self) -> Map | None:
@@ -222,10 +199,10 @@ class MapMethod(Command):
         part = state[Basins]
         run = part.run
         if run.method != self.method:
-            _checked_run(self.method, {})
+            iteration_method(self.method)  # a flow has no steps to be counted
             run = fitting(self.method, state[Joints].arm, vector_of(state))
         run = run.with_parameter(self.key, self.value) if self.key else run
-        return state if run == part.run else state.replace(replace(part, run=run))
+        return setting(state, Basins, {"run": run})
 
 
 @dataclass(frozen=True)
@@ -238,12 +215,9 @@ class MapJoints(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the joints chosen."""
-        part, arm = state[Basins], state[Joints].arm
-        joints = (self.across, self.up)
-        if self.across == self.up and self.across in part.joints:
-            joints = part.joints[::-1]
-        checked = _checked_joints(arm, *joints)
-        return state if checked == part.joints else state.replace(replace(part, joints=checked))
+        joints, before = (self.across, self.up), state[Basins].joints
+        swapped = self.across == self.up and self.across in before
+        return setting(state, Basins, {"joints": before[::-1] if swapped else joints})
 
 
 @dataclass(frozen=True)
@@ -262,30 +236,7 @@ class MapRest(Command):
             if not 0 <= self.joint < joints.arm.n:
                 raise InputError(f"joint: expected 1 to {joints.arm.n}, got {self.joint + 1}")
             rest[self.joint] = self.value
-        checked = checked_start(state[RobotPart].robot, rest)
-        return state if checked == part.rest else state.replace(replace(part, rest=checked))
-
-
-@dataclass(frozen=True)
-class MapLike(Command):
-    """Choose how finely, with how many steps, and whether limits are kept; None leaves as it is."""
-
-    points: int | None = None
-    most: int | None = None
-    limits: str | None = None
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choices made."""
-        part = state[Basins]
-        changed = replace(
-            part,
-            points=part.points if self.points is None else _one_of("points", self.points, POINTS),
-            most=part.most if self.most is None else _one_of("most", self.most, STEPS),
-            limits=part.limits if self.limits is None else checked_limits(self.limits),
-        )
-        same = (changed.points, changed.most, changed.limits) == (part.points, part.most, part.limits)
-        return state if same else state.replace(changed)
+        return setting(state, Basins, {"rest": rest})
 
 
 @dataclass(frozen=True)
@@ -371,18 +322,18 @@ def _first_joints(arm: Arm) -> tuple[int, int]:
     return (0, min(1, arm.n - 1)) if arm.n < 3 or arm.task.rotation == "phi" else (1, 2)
 
 
-def _checked_run(method: str, parameters: dict[str, float]) -> Run:
+def _read_run(data: Json) -> Run:
+    """Return a run as it is, or as it was written."""
+    method, parameters, *_ = data.to_json() if isinstance(data, Run) else data
     iteration_method(method)  # a flow has no steps to be counted
     return run_of(method, parameters)
 
 
-def _checked_joints(arm: Arm, across: int, up: int) -> tuple[int, int]:
+def _read_pair(data: Json) -> tuple[int, int]:
+    across, up = data
+    return int(across), int(up)
+
+
+def _check_joints(arm: Arm, across: int, up: int) -> None:
     if not (0 <= across < arm.n and 0 <= up < arm.n) or (across == up and arm.n > 1):
         raise InputError(f"joints: expected two different joints of 1 to {arm.n}, got {across + 1} and {up + 1}")
-    return across, up
-
-
-def _one_of(name: str, value: int, options: tuple[int, ...]) -> int:
-    if type(value) is not int or value not in options:
-        raise UnknownName(name, value, [str(option) for option in options])
-    return value

@@ -36,7 +36,7 @@ class SetStart(Command):
     def apply(self, state: State) -> State:
         """Return the state with the start set."""
         q = state[Joints].q if self.q is None else self.q
-        return changed(state, start=checked_start(state[RobotPart].robot, q))
+        return changed(state, start=checked_start(state[Joints].arm, q))
 
 
 @dataclass(frozen=True, eq=False)

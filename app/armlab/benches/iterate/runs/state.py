@@ -15,6 +15,7 @@ from armlab.benches.iterate.runs.films import Film, Question
 from armlab.benches.iterate.runs.worked import MOST_RUNS, Run, fitting, refitted, run_of
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
+from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
 from armlab.kin.ik.iterate import TaskVector, task_vector
 from armlab.kin.ik.iterate.record import Limits
@@ -147,7 +148,7 @@ class Iterations(Part):
         if not 1 <= len(runs) == len(colours) <= MOST_RUNS or not 0 <= selected < len(runs):
             raise InputError(f"iterations: not usable: {data}")
         return cls(
-            start=checked_start(robot, data.get("start", opened.start)),
+            start=checked_start(robot.arm, data.get("start", opened.start)),
             target=checked_target(robot, data.get("target", opened.target)),
             task=_task_from_json(data.get("task"), robot),
             runs=runs,
@@ -155,7 +156,7 @@ class Iterations(Part):
             limits=checked_limits(data.get("limits", opened.limits)),
             most=checked_most(data.get("most", opened.most)),
             example=str(data.get("example", "")),
-            before=None if before is None else checked_start(robot, before),
+            before=None if before is None else checked_start(robot.arm, before),
         )
 
     @property
@@ -209,9 +210,8 @@ def arms_found(state: State) -> Floats:
     return part.arms.q if known and part.arms is not None else np.zeros((0, state[Joints].arm.n))
 
 
-def checked_start(robot: Robot, q: ArrayLike) -> tuple[float, ...]:
+def checked_start(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
     """Return a start; `InputError` when it is not one number for each joint that a joint can stand at."""
-    arm = robot.arm
     values = finite_floats(q, "start", (arm.n,), f"{arm.n} finite joint values")
     most = np.where(arm.revolute, MOST_TURNED, FARTHEST * arm.length_scale)
     if np.any(np.abs(values) > most):
@@ -266,7 +266,7 @@ class StartIterations(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the start set and the film at its first picture."""
-        start = checked_start(state[RobotPart].robot, self.q)
+        start = checked_start(state[Joints].arm, self.q)
         # Without the films of another start the arm stands at this one until they are made.
         begun = replace(state[Iterations], start=start, example="", films={})
         return with_clip(state.replace(begun), CLIP_KEY)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import ClassVar, Self, cast
+from typing import Any, ClassVar, Self, cast
 
 import numpy as np
 
@@ -13,13 +13,15 @@ from armlab.benches.workspace.dexterous.study import Method, Question, Study, me
 from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
+from armlab.kin.checks import finite_floats
 from armlab.kin.ik.solutions import wrapped_rows
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar import turns_fully
+from armlab.session.fields import FieldPart, choice, number, own, text
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import PlaceTarget, brought_to
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 
 COUNTS = (400_000, 2_000_000, 10_000_000)
 """Numbers of samples to choose from."""
@@ -27,21 +29,22 @@ COUNTS = (400_000, 2_000_000, 10_000_000)
 SHARES = (0.25, 0.5, 0.75, 0.95, 1.0)
 """Of the directions: bodies of points that have at least so many; the last is WS2."""
 
+PLACE = "place of the slice"
+
 DRAWINGS = {"slice": "Slice", "body": "Body"}
 
 
 @dataclass(frozen=True, eq=False)
-class Dexterous(Part):
+class Dexterous(FieldPart):
     """How orientations are looked at.
 
     Attributes
     ----------
+    arm : Arm
     method : str
         Key of a method; empty for the first that the arm has.
     s : float or None
         Which half plane, rad or m; None for that of the home pose.
-    turns : bool
-        Whether that is an angle.
     turned : tuple of 9 floats
         Orientation of the tool with which solutions are counted, by rows; empty for that of the home pose.
     count : int
@@ -59,78 +62,45 @@ class Dexterous(Part):
     key: ClassVar[str] = "dexterous"
     kept_by_undo: ClassVar[bool] = True
 
-    method: str = ""
-    s: float | None = None
-    turns: bool = True
-    turned: tuple[float, ...] = ()
-    count: int = COUNTS[1]
-    draw: str = "slice"
-    share: float = SHARES[-1]
+    arm: Arm
+    method: str = text("method", kept="edits")
+    s: float | None = number("s", PLACE, None, kept="edits")
+    turned: tuple[float, ...] = own("orientation", (), lambda values: _read_turned(values), kept="edits")
+    count: int = choice("samples", COUNTS[1], COUNTS)
+    draw: str = choice("drawing", "slice", DRAWINGS)
+    share: float = choice("least share of the directions", SHARES[-1], SHARES)
     stopped: Question | None = None
     found: Mapping[str, Study] = field(default_factory=dict)
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the first look."""
-        return cls(turns=bool(robot.arm.revolute[0]))
+        return cls(robot.arm)
 
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep how finely it is looked at."""
-        return replace(self.initial(robot), count=self.count, draw=self.draw, share=self.share)
+    def check(self) -> None:
+        """Refuse a method that the arm has not, and a plane beyond its reach."""
+        # Which methods there are is worth knowing only to one who has chosen one: it takes a look at the structure.
+        if self.method and self.method not in (known := methods(self.arm)):
+            raise UnknownName("method", self.method, known)
+        if self.s is not None and not self.arm.revolute[0] and abs(self.s) > self.arm.reach:
+            most = self.arm.reach
+            raise InputError(f"{PLACE}: expected at most {most:.3f} m from the base, got {self.s:g} m")
+
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """Return the part with some fields set; what was stopped is wanted again."""
+        return replace(super().with_values(values), stopped=None)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep also what is looked at, if the arm still has it."""
-        # Which methods there are is worth knowing only to one who has chosen one: it takes a look at the structure.
-        method = self.method if self.method and self.method in methods(robot.arm) else ""
-        s = self.s if self.turns is bool(robot.arm.revolute[0]) else None
-        return replace(self.for_robot(robot), method=method, s=s, turned=self.turned)
-
-    def to_json(self) -> Json:
-        """Write the settings; what was found is found anew."""
-        return {
-            "method": self.method,
-            "s": self.s,
-            "turned": list(self.turned),
-            "count": self.count,
-            "draw": self.draw,
-            "share": self.share,
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read them back; raises when they are not usable with this arm."""
-        s = None if data["s"] is None else float(data["s"])
-        turned = tuple(float(value) for value in data["turned"])
-        part = replace(
-            cls.initial(robot),
-            method=str(data["method"]),
-            s=s,
-            turned=turned,
-            count=int(data["count"]),
-            draw=str(data["draw"]),
-            share=float(data["share"]),
-        )
-        _check(part, robot)
-        return part if s is None else replace(part, s=_place(s, robot.arm))
+        """Keep what is looked at, if the arm still has it; an angle is no distance."""
+        kept = super().for_edited(robot, origin)
+        return kept if robot.arm.revolute[0] == self.arm.revolute[0] else replace(kept, s=None)
 
 
 PART = PartType(Dexterous, order=122)
 
 
-def _check(part: Dexterous, robot: Robot) -> None:
-    """Raise `InputError` where a setting is none."""
-    if part.method != "" and part.method not in (known := methods(robot.arm)):
-        raise UnknownName("method", part.method, known)
-    if part.draw not in DRAWINGS:
-        raise UnknownName("drawing", part.draw, DRAWINGS)
-    if part.count not in COUNTS:
-        raise UnknownName("samples", part.count, [str(count) for count in COUNTS])
-    if part.share not in SHARES:
-        raise UnknownName("share", part.share, [str(share) for share in SHARES])
-    if part.s is not None and not math.isfinite(part.s):
-        raise InputError(f"place of the slice: expected a number, got {part.s}")
-    if part.turned and (len(part.turned) != 9 or not all(map(math.isfinite, part.turned))):
-        raise InputError("orientation: expected nine numbers")
+def _read_turned(data: Json) -> tuple[float, ...]:
+    return tuple(finite_floats(data, "orientation", (9,), "nine finite numbers").tolist()) if len(data) else ()
 
 
 def method_of(state: State) -> Method:
@@ -140,10 +110,13 @@ def method_of(state: State) -> Method:
 
 
 def slice_of(state: State) -> float:
-    """Return which half plane is looked at, rad or m."""
+    """Return which half plane is looked at: rad in (-pi, pi], or m."""
     s = state[Dexterous].s
     robot = state[RobotPart].robot
-    return float(first_joint(robot.arm).split(robot.arm.position(robot.home))[2]) if s is None else s
+    if s is None:
+        return float(first_joint(robot.arm).split(robot.arm.position(robot.home))[2])
+    turn = math.remainder(s, math.tau)
+    return s if not robot.arm.revolute[0] else math.pi if turn == -math.pi else turn
 
 
 def orientation_of(state: State) -> tuple[float, ...]:
@@ -180,37 +153,6 @@ def study_of(state: State) -> Study | None:
 
 
 # -- commands --------------------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class LookAtDexterous(Command):
-    """Change how it is looked at; None leaves a setting as it is."""
-
-    method: str | None = None
-    s: float | None = None
-    count: int | None = None
-    draw: str | None = None
-    share: float | None = None
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the settings; `InputError` where one is none."""
-        given = {name: value for name, value in vars(self).items() if value is not None}
-        part = replace(state[Dexterous], **given, stopped=None)
-        _check(part, state[RobotPart].robot)
-        if self.s is not None:
-            part = replace(part, s=_place(self.s, state[Joints].arm))
-        return state.replace(part)
-
-
-def _place(s: float, arm: Arm) -> float:
-    """Return the place of a slice, an angle in (-pi, pi]; `InputError` for a plane beyond the reach."""
-    if arm.revolute[0]:
-        turn = math.remainder(s, math.tau)
-        return math.pi if turn == -math.pi else turn
-    if abs(s) > arm.reach:
-        raise InputError(f"place of the slice: expected at most {arm.reach:.3f} m from the base, got {s:g} m")
-    return s
 
 
 @dataclass(frozen=True)

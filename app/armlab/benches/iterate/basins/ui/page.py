@@ -13,7 +13,6 @@ from armlab.benches.iterate.basins.state import (
     CancelBasins,
     DrawBasins,
     MapJoints,
-    MapLike,
     MapMethod,
     MapRest,
     StartInMap,
@@ -36,6 +35,7 @@ from armlab.benches.iterate.runs.ui.words import (
 from armlab.benches.iterate.runs.worked import Run
 from armlab.kin.arm import Arm
 from armlab.kin.ik.iterate import iteration_methods
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -99,15 +99,17 @@ def choices_markup(form: Form, state: State, units: Units) -> str:
     titles = {key: capitalised(method.title) for key, method in iteration_methods().items()}
     method = form.select("method", "Method", titles, part.run.method, MapMethod)
     points = {str(n): f"{n} × {n}" for n in POINTS}
-    most = form.chips("most", {str(n): str(n) for n in STEPS}, str(part.most), "", lambda n: MapLike(most=int(n)))
+    most = form.chips(
+        "most", {str(n): str(n) for n in STEPS}, str(part.most), "", lambda n: Set(Basins, "most", int(n))
+    )
     return (
         f'<div class="ba-choices">{row("Method", method)}{_parameters(form, state)}'
         + _task(form, state, units)
         + _joints(form, state, units)
         + _rest(form, state, units)
-        + row("Starts", form.chips("points", points, str(part.points), "", lambda n: MapLike(points=int(n))))
+        + row("Starts", form.chips("points", points, str(part.points), "", lambda n: Set(Basins, "points", int(n))))
         + row("At most", most + "<i>steps</i>")
-        + row("Limits", form.chips("limits", LIMITS, part.limits, KEPT, lambda key: MapLike(limits=key)))
+        + row("Limits", form.chips("limits", LIMITS, part.limits, KEPT, lambda key: Set(Basins, "limits", key)))
         + f"</div>{_action(form, state)}{standing(state)}"
     )
 

@@ -19,8 +19,9 @@ from armlab.benches.motion.plan.points import (
 )
 from armlab.benches.motion.plan.question import Recorded
 from armlab.benches.motion.plan.state import Plan
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.target import HandleBy, Target
+from armlab.session.parts.target import Target
 from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import escaped
@@ -128,8 +129,8 @@ def _turning(form: Form, state: State) -> str:
     task, target = state[Joints].arm.task, state[Target]
     if task.rotation == "none" or not task.position:
         return ""
-    chips = form.chip("handle-move", "Move", HandleBy(handle="move"), pressed=target.handle == "move")
-    chips += form.chip("handle-turn", "Turn", HandleBy(handle="turn"), pressed=target.handle == "turn")
+    chips = form.chip("handle-move", "Move", Set(Target, "handle", "move"), pressed=target.handle == "move")
+    chips += form.chip("handle-turn", "Turn", Set(Target, "handle", "turn"), pressed=target.handle == "turn")
     return f'<div class="bar"><span class="dim">Handle</span>{chips}</div>'
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from armlab.kin import ik
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import (
     GoAnotherWay,
-    HandleBy,
     PlaceTarget,
     Target,
     TargetToTool,
@@ -34,21 +34,21 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             "Handle",
             {"move": "Move", "turn": "Turn"},
             state[Target].handle,
-            lambda key: post(HandleBy(handle="move" if key == "move" else "turn")),
+            lambda key: post(Set(Target, "handle", key)),
             "What dragging the handle does; only what this arm controls is offered",
         )
     axes = gui.segments(
         "Along axes of",
         {"world": "World", "tool": "Tool"},
         state[Target].axes,
-        lambda key: post(HandleBy(axes="world" if key == "world" else "tool")),
+        lambda key: post(Set(Target, "axes", key)),
         "Along and about whose axes the handle moves",
     )
     method = gui.dropdown(
         "Method",
         {method.key: capitalised(method.title) for method in ik.methods().values()},
         state[Target].method,
-        lambda key: post(HandleBy(method=key)),
+        lambda key: post(Set(Target, "method", key)),
         "How the arm follows. All stay inside the joint limits and only ever come closer.",
     )
     card = gui.html()

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from armlab.session.fields import Set
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
-from armlab.session.parts.notation import Label, Notation
+from armlab.session.parts.notation import Notation
 from armlab.session.session import StartFresh
 from armlab.session.state import Post, State
 from armlab.ui.camera import PRESETS
@@ -67,7 +68,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 def _chooser(name: str, post: Post) -> Callable[[str], None]:
     """Return what chooses one unit or name."""
-    return lambda key: post(Label(name, key))
+    return lambda key: post(Set(Notation, name, key))
 
 
 def _switches(form: Form, state: State) -> str:

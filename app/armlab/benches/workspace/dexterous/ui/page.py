@@ -11,7 +11,6 @@ from armlab.benches.workspace.dexterous.state import (
     DRAWINGS,
     SHARES,
     Dexterous,
-    LookAtDexterous,
     LookThroughTool,
     ResumeDexterous,
     StopDexterous,
@@ -32,6 +31,7 @@ from armlab.benches.workspace.dexterous.ui.words import (
     tool_words,
 )
 from armlab.kin.workspace.first_joint import first_joint
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -79,24 +79,24 @@ def choices_markup(form: Form, state: State, units: Units) -> str:
     arm, part = state[Joints].arm, state[Dexterous]
     known, method = methods(arm), method_of(state)
     names: dict[str, str] = {key: TITLES[key] for key in known}
-    lines = row("By", form.chips("method", names, method, HINTS, lambda key: LookAtDexterous(method=key)))
+    lines = row("By", form.chips("method", names, method, HINTS, lambda key: Set(Dexterous, "method", key)))
     if known == ("sampled",):
         lines += f'<p class="dim">{why_sampled_alone(arm)}</p>'
     if state.derived(rings_alone):
         return lines
     if method == "wrist":
-        lines += row("Show", form.chips("draw", DRAWINGS, part.draw, "", lambda key: LookAtDexterous(draw=key)))
+        lines += row("Show", form.chips("draw", DRAWINGS, part.draw, "", lambda key: Set(Dexterous, "draw", key)))
     if method == "wrist" and part.draw == "body":
         shares = {str(share): "all" if share >= 1.0 else f"{100.0 * share:.0f} %" for share in SHARES}
         hint = "Of the approach directions"
-        chosen = form.chips("share", shares, str(part.share), hint, lambda key: LookAtDexterous(share=float(key)))
+        chosen = form.chips("share", shares, str(part.share), hint, lambda key: Set(Dexterous, "share", float(key)))
         lines += row("At least", chosen)
         lines += _nowhere(state)
     else:
         lines += _slice(form, state, units)
     if method in ("rings", "sampled"):
         counts = {str(count): _counted(count) for count in COUNTS}
-        chosen = form.chips("count", counts, str(part.count), "", lambda key: LookAtDexterous(count=int(key)))
+        chosen = form.chips("count", counts, str(part.count), "", lambda key: Set(Dexterous, "count", int(key)))
         lines += row("Samples", chosen)
     return lines + _progress(form, state)
 
@@ -128,7 +128,7 @@ def _slice(form: Form, state: State, units: Units) -> str:
     s = slice_of(state)
     shown = units.turned(s) if turns else units.text(s, turns)
     label = "Half plane through axis 1" if turns else "Place of the plane"
-    cell = form.field("slice", shown, label, lambda text: LookAtDexterous(s=units.read(text, turns, "slice")))
+    cell = form.field("slice", shown, label, lambda text: Set(Dexterous, "s", units.read(text, turns, "slice")))
     return row("Slice at", f'<label class="option">{cell}<i>{units.unit(turns)}</i></label>{through}')
 
 
