@@ -180,6 +180,9 @@ class FieldPart(Part):
     leave_example: ClassVar[tuple[str, ...]] = (EXAMPLE,)
     """Fields that may be set while the example stays in place."""
 
+    looks: ClassVar[tuple[str, ...]] = ()
+    """Fields that only say what is drawn: no step to undo, and example and film go on as they are."""
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part with the values declared."""
@@ -289,8 +292,8 @@ class Set(Command):
 
     @property
     def undoable(self) -> bool:  # type: ignore[override]
-        """Whether the part is work, and not only what is being looked at."""
-        return not self.part.kept_by_undo
+        """Whether it is work, and not only what is being looked at."""
+        return not self.part.kept_by_undo and self.name not in self.part.looks
 
     def apply(self, state: State) -> State:
         """Return the state with the field set, and no example in place any more."""
@@ -302,9 +305,9 @@ def setting(state: State, kind: type[FieldPart], values: Mapping[str, Any]) -> S
     part = state[kind]
     changed = part.with_values(values)
     others = [name for name in values if getattr(changed, name) != getattr(part, name)]
-    if not others:
-        return state
-    return put(state, changed if set(others) <= set(part.leave_example) else changed.without_example())
+    if set(others) <= set(part.looks):
+        return state.replace(changed) if others else state
+    return put(state, changed if set(others) <= {*part.leave_example, *part.looks} else changed.without_example())
 
 
 def put(state: State, part: FieldPart) -> State:
