@@ -7,8 +7,10 @@ from dataclasses import replace
 import pytest
 
 from armlab.benches.control.loop.state import CLIP_KEY, Loop
+from armlab.benches.motion.space_curve.state import SpaceCurve
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
+from armlab.session.field_words import SetFields
 from armlab.session.fields import EXAMPLE, FieldPart, Set, declarations, fields_of, put
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
@@ -138,6 +140,19 @@ def test_the_film_of_a_part_begins_again_and_another_one_does_not():
     assert put(state, replace(state[Loop], mass=2.0))[Timeline].time == 0.0
     other = apply(apply(State.initial(ROBOT), OpenClip("sweep")), Seek(1.0))
     assert apply(other, Set(Loop, "mass", 2.0))[Timeline].time == 1.0
+
+
+def test_what_only_says_what_is_drawn_is_no_step_and_leaves_the_example_and_the_film():
+    look, work = Set(SpaceCurve, "arrows", True), Set(SpaceCurve, "duration", 7.0)
+    assert (look.undoable, work.undoable) == (False, True)
+    assert not SetFields.of(SpaceCurve, arrows=True).undoable
+    assert SetFields.of(SpaceCurve, arrows=True, duration=7.0).undoable
+    state = apply(apply(State.initial(ROBOT), OpenClip(SpaceCurve.clip)), Seek(1.0))
+    looked = apply(state, look)
+    assert (looked[SpaceCurve].arrows, looked[SpaceCurve].example, looked[Timeline].time) == (True, "frenet", 1.0)
+    worked = apply(state, work)
+    assert (worked[SpaceCurve].example, worked[Timeline].time) == ("", 0.0)
+    assert apply(looked, look) is looked
 
 
 def test_an_undo_says_the_title_of_the_field():
