@@ -9,7 +9,7 @@ import pytest
 
 from support.lab import running_lab
 from support.own_lessons import in_lesson, lesson, piece, write
-from support.student import run
+from support.student import run, student
 
 TWO = """
 ## One
@@ -123,3 +123,21 @@ def test_a_lesson_whose_file_is_taken_away_can_be_gone_on_with(taught):
         await browser.close()
 
     run(main())
+
+
+def test_a_lesson_that_is_saved_begins_with_the_benches_as_they_stand(tmp_path):
+    async def main(url):
+        browser = await student(url)
+        await browser.open("loop")
+        await browser.press("l-gain", "25")
+        await browser.until(lambda: "25 rad/s" in browser.html())
+        await browser.open("author")
+        await browser.press("save-lesson")
+        await browser.until(lambda: any(browser.downloads.values()))
+        (text,) = browser.downloads.values()
+        assert b'command = "control.loop.put"' in text
+        assert b"25.0" in text
+        await browser.close()
+
+    with running_lab(tmp_path) as url:
+        run(main(url))

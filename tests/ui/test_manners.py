@@ -95,10 +95,9 @@ def test_a_click_on_the_handle_is_no_step(url):
 
 def test_a_notice_is_told_once(url):
     async def main():
-        cookie = cookie_of(url)
+        cookie = cookie_of(url + "robot/puma56")
         browser = await student(url, cookie)
-        await browser.press("speed", "100")
-        await browser.until(lambda: any("speed: expected 0.1 to 4.0" in text for text in browser.notices))
+        await browser.until(lambda: any("did you mean 'puma560'" in text for text in browser.notices))
         await browser.close()
         again = await student(url, cookie)
         await asyncio.sleep(0.5)

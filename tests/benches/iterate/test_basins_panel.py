@@ -167,6 +167,23 @@ def test_a_map_is_drawn_clicked_and_begins_a_film(url):
     run(main())
 
 
+def test_a_click_on_a_map_of_other_locks_is_refused_below_the_map(url):
+    async def main():
+        browser = await student(url, path="/robot/planar_2r")
+        await browser.open("joints", "basins")
+        await browser.press("points 64")
+        await browser.press("draw")
+        await browser.until(lambda: "Save as PNG" in browser.html())
+        await browser.press("0")  # the chip that holds joint 1
+        await browser.until(lambda: "held: click to let it go" in browser.html())
+        await browser.press("start", "0.5,0.25")
+        await browser.until(lambda: 'role="alert">✕ locked joints have changed' in piece(browser, "ba-map"))
+        assert "Iterates of run" not in browser.html()
+        await browser.close()
+
+    run(main())
+
+
 def test_position_only_of_the_3r_says_what_to_do_and_nonsense_changes_nothing(url):
     async def main():
         browser = await student(url, path="/robot/planar_3r")

@@ -6,11 +6,12 @@ import math
 import pytest
 
 from armlab.benches.iterate.newton_1d.clip import STEP, place_of
-from armlab.benches.iterate.newton_1d.state import ChooseEquation, Newton1D, StartAt, TypeEquation, solution
+from armlab.benches.iterate.newton_1d.state import ChooseEquation, Newton1D, TypeEquation, solution
 from armlab.benches.iterate.runs.one_equation import solved, typed_function
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES
+from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
 from armlab.session.state import State, apply
@@ -67,8 +68,8 @@ def test_the_central_difference_gives_the_same_steps_to_many_digits():
         (TypeEquation(""), "got nothing"),
         (TypeEquation("y^2"), "unknown name 'y'"),
         (TypeEquation("sqrt(x - 5)"), "x₀ = 1"),
-        (StartAt(math.nan), "x0: expected finite numbers, got nan"),
-        (StartAt(1e9), "x0: expected at least"),
+        (Set(Newton1D, "x0", math.nan), "x0: expected finite numbers, got nan"),
+        (Set(Newton1D, "x0", 1e9), "x0: expected at least"),
         (ChooseEquation("nothing"), "unknown name"),
     ],
 )
@@ -97,13 +98,13 @@ def test_the_film_stops_at_each_iterate_with_its_tangent_still_to_come():
 
 def test_another_equation_rewinds_its_film_and_leaves_other_clips_alone():
     state = apply(apply(opened(), OpenClip("newton_1d")), Seek(3.0))
-    assert apply(state, StartAt(2.0))[Timeline].time == 0.0
+    assert apply(state, Set(Newton1D, "x0", 2.0))[Timeline].time == 0.0
     other = apply(apply(opened(), OpenClip("sweep")), Seek(3.0))
-    assert apply(other, StartAt(2.0))[Timeline].time == 3.0
+    assert apply(other, Set(Newton1D, "x0", 2.0))[Timeline].time == 3.0
 
 
 def test_it_is_written_read_back_and_kept_with_another_arm():
-    state = apply(apply(opened(), TypeEquation("cos(x) - x")), StartAt(0.3))
+    state = apply(apply(opened(), TypeEquation("cos(x) - x")), Set(Newton1D, "x0", 0.3))
     part = state[Newton1D]
     read = Newton1D.from_json(json.loads(json.dumps(part.to_json())), state[RobotPart].robot)
     assert read == part

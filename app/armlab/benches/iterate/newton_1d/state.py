@@ -74,15 +74,3 @@ class TypeEquation(Command):
         text = self.text.strip()
         typed_function(text)
         return put(state, state[Newton1D].with_values({"text": text}))
-
-
-@dataclass(frozen=True)
-class StartAt(Command):
-    """Start at another x."""
-
-    x0: float
-    label: ClassVar[str] = "start of Newton's method"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the start."""
-        return put(state, state[Newton1D].with_values({"x0": self.x0}))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from armlab.benches.iterate.newton_1d.clip import STEP, Place, place_of
-from armlab.benches.iterate.newton_1d.state import CLIP_KEY, ChooseEquation, Newton1D, StartAt, TypeEquation, solution
+from armlab.benches.iterate.newton_1d.state import CLIP_KEY, ChooseEquation, Newton1D, TypeEquation, solution
 from armlab.benches.iterate.runs.one_equation import Solved
 from armlab.benches.iterate.runs.ui.tangents import picture
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES
+from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
@@ -61,7 +62,9 @@ def _problem(form: Form, state: State) -> str:
     kind = KINDS.get(found.status, "no")
     slope = '<p class="dim">f′ by central difference.</p>' if found.differenced else ""
     typed = form.field("f", part.text, "Function of x", TypeEquation)
-    start = form.field("x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: StartAt(_number(text)))
+    start = form.field(
+        "x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: Set(Newton1D, "x0", _number(text))
+    )
     return (
         f'<div class="eq small" title="Notes 4.106-4.110; printed there without x_n">&emsp;{FORMULA}</div>'
         f'<div class="kit-head"><span class="dim">Equation</span>{chooser}</div>'

@@ -12,16 +12,16 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
+from armlab.session.put_words import begun_as
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
-from armlab.ui.format import escaped
 from armlab.ui.markup import row
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.widgets import Gui
 
 HOW = """<p>Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step
-with a check, a hint and a solution; write the text in any editor.</p>
+with a check, a hint and a solution, and begins with the benches as you have set them; write the text in any editor.</p>
 <p>Put it into a folder and start the lab with <code>armlab --lessons FOLDER</code>: it appears under Lessons, and every
 time you save the file the open lesson changes. <code>armlab lesson check FILE</code> plays it by its solution;
 <code>armlab check NAME --state FOLDER</code> judges what students hand in.</p>"""
@@ -59,20 +59,20 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def _form(form: Form, title: str, named: Typed, save: Pressed) -> str:
-    line = (
-        '<input class="field" autocomplete="off" aria-label="Title of the lesson" maxlength="80"'
-        f' value="{escaped(title)}" {form.bound("title", named)}>'
-    )
+    line = form.field("title", title, "Title of the lesson", named, inputmode="", maxlength="80")
     button = form.chip("save-lesson", "Save as lesson", save, "A lesson file whose goal is the arm as it stands")
     return f'{row("Title", line)}<div class="bar">{button}</div>'
 
 
 def written(title: str, state: State, gui: Gui) -> str:
-    """Return the lesson of a state: its arm, pose, target, overlays, and the eye's place."""
+    """Return the lesson of a state: its arm, pose, target, overlays, benches, and the eye's place."""
     on = state[Display].switches
     overlays = [layer.switch.name for layer in layers().values() if layer.switch and on.get(layer.switch.name)]
     robot, q, eye = state[RobotPart].robot, state[Joints].q, gui.camera.as_view()
-    return lesson_text(title, robot, q, panel="joints", overlays=overlays, target=state[Target].pose, camera=eye)
+    begin = tuple(begun_as(state))
+    return lesson_text(
+        title, robot, q, panel="joints", overlays=overlays, target=state[Target].pose, camera=eye, begin=begin
+    )
 
 
 def file_name(title: str) -> str:

@@ -13,7 +13,7 @@ from armlab.session.hand_in import MOST
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
-from armlab.ui.form import Form, Typed
+from armlab.ui.form import Form
 from armlab.ui.format import escaped
 from armlab.ui.lesson.load import load_work
 from armlab.ui.markup import copy_button
@@ -33,22 +33,15 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         query = text.strip()
 
     field, saved, entries = gui.form(post), gui.form(post, MOST), gui.form(post)
-    field.show(f'<div class="find">{_query(field, asked)}</div>')  # once: a person is typing in it
+    hint = "Find: 3.66, section 4.1, quaternion …"
+    line = field.field("query", "", "Find", asked, inputmode="", data_live="1", type="search", placeholder=hint)
+    field.show(f'<div class="find">{line}</div>')  # once: a person is typing in it
 
     def show(state: State) -> None:
         saved.show(f'<div class="chips">{load_work(saved)}</div>')
         entries.show(_found(entries, query, state, gui.open_panel) if query else _all(entries, state))
 
     return show
-
-
-def _query(form: Form, asked: Typed) -> str:
-    """Return the field that sends what is in it while it is typed."""
-    hint = "Find: 3.66, section 4.1, quaternion …"
-    return (
-        '<input class="field" autocomplete="off" aria-label="Find" data-live="1" type="search"'
-        f' placeholder="{hint}" value="" {form.bound("query", asked)}>'
-    )
 
 
 def _all(form: Form, state: State) -> str:

@@ -47,9 +47,8 @@ def _table(form: Form, part: Curves) -> str:
     full, last = len(part.knots) == MOST_KNOTS, len(part.knots) == 2
     rows = []
     for k, (t, q) in enumerate(part.knots):
-        cells = _cell(form, part, k, "t", t, "Time of knot {} in s") + _cell(
-            form, part, k, "q", q, "q of knot {} in {}"
-        )
+        cells = _cell(form, part, k, "t", t, f"Time of knot {k + 1} in s")
+        cells += _cell(form, part, k, "q", q, f"q of knot {k + 1} in {part.unit}")
         more = form.button(
             f"add-knot {k}", "+", AddKnot(k), "copy", "One more after this", f"Add after knot {k + 1}", off=full
         )
@@ -60,13 +59,13 @@ def _table(form: Form, part: Curves) -> str:
 
 
 def _cell(form: Form, part: Curves, k: int, name: str, value: float, label: str) -> str:
-    """Return the field of t or q of a knot; the label leaves room for its number and for the unit."""
+    """Return the cell of t or q of a knot."""
 
     def typed(text: str) -> SetKnot:
         return SetKnot(k, name, read(text, f"knot {k + 1}, {name}"))
 
     below = f"{name} {k + 1}" if k + 1 < len(part.knots) else ""
-    field = form.field(f"{name} {k}", typed_number(value), label.format(k + 1, part.unit), typed, below)
+    field = form.field(f"{name} {k}", typed_number(value), label, typed, below)
     return f"<td>{field}</td>"
 
 
@@ -93,8 +92,8 @@ def _curve(form: Form, part: Curves, i: int) -> str:
     path = form.bound(f"path-{i}", partial(ChoosePath, i))
     head += f'<select {path} aria-label="Kind of curve {i + 1}">{_kinds(part, drawn)}</select>'
     last = len(part.curves) == 1
-    remove = RemoveCurve(i)
-    head += form.button(f"remove-{i}", "✕", remove, "chip", "Remove this curve", f"Remove curve {i + 1}", off=last)
+    hint, label = "Remove this curve", f"Remove curve {i + 1}"
+    head += form.button(f"remove-{i}", "✕", RemoveCurve(i), "chip", hint, label, off=last)
     below = _options(form, part, i) if chosen else _summary(drawn, Scale(part.unit))
     said = _dropped(drawn) + _said(outcome, part.unit)
     return f'<div class="cu-curve"><div class="cu-head">{head}</div>{below}{said}</div>'

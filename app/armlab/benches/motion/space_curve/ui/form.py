@@ -46,15 +46,17 @@ def scales_of(units: Units) -> tuple[Scale, ...]:
 def head(form: Form, state: State) -> str:
     """Return the choice of curve or turn, the examples, and what plays."""
     part = state[SpaceCurve]
-    view = form.chips(
-        "shown", VIEWS, part.shown, "What is shown", lambda key: LookAt("turn" if key == "turn" else "curve")
-    )
+    view = form.chips("shown", VIEWS, part.shown, "What is shown", _looking)
     chooser = examples(form, EXAMPLES, part.example, ChooseExample)
     if state[Timeline].clip == CLIP_KEY and state[Timeline].playing:
         play = form.button("pause-curve", "❚❚ Pause", Play(False), "main")
     else:
         play = form.button("play-curve", "▶ Play", OpenClip(CLIP_KEY, play=True), "main")
     return f'{chooser}<div class="bar">{play}<span class="sc-view">{view}</span></div>'
+
+
+def _looking(view: str) -> LookAt:
+    return LookAt("turn" if view == "turn" else "curve")
 
 
 def curve_form(form: Form, state: State) -> str:

@@ -1,0 +1,69 @@
+"""The page of the trainer as a browser gets it: choices, cells, and what is said of nonsense."""
+
+import re
+
+from armlab.benches.robot.trainer.exercise import Exercise
+from armlab.content.robots import catalogue
+from support.student import run, student
+
+AXES = Exercise(catalogue()["planar_2r"]).solution
+
+
+async def at_the_axes(url):
+    browser = await student(url, path="/robot/planar_2r")
+    await browser.open("trainer")
+    await browser.press("trainer-start")
+    await browser.until(lambda: 'data-cell="trainer-check"' in browser.html())
+    return browser
+
+
+def field(browser, cell):
+    """Return the markup of a field; empty when there is none."""
+    found = re.search(rf'<input[^>]*data-cell="{cell}"[^>]*>', browser.html())
+    return found[0] if found else ""
+
+
+def test_a_direction_is_chosen_and_taken_away_again(url):
+    async def main():
+        browser = await at_the_axes(url)
+
+        def chosen():
+            return re.search(r'data-cell="trainer-z-0".*?</select>', browser.html())[0]
+
+        await browser.press("trainer-z-0", "+z")
+        await browser.until(lambda: '<option value="+z" selected>' in chosen())
+        await browser.press("trainer-z-0", "")
+        await browser.until(lambda: '<option value="" selected>' in chosen())
+        await browser.press("trainer-z-0", "up")
+        await browser.until(lambda: "direction: unknown name" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_what_is_no_number_stays_in_its_cell_with_the_reason_below_the_table(url):
+    async def main():
+        browser = await at_the_axes(url)
+        for i, (z, x) in enumerate(AXES):
+            await browser.press(f"trainer-z-{i}", z)
+            await browser.press(f"trainer-x-{i}", x)
+        await browser.press("trainer-check")
+        await browser.until(lambda: bool(field(browser, "trainer-cell-1-a")))
+        await browser.press("trainer-cell-1-a", "long")
+        await browser.until(lambda: 'aria-invalid="true"' in field(browser, "trainer-cell-1-a"))
+        assert 'value="long"' in field(browser, "trainer-cell-1-a")
+        assert re.search(r'role="alert">✕ row 1, a₁?: expected a number in mm', browser.html())
+        await browser.press("trainer-cell-1-alpha", "0")
+        await browser.until(lambda: "aria-invalid" not in browser.html())
+        assert 'value=""' in field(browser, "trainer-cell-1-a")
+        assert browser.notices == []
+        # A row and a column are asked about, and the rule of their cell is told.
+        await browser.press("trainer-row-2")
+        await browser.press("trainer-column-d")
+        await browser.press("trainer-rule")
+        await browser.until(lambda: "Hint for d₂" in browser.html())
+        await browser.press("trainer-end")
+        await browser.until(lambda: "Exercise: Planar 2R" in browser.html())
+        await browser.close()
+
+    run(main())
