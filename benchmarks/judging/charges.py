@@ -22,8 +22,8 @@ OF_REACH = 1e-5
 SURELY = 0.5
 """Part of what counts as reached within which a pose is reachable beyond doubt."""
 
-NEARLY = 1e-11
-"""Scaled error along a curve of solutions that is looked for no further."""
+NEARLY = 1e-5
+"""Error along a curve of solutions, as a part of what counts as reached, that is looked for no further."""
 
 CLOSE = 1e-2
 """Radians or length scales: a missing solution nearer than this to a listed one is counted as close to it."""
@@ -124,16 +124,20 @@ class _Trial:
     def _infinite(self) -> list[Charge]:
         """Return whether there is no family, nearly none either, or q is neither on one nor listed."""
         against = []
-        error, most = self._best_curve(), REACHED / max(1.0, self.probe.length)
-        if error > most:
-            how = f"the least scaled error along one is {error:.0e}" if np.isfinite(error) else "there is no curve"
+        error = self._best_curve()
+        if error > 1.0:
+            how = f"the least error along one is {error:.1f} of that" if np.isfinite(error) else "there is no curve"
             against.append(Charge("false infinite", how))
         if not self.exact or self._has_spare_joints() or self._lists(self.case.q):
             return against
-        error = error_along(self.probe, self.case.q, self.G)
-        if error > most:
+        error = error_along(self.probe, self.case.q, self.G, size=self._of_reached)
+        if error > 1.0:
             against.append(self._without_q("q missing", " and on no family"))
-        elif error <= CURVE and self._is_one_curve() and not is_on(self.probe, self.found.families, self.case.q):
+        elif (
+            error_along(self.probe, self.case.q, self.G) <= CURVE
+            and self._is_one_curve()
+            and not is_on(self.probe, self.found.families, self.case.q)
+        ):
             against.append(self._without_q("q missing", " and its family not traced"))
         return against
 
@@ -153,18 +157,23 @@ class _Trial:
         return len(self.found.families) > 0 and lost == 1
 
     def _best_curve(self) -> float:
-        """Return the least scaled error along a traced curve, or along one through a solution."""
+        """Return the least error along a traced curve or one through a solution, as part of what counts as reached."""
         for curve in map(np.asarray, self.found.families):
             if len(curve) > 2 and np.abs(self.probe.apart(curve, curve[0])).max() > CLOSE:
-                worst = float(self.probe.size(curve, self.G).max())
+                worst = float(self._of_reached(curve).max())
                 if worst <= NEARLY:
                     return worst
         best = np.inf
         for row in [*self.rows, *([self.case.q] if self.exact else [])]:
-            best = min(best, error_along(self.probe, row, self.G))
+            best = min(best, error_along(self.probe, row, self.G, size=self._of_reached))
             if best <= NEARLY:
                 break
         return best
+
+    def _of_reached(self, q: np.ndarray) -> np.ndarray:
+        """Return the larger of both errors of configurations (k, n), as parts of what counts as reached."""
+        place, turn = self.probe.errors(q, self.G)
+        return np.maximum(place / min(REACHED, OF_REACH * self.case.arm.reach), turn / REACHED)
 
     def _not_reached(self) -> Iterator[Charge]:
         if len(self.rows):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -25,13 +25,20 @@ MIXED = 6
 """Random directions where several are slack, of which one may be the curve's."""
 
 
-def error_along(probe: Probe, q: np.ndarray, G: np.ndarray, slack_below: float = SLACK) -> float:
-    """Return the scaled error on the curve of solutions through a solution (n,): infinite where there is none.
+Size = Callable[[np.ndarray], np.ndarray]
+"""The errors of configurations (k, n) as numbers, shape (k,)."""
+
+
+def error_along(
+    probe: Probe, q: np.ndarray, G: np.ndarray, slack_below: float = SLACK, size: Size | None = None
+) -> float:
+    """Return the error on the curve of solutions through a solution (n,), by some size of it: infinite without a curve.
 
     Steps of three sizes along a direction in which the tool does not move are brought back by the stiff directions
     alone. On a curve all end about as far away as they set out; at an isolated solution, also where branches merge,
-    they return or keep an error.
+    they return or keep an error. The size is that of the scaled error if it is not given.
     """
+    size = size or (lambda q: probe.size(q, G))
     s, V = probe.singular(q)
     slack = V[s <= slack_below * max(s[0], 1e-300)]
     if not len(slack):
@@ -43,7 +50,7 @@ def error_along(probe: Probe, q: np.ndarray, G: np.ndarray, slack_below: float =
     ways = np.concatenate([ways, -ways])
     error = np.inf
     for far in FAR:
-        error = error if np.isfinite(error) else _tried(probe, q, G, ways, far)
+        error = error if np.isfinite(error) else _tried(probe, q, G, ways, far, size)
     return error
 
 
@@ -52,7 +59,7 @@ def is_family(probe: Probe, q: np.ndarray, G: np.ndarray) -> bool:
     return error_along(probe, q, G, EXACT_SLACK) <= CURVE
 
 
-def _tried(probe: Probe, q: np.ndarray, G: np.ndarray, ways: np.ndarray, far: float) -> float:
+def _tried(probe: Probe, q: np.ndarray, G: np.ndarray, ways: np.ndarray, far: float, size: Size) -> float:
     # The second round sets out where the first one led: curves are tangent to one of many slack directions.
     for _ in range(2):
         out = q + (far * SIZES[:, None] * ways[:, None, :] * probe.scales).reshape(-1, probe.n)
@@ -61,7 +68,7 @@ def _tried(probe: Probe, q: np.ndarray, G: np.ndarray, ways: np.ndarray, far: fl
         lengths = np.linalg.norm(gone, axis=2)
         good = ((lengths > 0.7 * far * SIZES) & (lengths < 1.5 * far * SIZES)).all(axis=1)
         ways = gone[:, 0] / np.maximum(lengths[:, :1], 1e-300)
-    error = probe.size(back, G).reshape(len(ways), len(SIZES)).max(axis=1)
+    error = size(back).reshape(len(ways), len(SIZES)).max(axis=1)
     return float(error[good].min(initial=np.inf))
 
 

@@ -105,3 +105,24 @@ def test_a_straight_elbow_of_seven_joints_is_reached(q):
     assert found.success
     assert arm.within_limits(found.q)
     assert ik.judge(arm, arm.fk(q), found.q).reached
+
+
+@pytest.mark.parametrize(
+    "q",
+    [
+        [0.31, -1.85, 0.0, 0.0, -0.39, -1.01, 2.28],
+        [1.54, -2.25, 0.0, 0.0, 1.96, 2.1, 0.9],
+        [0.34, -1.46, 0.0, 0.0, 6.3, -2.1, 1.38],
+        [-1.72, -0.23, 0.0, 0.0, 3.02, 0.87, 6.3],
+        [1.11, -2.2497, 0.0, 0.0, 1.72, -1.75, -6.283],
+    ],
+)
+def test_what_descents_creep_towards_is_found_along_their_valley(q):
+    """The elbow is straight and its offsets in one plane: joints 3 and 5 turn far against each other for an error of
+    1e-5, and every descent stops somewhere on the way, some of them at a limit."""
+    arm = catalogue()["gen3"].arm
+    T = arm.fk(arm.clip(np.array(q)))
+    found = ik.solve(arm, T)
+    assert found.success
+    assert arm.within_limits(found.q)
+    assert ik.judge(arm, T, found.q).reached

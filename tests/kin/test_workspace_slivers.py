@@ -6,12 +6,14 @@ from functools import cache
 from math import cos, pi
 from pathlib import Path
 
+import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.section import section, sections
-from armlab.kin.workspace.section_size import MOST_CELLS, WANTED, size
+from armlab.kin.workspace.section_size import MOST_CELLS, WANTED, _between, size
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 
@@ -67,6 +69,33 @@ def test_while_the_cells_are_halved_what_there_was_before_is_yielded():
     assert all(each.arcs is not None for each in found[found.index(whole) :])
 
 
+@pytest.mark.parametrize(("joints", "times"), [(3, 1), (4, 4)])
+def test_where_s_comes_in_intervals_as_many_samples_tell_about_a_smaller_cell(joints, times, monkeypatch):
+    rows = [("R", 0, pi / 2, 0.4, 0), *[("R", 0.5, 0, 0, 0)] * (joints - 1)]
+    arm = Arm.from_dh(rows, limits=[[-1.0, 1.0], *[[-0.5, 1.5]] * (joints - 1)])
+    module, asked = sys.modules["armlab.kin.workspace.section"], []
+    at = module._at
+
+    def noted(joint, cells, samples, *more):
+        asked.append((cells, samples))
+        return at(joint, cells, samples, *more)
+
+    monkeypatch.setattr(module, "_at", noted)
+    section(arm, 16, 1024, wanted=1e-9)
+    assert asked[:2] == [(16, 1024), (32, 1024 * times)]
+
+
+@pytest.mark.parametrize(("i", "j"), [(0, 0), (0, 1), (1, 0), (1, 1)])
+def test_what_grows_evenly_is_told_by_the_cells_on_both_sides(i, j):
+    """Beside the ends, and where only one cell on either side is reached, by the one there is."""
+    even = np.add.outer(np.arange(1.0, 9.0), 0.5 * np.arange(8.0))
+    found = _between(even, i, j, False)
+    assert_allclose(found[1:-1, 1:-1], even[1:-1, 1:-1], atol=1e-12)
+    assert_array_equal(found[i::2, j::2], even[i::2, j::2])
+    even[0:2] = 0.0
+    assert_allclose(_between(even, i, j, False)[3:-1, 1:-1], even[3:-1, 1:-1], atol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("kind", "seed", "reference", "unsure"),
     [
@@ -74,10 +103,11 @@ def test_while_the_cells_are_halved_what_there_was_before_is_yielded():
         ("4R, joint 1 limited", 25, 10.3249, 0.0099),
         ("PRR", 103, 0.4966, 0.0014),
         ("RRP", 14, 0.05087, 0.00026),
+        ("6R, joint 1 limited", 10, 2.1508, 0.0036),
     ],
 )
 def test_thin_random_arms_state_at_most_a_hundredth_and_lie_inside_it(kind, seed, reference, unsure, monkeypatch):
-    """In no. 25 branches end inside cells.
+    """In no. 25 branches end inside cells; of the 6R arm what is covered falls evenly outward, to half.
 
     References in m³ from ``judged(section(drawn(kind, seed)), 2.0, 77)``, with two standard deviations.
     """

@@ -2,15 +2,17 @@
 
 PANEL = '''
 """A made-up panel."""
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.state import part_types
 from armlab.ui.plugin import Panel
 
 def build(gui, state, post):
-    text = gui.html()
+    form = gui.form(post)
     def show(state):
         part = next((part for part in state if part.key == "made_up"), None)
-        text.show(f"made-up: {state[Joints].arm.n} joints, counted {part and part.value}")
+        more = form.chip("made-more", "More", lambda: Set(type(part), "value", part.value + 1))
+        form.show(f"made-up: {state[Joints].arm.n} joints, counted {part and part.value}{more}")
 
     return show
 
@@ -66,23 +68,13 @@ LAYER = Layer("made_up", 99, (Joints,), build)
 PART = '''
 """A made-up part."""
 from dataclasses import dataclass
-from armlab.session.state import Command, Part, PartType
+from armlab.session.fields import FieldPart, whole
+from armlab.session.state import Command, PartType
 
 @dataclass(frozen=True)
-class MadeUp(Part):
+class MadeUp(FieldPart):
     key = "made_up"
-    value: int = 3
-
-    @classmethod
-    def initial(cls, robot):
-        return cls()
-
-    def to_json(self):
-        return self.value
-
-    @classmethod
-    def from_json(cls, data, robot):
-        return cls(data)
+    value: int = whole("count", 3, 0, 9)
 
 PART = PartType(MadeUp, order=50)
 
@@ -250,13 +242,15 @@ async def main(url):
     await browser.connect()
     await browser.until(lambda: "al-notes" in browser.html())
     await browser.open("made_up", "target", "robot")
-    await browser.until(lambda: "made-up: 6 joints, counted 33" in browser.html())
+    await browser.until(lambda: "made-up: 6 joints, counted 3<" in browser.html())
     await browser.until(lambda: any(c["props"].get("label") == "Family" for c in browser.controls.values()))
     method = next(c for c in browser.controls.values() if c["props"].get("label") == "Method")
     assert "Made-up method" in method["props"]["options"], method
     family = next(c for c in browser.controls.values() if c["props"].get("label") == "Family")
     await browser.set_value(family, "Planar")
     await browser.until(lambda: 'data-cell="made_up"' in browser.html())
+    await browser.press("made-more")
+    await browser.until(lambda: "counted 4" in browser.html())
     await browser.press("made_up")
     await browser.until(lambda: "made-up: 1 joints" in browser.html())
     await browser.close()

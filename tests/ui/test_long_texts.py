@@ -6,7 +6,7 @@ import time
 import pytest
 
 from armlab.benches.motion.files.table import MOST_BYTES
-from armlab.benches.workspace.cloud.ui.page import commands
+from armlab.benches.workspace.cloud.ui.page import choices_markup
 from armlab.content import table_grid, tables
 from armlab.content.arithmetic import LONGEST
 from armlab.content.robots import catalogue
@@ -20,6 +20,7 @@ from armlab.ui import adapter, option_form
 from armlab.ui.fields import LONGEST_CELL, LONGEST_TYPED, Fields
 from armlab.ui.units import units_of
 from support.bare import Bare
+from support.forms import asked
 from support.patience import Patience
 from support.student import run, student
 
@@ -139,4 +140,4 @@ def test_of_ten_thousand_numbers_in_the_field_of_one_none_is_worked_out(monkeypa
 def test_a_seed_of_many_digits_is_a_sentence():
     state = State.initial(PUMA)
     with pytest.raises(InputError, match=r"^seed: expected a whole number, got '9{40}'$"):
-        commands(state, "seed", "9" * 20_000, units_of(state))
+        asked(lambda form: choices_markup(form, state, units_of(state)), "seed", "9" * 20_000)

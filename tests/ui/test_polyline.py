@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from armlab.ui.scene import _polyline
 from armlab.ui.scene._polyline import simplified
 
 
@@ -46,3 +47,17 @@ def test_a_tool_that_stays_is_a_point(count):
     kept = simplified(np.full((count, 3), 0.4), 1e-6)
     assert kept[0] == 0
     assert kept[-1] == count - 1
+
+
+def test_all_spans_of_a_ragged_line_are_halved_together(rng, monkeypatch):
+    """Each by itself would be some 3000 steps."""
+    steps, distances = [], _polyline._distances
+    monkeypatch.setattr(_polyline, "_distances", lambda *given: steps.append(len(given[0])) or distances(*given))
+    points = np.cumsum(rng.normal(size=(3000, 3)), axis=0)
+    assert len(simplified(points, 0.1)) > 2500
+    assert len(steps) < 100
+
+
+def test_of_points_that_are_equally_far_the_first_stays(rng):
+    points = np.array([[0, 0, 0], [1, 1, 0], [2, 1, 0], [3, 0, 0]], dtype=float)
+    assert simplified(points, 0.9).tolist() == [0, 1, 3]

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from armlab.benches.workspace.section.found import finding
+from armlab.benches.workspace.section import found as found_module
+from armlab.benches.workspace.section.found import Found, Question, finding
 from armlab.benches.workspace.section.job import JOB, delivered, found_section
 from armlab.benches.workspace.section.marks import silhouette, target_measured, tool_measured
-from armlab.benches.workspace.section.slice import in_own_plane, slice_of
+from armlab.benches.workspace.section.slice import _smoothly, in_own_plane, section_picture, slice_of
 from armlab.benches.workspace.section.state import (
     SLICES,
     GoInSection,
@@ -24,6 +25,8 @@ from armlab.benches.workspace.section.state import (
 )
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, InputError
+from armlab.kin.workspace.section import section
+from armlab.kin.workspace.section_size import Size
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint
 from armlab.session.parts.robot import ChooseRobot
@@ -65,6 +68,41 @@ def test_it_is_found_while_its_page_is_seen_and_only_once():
             assert again is None or again.key == wanted.key
     assert found_of(state).finished
     assert JOB.wanted(state, SEEN) is None
+
+
+def test_pictures_become_rarer_and_what_was_found_is_ready_for_a_distance(monkeypatch):
+    arm = catalogue()["puma560"].arm
+    last = section(arm, 32, 2048, wanted=1.0)
+    monkeypatch.setattr(
+        found_module, "sections", lambda _: iter([*[replace(last, finished=False)] * 400, replace(last)])
+    )
+    pictures = [each for each in finding(Question(arm, "reach", None)) if each is not None]
+    assert 15 < len(pictures) < 30
+    assert {"contours", "edges", "edge_cells", "walls", "faces"} <= set(pictures[-1].section.boundary.__dict__)
+
+
+def test_colours_of_many_cells_are_found_a_part_at_a_time(monkeypatch):
+    """The same, however few rows are summed at once, as from the sums of all cells with their neighbours."""
+    arm = catalogue()["puma560"].arm
+    known = Found(arm, section(arm, 32, 2048, wanted=1.0), 1.0, Size(1.0, 0.1, "m³"))
+    monkeypatch.setattr(found_module, "SAMPLES", 3 * found_module.PIECE)
+    pieces = [list(finding(Question(arm, "manipulability", known)))]
+    monkeypatch.setattr(found_module, "TOGETHER", 1)
+    pieces.append(list(finding(Question(arm, "manipulability", known))))
+    assert len(pieces[1]) - len(pieces[0]) == (len(known.section.u) - 1) * sum(each is not None for each in pieces[0])
+    once, by_rows = (each[-1] for each in pieces)
+    assert once.coloured
+    assert np.isfinite(once.values[known.section.filled]).all()
+    np.testing.assert_array_equal(once.values, by_rows.values)
+
+
+@pytest.mark.parametrize("planar", [False, True])
+def test_a_section_is_drawn_twice_as_fine_as_places_between_its_cells_are_reached(planar):
+    arm = catalogue()["planar_2r" if planar else "puma560"].arm
+    found = section(arm, 32, 2048, wanted=1.0)
+    u, v = (np.repeat(at, 2) + found.step * np.tile([-0.25, 0.25], len(at)) for at in (found.u, found.v))
+    places = np.stack(np.meshgrid(u, v), axis=-1)
+    np.testing.assert_array_equal(section_picture(Found(arm, found, 1.0)).reached, _smoothly(found, places))
 
 
 def test_what_belongs_to_another_arm_is_let_go():

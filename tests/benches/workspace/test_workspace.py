@@ -236,6 +236,11 @@ def test_files_hold_what_is_drawn():
     np.testing.assert_allclose(row[4:], found.shown.q[4], rtol=1e-5, atol=1e-7)
 
 
+def test_a_boundary_comes_ready_for_what_shows_it():
+    ready = with_boundary(apply(whole("elbow_3r"), LookAtWorkspace(draw="surface")))[Workspace].section
+    assert {"contours", "edges", "edge_cells"} <= set(ready.boundary.__dict__)
+
+
 def test_what_is_near_the_boundary_is_drawn_once_it_is_known():
     state = apply(whole("elbow_3r", cut="none"), LookAtWorkspace(edge=True))
     points = state[Workspace].found.shown.points

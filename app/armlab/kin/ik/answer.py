@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ik.nearly_still import is_dependent
 from armlab.kin.ik.problem import REACHED_M, Errors
 from armlab.kin.ik.solutions import Completeness, sorted_rows, wrapped_rows
 from armlab.kin.ik.verdict import task_error_of
@@ -59,15 +60,22 @@ class Verified(NamedTuple):
         How many of them are not exact, but as near as can be and within what counts as reached.
     missed : tuple of float, or None
         Errors in m and rad of the worst of those; without solutions, of the nearest candidate.
-    doubtful : bool
-        Whether a candidate near the target was none, or a solution is so near a singularity that another, or a family,
-        may hide behind it.
+    dropped : bool
+        Whether a candidate near the target was none.
+    singular : bool
+        Whether a solution is so near a singularity that another, or a family, may hide behind it.
     """
 
     rows: list[Vector]
     loose: int
     missed: tuple[float, float] | None
-    doubtful: bool
+    dropped: bool
+    singular: bool
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether there may be others, or a family."""
+        return self.dropped or self.singular
 
 
 def verified(arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[int, float] | None = None) -> Verified:
@@ -84,7 +92,7 @@ def verified(arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[in
     missed = None if told is None else (told.position, told.rotation)
     dropped = any(_size(one.errors) < NEAR and not there for one, there in zip(every, reached, strict=True))
     singular = any(_is_nearly_singular(one.J) for one in good)
-    return Verified(in_order(arm, [one.q for one in good], mask), len(loose), missed, dropped or singular)
+    return Verified(in_order(arm, [one.q for one in good], mask), len(loose), missed, dropped, singular)
 
 
 def verified_rows(arm: Arm, T: Vector, candidates: Sequence[Vector]) -> list[Vector]:
@@ -93,14 +101,15 @@ def verified_rows(arm: Arm, T: Vector, candidates: Sequence[Vector]) -> list[Vec
 
 
 def _is_nearly_singular(J: Vector) -> bool:
-    """Return whether a Jacobian (m, n) is within `SINGULAR` of losing rank."""
+    """Return whether a Jacobian (m, n) is within `SINGULAR` of losing rank, or nearly loses two."""
     if len(J) == 6 == J.shape[1]:
-        # The other five singular values multiply to no more than (sum of squares / 5)^(5/2); this costs a tenth.
+        # The other five singular values multiply to no more than (sum of squares / 5)^(5/2); this costs a tenth. Two
+        # that are dependent make a determinant still smaller.
         most = float((J * J).sum() / 5.0) ** 2.5
         if abs(float(np.linalg.det(J))) > SINGULAR * most * math.sqrt(float((J * J).sum())):
             return False
     values = np.linalg.svd(J, compute_uv=False)
-    return bool(values[-1] < SINGULAR * values[0])
+    return bool(values[-1] < SINGULAR * values[0]) or bool(is_dependent(np.asarray(values, dtype=np.float64)))
 
 
 def _size(errors: Errors) -> float:

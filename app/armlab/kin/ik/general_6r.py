@@ -27,6 +27,10 @@ TOLERANCE = REACHED_M
 """Metres and radians within which a pose is reached. Solutions are polished to rounding; only where two branches would
 merge just beyond the pose, the configuration between them is no better than this."""
 
+STILL = 1e-9
+"""Metres, or units of length of large arms, and radians by which the tool may leave the pose along a family while it is
+said to stand still."""
+
 ROUNDING = 1e-14
 """Of a distance: no configuration comes nearer."""
 
@@ -180,19 +184,26 @@ def _solve(
     whole = search.is_whole(roots) and not (search.nearly_special and roots.merging)
     if whole:
         found, complete = roots.q[roots.real].real, True
-        parts = split(links, found, hand, np.zeros(len(found), dtype=np.intp), 0.0)
     else:
         found, parts, roots, complete = resolve(search, hand, roots, known)
-    beside = nearly(links, roots, found, hand)
-    q = np.concatenate([found[parts.isolated], parts.members, beside])
+    exact, beside = len(found), nearly(links, roots, known, found, hand)
+    if whole or (len(beside) and not parts.freedom):
+        # Roots that are all regular leave no room for a family, but for one that stands still only nearly.
+        found, beside = np.concatenate([found, beside]), beside[:0]
+        parts = split(links, found, hand, search.loop.allowed)
+    isolated = np.flatnonzero(parts.isolated)
+    q = principal(np.concatenate([found[isolated], parts.members, beside]) - search.loop.offsets)
+    folds = parts.singular[isolated] & (isolated < exact)
     singular = np.ones(len(q), dtype=bool)
-    singular[: parts.isolated.sum()] = parts.singular[parts.isolated]
-    q = principal(q - search.loop.offsets)
+    singular[: len(isolated)] = folds | (isolated >= exact)
     position, rotation = _errors(arm, q, T)
     close = (position <= max(tolerance, ROUNDING * float(np.linalg.norm(T[:3, 3])))) & (rotation <= tolerance)
     kept = np.flatnonzero(close)
     kept = kept[np.lexsort(np.round(q[kept], 6).T[::-1])]
     completeness: Completeness = "infinite" if parts.freedom else "complete" if complete else "at least"
+    members = slice(len(isolated), len(isolated) + len(parts.members))
+    alone = int(close.sum()) - int(close[members].sum())
+    still = float(np.maximum(position / max(1.0, search.loop.scale), rotation)[members].max(initial=0.0)) <= STILL
     return GeneralSolutions(
         q=q[kept],
         completeness=completeness,
@@ -200,7 +211,7 @@ def _solve(
         families=tuple(curve - search.loop.offsets for curve in parts.curves),
         position_error=position[kept],
         rotation_error=rotation[kept],
-        reason=_reason(search, completeness, len(kept) - len(parts.members), parts, passes),
+        reason=_reason(search, completeness, alone, int(folds.sum()), parts, still),
         passes=passes,
         missed=_missed(position, rotation),
     )
@@ -238,11 +249,14 @@ def _beyond(loop: Loop) -> GeneralSolutions:
     )
 
 
-def _reason(search: Search, completeness: Completeness, isolated: int, parts: Split, passes: int) -> str:
+def _reason(search: Search, completeness: Completeness, isolated: int, folds: int, parts: Split, still: bool) -> str:
     if completeness == "infinite":
         curves = len(parts.curves)
         families = f"{curves} curves" if curves > 1 else "a curve" if curves else f"{parts.freedom}-parameter families"
         also = f", and {isolated} isolated solution{'' if isolated == 1 else 's'}" if isolated else ""
+        if not still:
+            moving = "configurations whose joints move while the tool stays within what counts as reached"
+            return f"{families} of {moving}{also}"
         return f"{families} of singular configurations whose joints move while the tool stands still{also}"
     if completeness == "at least":
         if search.deficient:
@@ -250,7 +264,6 @@ def _reason(search: Search, completeness: Completeness, isolated: int, parts: Sp
         return "not all roots of the equations of this arm could be told apart at this pose"
     if isolated == 0:
         return f"none of the {_number(search)} roots is real"
-    folds = int(parts.singular[parts.isolated].sum())
     merge = f"; {folds} of them singular, where branches merge" if folds else ""
     return f"all {_number(search)} roots of the arm are accounted for{merge}"
 

@@ -14,10 +14,14 @@ from numpy.typing import NDArray
 
 from armlab.kin.ik import general_polish as newton
 from armlab.kin.ik.general_loop import Floats
+from armlab.kin.ik.nearly_still import DEPENDENT, is_dependent, slack_ways
 
 SINGULAR = 1e-5
-"""A singular value of the Jacobian, in radians and units of length, below which it is looked at. Newton stops about
-1e-6 from a fold."""
+"""A singular value of the Jacobian, in radians and units of length, below which it is singular. Newton stops about 1e-6
+from a fold."""
+
+SLACK = 3e-3
+"""The same, of directions in which the tool hardly moves, see `armlab.kin.ik.nearly_still`."""
 
 STEP = 0.35
 """Radians along a curve, in all six joints together."""
@@ -36,6 +40,8 @@ MOST_POINTS = 200
 
 REPRESENTATIVES = 4
 """Of a curve, or of the members of families that are more than curves."""
+
+Reached = tuple[float, float]
 
 
 class Split(NamedTuple):
@@ -59,7 +65,7 @@ class Split(NamedTuple):
     members: Floats
 
 
-def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp], reached: float) -> Split:
+def split(links: Floats, q: Floats, hand: Floats, reached: Reached) -> Split:
     """Tell isolated solutions, singular ones and families apart.
 
     Parameters
@@ -69,53 +75,63 @@ def split(links: Floats, q: Floats, hand: Floats, losses: NDArray[np.intp], reac
     q : ndarray, shape (m, 6)
         Polished solutions, angles with their offsets.
     hand : ndarray, shape (4, 4)
-    losses : ndarray of int, shape (m,)
-        See `rank_losses`.
-    reached : float
-        Error up to which a pose counts as reached: beside a wrist that is straight but for 1e-8, say, one nearly moves
-        along a family, and nobody can tell.
+    reached : tuple of float
+        Errors in units of length and radians up to which a pose counts as reached: beside a wrist that is straight but
+        for 1e-8, say, one nearly moves along a family, and nobody can tell.
     """
+    losses, suspect = _losses(links, q, hand)
     isolated, curves, more = np.ones(len(q), dtype=bool), list[Floats](), list[Floats]()
-    for i in np.flatnonzero(losses):
-        if any(_distances(curve, q[i]).min() < STEP for curve in curves):
+    for i in np.flatnonzero(suspect):
+        if losses[i] and any(_distances(curve, q[i]).min() < STEP for curve in curves):
             isolated[i] = False
-        elif losses[i] > 1 or len(curves) == MOST_CURVES or sum(map(len, curves)) >= MOST_POINTS:
+        elif len(more) < MOST_TRIED and (on := _on(links, q[i], hand, reached)) is not None:
+            isolated[i] = False
+            if losses[i] > 1 or len(curves) == MOST_CURVES or sum(map(len, curves)) >= MOST_POINTS:
+                more.append(on[0])
+            elif all(_distances(one, q[i]).min() >= STEP for one in curves):
+                curves.append(self_motion(links, *on, hand, reached))
+        elif losses[i] and len(more) == MOST_TRIED:
             # Where so many can move, others are taken to do so as well.
-            isolated[i] = len(more) < MOST_TRIED and not _can_move(links, q[i], hand, reached)
-            more += [] if isolated[i] else [q[i]]
-        elif len(curve := self_motion(links, q[i], hand, reached)) > 1:
             isolated[i] = False
-            curves.append(curve)
     members = [*(_evenly(curve) for curve in curves), *more[:REPRESENTATIVES]]
     return Split(
         isolated=isolated,
         singular=losses > 0,
         curves=tuple(curves),
-        freedom=int(losses[~isolated].max(initial=0)),
+        # What only nearly stands still is singular nowhere, and a curve.
+        freedom=int(np.maximum(losses[~isolated], 1).max(initial=0)),
         members=np.vstack(members) if members else np.empty((0, 6)),
     )
 
 
 def rank_losses(links: Floats, q: Floats, hand: Floats) -> NDArray[np.intp]:
     """Return by how much the Jacobians of configurations (m, 6) lose rank, shape (m,)."""
+    return _losses(links, q, hand)[0]
+
+
+def _losses(links: Floats, q: Floats, hand: Floats) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+    """Return by how much Jacobians at q (m, 6) lose rank, and which q may lead on at least nearly, shape (m,) each."""
     columns = newton.errors_and_columns(links, q, np.broadcast_to(hand, (len(q), 4, 4)))[1]
-    # The other five singular values multiply to no more than (sum of squares / 5)^(5/2), and a determinant costs a
-    # tenth of a decomposition.
-    most = ((columns * columns).sum(axis=(1, 2)) / 5.0) ** 2.5
-    suspects = np.flatnonzero(np.abs(np.linalg.det(columns)) < SINGULAR * most)
-    losses = np.zeros(len(q), dtype=np.intp)
-    if len(suspects):
-        losses[suspects] = (np.linalg.svd(columns[suspects], compute_uv=False) < SINGULAR).sum(axis=1)
-    return losses
+    # The other four singular values multiply to no more than (sum of squares / 4)^2, and a determinant costs a tenth
+    # of a decomposition.
+    squares = (columns * columns).sum(axis=(1, 2))
+    near = np.flatnonzero(np.abs(np.linalg.det(columns)) < DEPENDENT * squares * (squares / 4.0) ** 2)
+    losses, suspect = np.zeros(len(q), dtype=np.intp), np.zeros(len(q), dtype=bool)
+    if len(near):
+        values = np.linalg.svd(columns[near], compute_uv=False)
+        losses[near] = (values < SINGULAR).sum(axis=1)
+        suspect[near] = (losses[near] > 0) | is_dependent(values)
+    return losses, suspect
 
 
-def self_motion(links: Floats, q: Floats, hand: Floats, reached: float) -> Floats:
-    """Return points of the curve of solutions through one, which alone is left when it is isolated.
+def self_motion(links: Floats, q: Floats, along: Floats, hand: Floats, reached: Reached) -> Floats:
+    """Return points of the curve of solutions through one.
 
     Parameters
     ----------
     links : ndarray, shape (5, 4, 4)
-    q : ndarray, shape (6,)
+    q, along : ndarray, shape (6,)
+        A solution, and the unit direction in which the curve leaves it.
     hand : ndarray, shape (4, 4)
     reached : float
         See `split`.
@@ -125,7 +141,6 @@ def self_motion(links: Floats, q: Floats, hand: Floats, reached: float) -> Float
     ndarray, shape (s, 6)
         From ``q`` on, all around, when the curve closes; else both ways from it.
     """
-    along = _null_vector(links, q, hand)
     ahead, closed = _walk(links, q, hand, along, reached)
     if closed:
         return ahead
@@ -133,19 +148,26 @@ def self_motion(links: Floats, q: Floats, hand: Floats, reached: float) -> Float
     return np.concatenate([back[:0:-1], ahead])
 
 
-def _can_move(links: Floats, q: Floats, hand: Floats, reached: float) -> bool:
-    along = _null_vector(links, q, hand)
-    return any(_next(links, q, hand, way, np.zeros(6), reached) is not None for way in (along, -along))
+def _on(links: Floats, q: Floats, hand: Floats, reached: Reached) -> tuple[Floats, Floats] | None:
+    """Return a solution and the direction (6,) in which a step leads on to another; None where none does.
+
+    It is the given one, unless that only comes near the pose, and the next one comes nearer.
+    """
+    errors, columns, _ = newton.errors_and_columns(links, q[None], hand[None])
+    ways, values, _ = np.linalg.svd(columns[0])
+    some = slack_ways(ways[:, values < SLACK].T[::-1])
+    on = _next(links, q, hand, some, np.zeros(6), reached) if len(some) else None
+    return None if on is None else (q, on.way) if _is_reached(errors, reached)[0] else (on.q, on.along)
 
 
-def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: float) -> tuple[Floats, bool]:
+def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: Reached) -> tuple[Floats, bool]:
     """Go along a curve; return its points (s, 6) and whether it closed."""
     points, bend = [start], np.zeros(6)
     for _ in range(MOST_STEPS):
-        step = _next(links, points[-1], hand, along, bend, reached)
+        step = _next(links, points[-1], hand, along[None], bend, reached)
         if step is None:
             break
-        found, turn = step
+        found, turn = step.q, step.along
         if len(points) > 2 and _distances(start[None], found)[0] < 0.75 * STEP:
             return np.array(points), True
         points.append(found)
@@ -154,31 +176,37 @@ def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: fl
     return np.array(points), False
 
 
-def _next(
-    links: Floats, q: Floats, hand: Floats, along: Floats, bend: Floats, reached: float
-) -> tuple[Floats, Floats] | None:
-    """Return the solution a step ahead and the null vector there; None where there is none.
+class _Step(NamedTuple):
+    """A step that leads on: the direction (6,) it set out in, the solution there, and the null vector there."""
+
+    way: Floats
+    q: Floats
+    along: Floats
+
+
+def _next(links: Floats, q: Floats, hand: Floats, ways: Floats, bend: Floats, reached: Reached) -> _Step | None:
+    """Return the first step of those in some directions (k, 6) that leads to a solution; None where none does.
 
     Half a step ahead there has to be one as well, and each near where it is looked for: beside a curve of solutions,
     not another isolated one. The curve is taken to bend on as it did in the last step.
     """
-    parts = np.array([1.0, 0.5])[:, None]
-    straight = q + STEP * parts * along
-    found, sizes, columns = newton.nearest(
-        links,
-        straight + 0.5 * STEP * parts**2 * bend,
-        np.broadcast_to(hand, (2, 4, 4)),
-        WEAK,
-        MOST_CORRECTIONS,
+    parts = np.tile([1.0, 0.5], len(ways))[:, None]
+    across, hands = np.repeat(ways, 2, axis=0), np.broadcast_to(hand, (2 * len(ways), 4, 4))
+    straight = q + STEP * parts * across
+    found, _, columns = newton.nearest(
+        links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across
     )
-    aside = np.linalg.norm(found - straight, axis=1)
-    if sizes.max() >= reached or aside[0] >= STEP / 2.0 or aside[1] >= STEP / 4.0:
-        return None
-    return found[0], _weakest(columns[0])
+    aside = np.linalg.norm(found - straight, axis=1) < STEP / 2.0 * parts[:, 0]
+    good = aside & _is_reached(newton.errors_and_columns(links, found, hands)[0], reached)
+    for k in np.flatnonzero(good[::2] & good[1::2]):
+        return _Step(ways[k], found[2 * k], _weakest(columns[2 * k]))
+    return None
 
 
-def _null_vector(links: Floats, q: Floats, hand: Floats) -> Floats:
-    return _weakest(newton.errors_and_columns(links, q[None], hand[None])[1][0])
+def _is_reached(errors: Floats, reached: Reached) -> NDArray[np.bool_]:
+    """Return whether errors (k, 6) of configurations near the pose are as small as ``reached``, shape (k,)."""
+    place, turn = np.linalg.norm(errors.reshape(-1, 2, 3), axis=2).T
+    return np.asarray((place < reached[0]) & (turn < reached[1]))
 
 
 def _weakest(columns: Floats) -> Floats:

@@ -31,6 +31,9 @@ Numbers = NDArray[Any]
 
 JOINTS = 6
 
+LOOSEST = 1e-5
+"""Units of length: what counts as reached is more than the whole of a tiny arm, of which nothing would follow."""
+
 
 @dataclass(frozen=True, eq=False)
 class Loop:
@@ -83,6 +86,11 @@ class Loop:
     def reached(self) -> float:
         """Error in radians and units of length below which a pose counts as reached."""
         return min(REACHED_RAD, REACHED_M / self.scale)
+
+    @property
+    def allowed(self) -> tuple[float, float]:
+        """Errors in units of length and radians below which a pose counts as reached; of tiny arms less than that."""
+        return min(LOOSEST, REACHED_M / self.scale), REACHED_RAD
 
     def hands(self, poses: Floats) -> Floats:
         """Return H for tool poses in the world, both of shape (..., 4, 4), H with scaled lengths."""

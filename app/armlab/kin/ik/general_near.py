@@ -23,12 +23,12 @@ APART = 1e-2
 """Radians: what is closer to a solution is not listed beside it."""
 
 
-def nearly(links: Floats, roots: Roots, solutions: Floats, hand: Floats) -> Floats:
-    """Return configurations (k, 6) beside nearly real roots, as near to the pose as can be, that are no solutions."""
+def nearly(links: Floats, roots: Roots, known: Floats, solutions: Floats, hand: Floats) -> Floats:
+    """Return the nearest configurations (k, 6) to a pose, from nearly real roots and known (m, 6), beside solutions."""
     outside = np.abs(roots.q.imag).max(axis=1, initial=0.0)
     rows = (outside < BESIDE) & (outside >= REAL) & (roots.q.imag.sum(axis=1) >= 0.0)
     kept = list(solutions)
-    starts = roots.q[rows].real
+    starts = np.concatenate([roots.q[rows].real, known])
     hands = np.broadcast_to(hand, (len(starts), 4, 4))
     (one, left, _), (other, less, _) = (nearest(links, starts, hands, weak) for weak in WEAK)
     for best in np.where((less < left)[:, None], other, one):

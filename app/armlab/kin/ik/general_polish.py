@@ -143,7 +143,13 @@ def polish(
 
 
 def nearest(
-    links: Floats, q: Floats, hands: Floats, weak: float, steps: int = NEAREST, exact: float = EXACT
+    links: Floats,
+    q: Floats,
+    hands: Floats,
+    weak: float,
+    steps: int = NEAREST,
+    exact: float = EXACT,
+    across: Floats | None = None,
 ) -> tuple[Floats, Floats, Floats]:
     """Return the nearest configurations to hands, their errors and Jacobians, without moving along weak directions.
 
@@ -157,6 +163,8 @@ def nearest(
     steps : int
     exact : float
         Error below which all may stay where they are.
+    across : ndarray, shape (m, 6), optional
+        Unit directions in which they stay where they are.
     """
     found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
     there = np.zeros((len(q), 6, 6))
@@ -170,6 +178,8 @@ def nearest(
         # They converge quadratically to what is nearest, and then stand still.
         if ((best <= exact) | (still & (step >= SETTLED))).all():
             break
+        if across is not None:
+            columns = columns - across[:, :, None] * (across[:, None] @ columns)
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
     return found, best, there
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from armlab.kin.ik.general_complex import OUTERMOST, REGULAR, SAME, Roots, joined, near, newton
-from armlab.kin.ik.general_family import Split, rank_losses, split
+from armlab.kin.ik.general_family import Split, split
 from armlab.kin.ik.general_loop import Complex, Floats
 from armlab.kin.ik.general_merge import merged, wrapped
 from armlab.kin.ik.general_search import PASSES, SEED, Search
@@ -110,8 +110,7 @@ def resolve(search: Search, hand: Floats, roots: Roots, known: Floats) -> Resolv
 
 
 def _parted(search: Search, q: Floats, hand: Floats) -> Split:
-    loop = search.loop
-    return split(loop.links, q, hand, rank_losses(loop.links, q, hand), loop.reached)
+    return split(search.loop.links, q, hand, search.loop.allowed)
 
 
 def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:

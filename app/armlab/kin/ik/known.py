@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.arm import Arm
+from armlab.kin.ik.along_valley import solutions_along
 from armlab.kin.ik.closed_form import closed_form_of, known_structure
 from armlab.kin.ik.loop import wrapped
 from armlab.kin.ik.solutions import IkSolutions
@@ -35,10 +36,13 @@ class Known(NamedTuple):
     sentence: str = ""
 
 
-def known_solution(arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | None, came_near: bool = False) -> Known:
+def known_solution(
+    arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | None, crept: Sequence[float] | None = None
+) -> Known:
     """Return what the complete solver of an arm knows; nothing for an arm that has none.
 
-    That of an arm with joints to spare proves nothing, but may find what a search that came near missed.
+    That of an arm with joints to spare proves nothing, but may find what a search that came near missed, if there is
+    none along the valley in which it crept.
 
     Parameters
     ----------
@@ -48,13 +52,18 @@ def known_solution(arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | N
     near : ndarray, shape (n,)
         Joint values to be near to; those of locked joints are kept.
     locked : sequence of bool, optional
-    came_near : bool
-        Whether a search ended near the pose.
+    crept : sequence of float, optional
+        Where a search ended, if that is near the pose.
     """
     held = {i + 1: float(near[i]) for i in range(arm.n) if locked is not None and locked[i]}
     can_tell = _can_tell(arm, len(held))
-    if not can_tell and not (came_near and not held and arm.n > arm.task.m):
-        return Known()
+    if not can_tell:
+        if crept is None or held or arm.n <= arm.task.m:
+            return Known()
+        for row in solutions_along(arm, np.array(crept), T):
+            q = _nearest(arm, row[None], near)
+            if arm.within_limits(q):
+                return Known(q, sentence="found along the valley in which this search crept")
     found = solve_all(arm, T, held=held)
     inside = found.q[found.within_limits]
     if len(inside):

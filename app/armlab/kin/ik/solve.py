@@ -42,8 +42,8 @@ BALANCES = 4
 """Descents of that kind at most, each after slipping off a balance; what is left then waits for the next call."""
 
 NEARLY = 1e-3
-"""Scaled error from which arms with joints to spare ask for the list, too: of a stretched arm the last steps of a
-descent reduce it by less and less."""
+"""Scaled error from which arms with joints to spare look along the valley and ask for the list, too: of a stretched arm
+the last steps of a descent reduce it by less and less."""
 
 SURELY = 1e-9
 """Part of its distance by which a target must be beyond the reach for a search to be pointless, not only rounding."""
@@ -206,7 +206,8 @@ def solved(arm: Arm, T: NDArray[np.float64], start: NDArray[np.float64] | None, 
     verdict = judge(arm, T, rest.q, how.locked, how.weights)
     known = Known(proven=beyond)
     if not (verdict.reached or beyond) and how.complete:
-        known = known_solution(arm, T, begin.near, how.locked, rest.errors.scaled2 < NEARLY**2)
+        crept = rest.q if rest.errors.scaled2 < NEARLY**2 else None
+        known = known_solution(arm, T, begin.near, how.locked, crept)
     if known.q is not None:
         other = judge(arm, T, known.q)
         if other.reached:

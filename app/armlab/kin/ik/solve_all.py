@@ -18,11 +18,12 @@ from armlab.kin.ik.general_6r import solve_general
 from armlab.kin.ik.held import checked_held, with_held
 from armlab.kin.ik.inside_limits import with_those_inside
 from armlab.kin.ik.many_starts import STARTS, many_starts
+from armlab.kin.ik.nearly_still import moved_on
 from armlab.kin.ik.self_motion import trace_self_motion
 from armlab.kin.ik.solutions import Completeness, IkSolutions, beyond_limits
 from armlab.kin.ik.spare_joints import with_spare_joints
 from armlab.kin.ik.verdict import task_error_of
-from armlab.kin.ik.verified import reaches
+from armlab.kin.ik.verified import distinct, reaches
 from armlab.kin.transforms import as_pose, inverse
 
 Vector = NDArray[np.float64]
@@ -117,7 +118,11 @@ def _by_closed_form(arm: Arm, T: Vector, seed: int) -> Answer | None:
     some = verified(arm, T, found.q)
     why = f"{form.title}: {why}"
     if some.rows and found.families and _is_family(arm, T, some.rows):
-        return Answer(some.rows, "infinite", " ".join(found.families), form.key, why)
+        return Answer(distinct(arm, some.rows), "infinite", " ".join(found.families), form.key, why)
+    if some.singular and not some.dropped and not found.sampled:
+        nearly = _nearly_still(arm, T, some.rows, form.key, why)
+        if nearly is not None:
+            return nearly
     # Values of a free joint that were tried and led to none, as for a nearly straight wrist, prove nothing.
     if some.doubtful or (some.rows and (found.families or found.sampled)):
         if _is_general(arm):
@@ -154,10 +159,26 @@ def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why
     if any(_moves(arm, row, T, None) for row in every.rows):
         reason = "Some of them move while the tool stands still."
         return Answer(every.rows[:SURFACE], "infinite", reason, key, why)
+    nearly = _nearly_still(arm, T, every.rows, key, why)
+    if nearly is not None:
+        return nearly
     if len(every.rows) > len(some.rows):
         reason = "Branches merge at this pose, and descents found more than the closed form."
         return Answer(every.rows, "at least", reason, key, why, (), every.loose, every.missed)
     return Answer(some.rows, "complete", "", key, why, (), some.loose, some.missed)
+
+
+def _nearly_still(arm: Arm, T: Vector, rows: list[Vector], key: str, why: str) -> Answer | None:
+    """Return solutions with others to which they move while the tool stands still, or nearly; None where none moves."""
+    on: list[Vector] = []
+    for row in rows:
+        on += moved_on(arm, row, T) if len(on) < SAMPLES else []
+    if not on:
+        return None
+    q = in_order(arm, distinct(arm, [*rows, *on])[: len(rows) + SAMPLES])
+    loose, missed = _loose(arm, T, q)
+    still = "stays within what counts as reached" if loose else "stands still"
+    return Answer(q, "infinite", f"Some of them move while the tool {still}.", key, why, (), loose, missed)
 
 
 def _by_elimination(arm: Arm, T: Vector, why: str, known: Sequence[Vector] = ()) -> Answer:
@@ -166,10 +187,21 @@ def _by_elimination(arm: Arm, T: Vector, why: str, known: Sequence[Vector] = ())
     completeness: Completeness = found.completeness
     if completeness == "complete" and not q:
         completeness = "none"
-    rounding = LOOSE * max(1.0, arm.length_scale)
-    loose = int(((found.position_error > rounding) | (found.rotation_error > LOOSE)).sum())
+    if completeness == "infinite":
+        q = distinct(arm, q)
+    loose, missed = _loose(arm, T, q)
     reason = f"{found.reason[:1].upper()}{found.reason[1:]}."
-    return Answer(q, completeness, reason, "general_6r", why, found.families, loose, found.missed)
+    return Answer(q, completeness, reason, "general_6r", why, found.families, loose, missed or found.missed)
+
+
+def _loose(arm: Arm, T: Vector, q: Sequence[Vector]) -> tuple[int, tuple[float, float] | None]:
+    """Return how many solutions are such only by what counts as reached, and their largest errors in m and rad."""
+    target = task_error_of(arm).target(T)
+    errors = [task_error_of(arm).at(row.tolist(), target)[2] for row in q]
+    loose = [one for one in errors if one.position > LOOSE * max(1.0, arm.length_scale) or one.rotation > LOOSE]
+    if not loose:
+        return 0, None
+    return len(loose), (max(one.position for one in loose), max(one.rotation for one in loose))
 
 
 def _by_search(arm: Arm, T: Vector, seed: int, held: dict[int, float] | None = None) -> Answer:

@@ -14,9 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.workspace.around import Arcs
+from armlab.kin.workspace.faces import Faces, finding_faces
 from armlab.kin.workspace.met import BINS
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.section_grid import Grid
+from armlab.kin.workspace.work import Work, result_of
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -25,9 +27,8 @@ Indices = NDArray[np.intp]
 ON_AXIS = 1e-9
 """Of a cell: an edge of the section nearer to the axis of joint 1 than that is no boundary."""
 
-
-FACES = 144
-"""Values of s at which neighbouring cells are compared."""
+SPANNED = 1 << 18
+"""Pairs of a point and an edge at its height that are looked at together: they bound the memory."""
 
 WALLS = 16
 """Coarse cells at the walls of joint 1, the nearest ones, in whose finer cells the foot is looked for."""
@@ -49,7 +50,7 @@ class To(NamedTuple):
 
 
 class Boundary:
-    """Made from a section; computes what it needs when it is first asked for."""
+    """Made from a section; computes what it needs when it is first asked for, or before in pieces (`preparing`)."""
 
     def __init__(self, grid: Grid, outline: Outline, arcs: Arcs | None, filled: Bools) -> None:
         self.grid, self.outline, self.arcs, self.filled = grid, outline, arcs, filled
@@ -60,7 +61,7 @@ class Boundary:
         """Closed polylines (k, 2) in (u, v), metres."""
         if not self.grid.flat:
             found = with_axis(self.outline, self.grid).contours
-            large = tuple(line for line in found if abs(enclosed(line)) >= self.grid.step**2)
+            large = tuple(found[k] for k in np.flatnonzero(np.abs(enclosed(found)) >= self.grid.step**2))
             # What is smaller than a cell is more likely a cell that was missed; a thin region is nothing else.
             return large or found
         v = self.grid.v[0]
@@ -125,52 +126,29 @@ class Boundary:
         return self.joint.join(np.column_stack([uv, s])), uv, s
 
     @cached_property
-    def faces(self) -> tuple[Floats, Floats]:
-        """Where s is covered in one of two neighbouring coarse cells only: squares that close the workspace inside.
-
-        Returns
-        -------
-        edges : ndarray, shape (k, 2, 2)
-            Both ends, in (u, v), of the side that the two cells share.
-        s : ndarray, shape (k, 2)
-            From where to where, rad or m.
-        """
-        arcs = self.arcs
-        assert arcs is not None
-        rows, columns = (-(-size // self.grid.coarser) for size in self.grid.shape)
-        known = arcs.covered.reshape(rows, columns) > 0.0
-        at, width = self._bins()
-        covers = arcs.holds(np.arange(rows * columns)[:, None], at[None, :]).reshape(rows, columns, -1)
-        side, low = self.grid.coarser * self.grid.step, self.grid.low
-        edges, spans = [], []
-        for axis in range(1 if self.grid.flat else 2):
-            last = covers.shape[axis] - 1
-            first, second = np.arange(last), np.arange(1, last + 1)
-            both = known.take(first, axis) & known.take(second, axis)
-            i, j, k = np.nonzero((covers.take(first, axis) != covers.take(second, axis)) & both[..., None])
-            begin = np.stack([low[0] + side * (i + 1 - axis), low[1] + side * (j + axis)], axis=1)
-            step = np.array([0.0, side] if axis == 0 else [side, 0.0])
-            if self.grid.flat:
-                begin[:, 1], step = self.grid.v[0], np.zeros(2)
-            edges.append(np.stack([begin, begin + step], axis=1))
-            spans.append(np.stack([at[k] - 0.5 * width, at[k] + 0.5 * width], axis=1))
-        return np.concatenate(edges), np.concatenate(spans)
-
-    def _bins(self) -> tuple[Floats, float]:
-        """Return the values of s at which coverage is compared, and how far apart they are."""
-        arcs = self.arcs
-        assert arcs is not None
-        low, high = -math.pi, math.pi
-        if not self.joint.revolute:
-            used = arcs.length >= 0.0
-            low, high = float(arcs.start[used].min()), float((arcs.start + arcs.length)[used].max())
-        width = (high - low) / FACES or 1.0
-        return np.asarray(low + width * (np.arange(FACES) + 0.5)), width
+    def faces(self) -> Faces:
+        """Where s is covered in one of two neighbouring coarse cells only."""
+        assert self.arcs is not None
+        return result_of(finding_faces(self.grid, self.arcs))
 
     @cached_property
     def _face_points(self) -> Floats:
         edges, spans = self.faces
         return self.joint.join(np.column_stack([edges.mean(axis=1), spans.mean(axis=1)]))
+
+    def preparing(self) -> Work[None]:
+        """Compute what `distance` needs, in pieces of at most some 30 ms."""
+        for name in ("contours", "edges", "edge_cells"):
+            getattr(self, name)
+            yield
+        if self.arcs is None:
+            return
+        _ = self.walls
+        yield
+        if "faces" not in self.__dict__:
+            self.faces = yield from finding_faces(self.grid, self.arcs)
+        yield
+        _ = self._face_points
 
     def holds(self, points: Floats) -> Bools:
         """Return which points of the world (..., 3) are inside."""
@@ -302,25 +280,36 @@ def lonely(filled: Bools, inside: Bools) -> Bools:
     return np.asarray(filled & ~near)
 
 
-def enclosed(line: Floats) -> float:
-    """Return the area inside a closed polyline (k, 2), positive when it runs counter-clockwise."""
-    u, v = line[:-1].T
-    ahead_u, ahead_v = line[1:].T
-    return 0.5 * float(u @ ahead_v - ahead_u @ v)
+def enclosed(lines: tuple[Floats, ...]) -> Floats:
+    """Return the areas inside closed polylines (k, 2), positive where they run counter-clockwise, one for each."""
+    if not lines:
+        return np.zeros(0)
+    u, v = np.concatenate(lines).T
+    ends = np.cumsum([len(line) for line in lines])
+    cross = u * np.roll(v, -1) - np.roll(u, -1) * v
+    # From the last point of a line nothing leads on to the next line.
+    cross[ends - 1] = 0.0
+    return 0.5 * np.add.reduceat(cross, np.concatenate([[0], ends[:-1]]))
 
 
 def inside_polygons(uv: Floats, contours: tuple[Floats, ...]) -> Bools:
     """Return whether points (..., 2) are inside closed polylines: an odd number of edges lie beyond them along u."""
     given = uv.reshape(-1, 2)
-    result = np.zeros(len(given), dtype=bool)
+    beyond = np.zeros(len(given), dtype=np.intp)
     if not contours:
-        return result.reshape(uv.shape[:-1])
+        return np.zeros(uv.shape[:-1], dtype=bool)
     a = np.concatenate([line[:-1] for line in contours])
     b = np.concatenate([line[1:] for line in contours])
-    for begin in range(0, len(given), 1024):
-        u, v = given[begin : begin + 1024].T[:, :, None]
-        spans = (a[:, 1] <= v) != (b[:, 1] <= v)
-        rise = np.where(b[:, 1] == a[:, 1], 1.0, b[:, 1] - a[:, 1])
-        crossing = a[:, 0] + (v - a[:, 1]) * (b[:, 0] - a[:, 0]) / rise
-        result[begin : begin + 1024] = ((crossing > u) & spans).sum(axis=1) % 2 == 1
-    return result.reshape(uv.shape[:-1])
+    order = np.argsort(given[:, 1])
+    u, v = given[order].T
+    # An edge spans the points from its lower end, itself counted, to its upper one.
+    first = np.searchsorted(v, np.minimum(a[:, 1], b[:, 1]))
+    count = np.searchsorted(v, np.maximum(a[:, 1], b[:, 1])) - first
+    before = np.cumsum(count) - count
+    for begin in range(0, int(count.sum()), SPANNED):
+        pairs = np.arange(begin, min(begin + SPANNED, int(count.sum())))
+        edge = np.searchsorted(before, pairs, side="right") - 1
+        point = first[edge] + pairs - before[edge]
+        crossing = a[edge, 0] + (v[point] - a[edge, 1]) * (b[edge, 0] - a[edge, 0]) / (b[edge, 1] - a[edge, 1])
+        beyond += np.bincount(order[point[crossing > u[point]]], minlength=len(given))
+    return np.asarray(beyond % 2 == 1).reshape(uv.shape[:-1])

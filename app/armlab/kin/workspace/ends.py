@@ -81,7 +81,7 @@ class Ends:
         assert filling.around is not None
         self.filling, self.around = filling, filling.around
         self.joint: FirstJoint = filling.joint
-        self.single = len(self.joint.moving) <= (1 if filling.grid.flat else 2)
+        self.single = filling.grid.single
         self.cells, self.fine, self.places = _representatives(filling, filling.around, rng)
         self.row = self.around.row[self.cells]
         span = self.around.span

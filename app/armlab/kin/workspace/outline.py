@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -130,7 +131,11 @@ class Outline:
         _, cut, begin, end = in_turn[np.argsort(in_turn[:, 0])].T
         by_number, where = np.argsort(begin), places.reshape(-1, 2)[cut]
         onward = dict(zip(begin.tolist(), end.tolist(), strict=True))
-        return tuple(where[by_number[np.searchsorted(begin[by_number], line)]] for line in _closed(onward))
+        lines = _closed(onward)
+        # Of a region that has just been begun there are thousands: they are looked up together.
+        numbers = np.fromiter(chain.from_iterable(lines), dtype=np.intp)
+        points = where[by_number[np.searchsorted(begin[by_number], numbers)]]
+        return tuple(np.split(points, np.cumsum([len(line) for line in lines])[:-1])) if lines else ()
 
     def _edges_of(self, squares: NDArray[np.intp]) -> NDArray[np.intp]:
         """Return numbers of the four edges of squares (k, 2), in turn: the same in both squares that share one."""
@@ -162,8 +167,10 @@ def _joined(inside: Bools, along: Floats) -> Floats:
 def _closed(onward: dict[int, int]) -> list[list[int]]:
     """Return the closed lines of which each step is one of those given."""
     lines = []
-    while onward:
-        line = [next(iter(onward))]
+    for first in list(onward):
+        if first not in onward:
+            continue
+        line = [first]
         while len(line) == 1 or line[-1] != line[0]:
             line.append(onward.pop(line[-1]))
         lines.append(line)

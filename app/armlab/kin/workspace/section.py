@@ -170,7 +170,7 @@ def sections(
     resolution : int
         Cells along the longer side. It is doubled as often as `is_thin` asks for it.
     samples : int
-        Random configurations to begin with.
+        Random configurations to begin with; of an arm with joints to spare as many more as there are cells.
     seed : int
     wanted : float
         Error of the size, as a part of it, above which the cells are halved.
@@ -204,6 +204,9 @@ def _sought(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -
             yield found
             return
         cells *= 2
+        # In intervals of s parts are missed where fewer samples tell about a cell; single values lead to each other.
+        if not (joint.full or found.grid.single):
+            samples *= 2 if found.grid.flat else 4
 
 
 def _showing(known: Section, work: Generator[None, None, bool]) -> Generator[Section, None, bool]:

@@ -81,6 +81,11 @@ class Grid:
             return np.array([self.low[1]])
         return np.asarray(self.low[1] + self.step * (np.arange(self.shape[1]) + 0.5))
 
+    @property
+    def single(self) -> bool:
+        """Whether (u, v) leave single values of s, as of an arm without a joint to spare; intervals else."""
+        return len(self.joint.moving) <= (1 if self.flat else 2)
+
     def cell_of(self, uv: Floats) -> tuple[Indices, NDArray[np.bool_]]:
         """Return the flat indices of the cells of points (..., 2), and which points are on the grid at all."""
         i = np.floor((uv[..., 0] - self.low[0]) / self.step).astype(np.intp)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,13 +15,13 @@ from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.pull import section_rates
 from armlab.kin.workspace.section_grid import PLANAR_FINER, random_configurations
+from armlab.kin.workspace.work import Work, result_of
 
 if TYPE_CHECKING:
     from armlab.kin.workspace.section import Section
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
-Result = TypeVar("Result")
 
 STARTS = 2
 """Cells from which the way to an extreme is begun."""
@@ -94,10 +93,10 @@ def size(section: Section) -> Size:
 
     The time it takes grows with the cells of the grid, filled or not; `MOST_CELLS` bounds them.
     """
-    return _last(sizing(section))
+    return result_of(sizing(section))
 
 
-def sizing(section: Section) -> Generator[None, None, Size]:
+def sizing(section: Section) -> Work[Size]:
     """Do the work of `size` in pieces of at most some 30 ms, and return what it returns."""
     grid = section.grid
     unit: Literal["m³", "m²"] = "m²" if grid.flat else "m³"
@@ -124,17 +123,7 @@ def sizing(section: Section) -> Generator[None, None, Size]:
     return Size(value, error, unit)
 
 
-def _last(work: Generator[None, None, Result]) -> Result:
-    """Do work at once and return what it returns."""
-    while True:
-        try:
-            next(work)
-        except StopIteration as done:
-            result: Result = done.value
-            return result
-
-
-def is_thin(section: Section, resolution: int, wanted: float) -> Generator[None, None, bool]:
+def is_thin(section: Section, resolution: int, wanted: float) -> Work[bool]:
     """Return, after pieces of work, whether cells of half the side are wanted, and few enough.
 
     They would make the error smaller, which is too large.
@@ -162,10 +151,10 @@ def is_thin(section: Section, resolution: int, wanted: float) -> Generator[None,
 
 def reach(section: Section) -> Reach:
     """Return how far an arm reaches: maxima of what it can do, begun from the cells that lie farthest out."""
-    return _last(reaching(section))
+    return result_of(reaching(section))
 
 
-def reaching(section: Section) -> Generator[None, None, Reach]:
+def reaching(section: Section) -> Work[Reach]:
     """Do the work of `reach` in pieces of at most some 30 ms, and return what it returns."""
     i, j = np.nonzero(section.filled)
     q = section.at(i, j)
@@ -265,7 +254,7 @@ def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices
     return np.asarray(total / np.maximum(count, 1.0))
 
 
-def _outlined(section: Section, value: float) -> Generator[None, None, float]:
+def _outlined(section: Section, value: float) -> Work[float]:
     """Return what changes when the outline is known at every second centre alone, a root mean square of all choices."""
     outline, flat, changes = section.outline, section.grid.flat, []
     for i in range(2):
@@ -311,8 +300,13 @@ def _alone(section: Section) -> float:
     return float((section.joint.measure(section.u)[i] * section.covered[i, j]).sum() * cell)
 
 
-def _turning(section: Section, pieces: _Pieces, value: float) -> Generator[None, None, float]:
-    """Return what changes when s is known in every second coarse cell each way alone, as a root mean square of all."""
+def _turning(section: Section, pieces: _Pieces, value: float) -> Work[float]:
+    """Return what changes when s is known in every second coarse cell each way alone, as a root mean square of all.
+
+    A cell that is left out is told by one beside it: that moves all by half a cell, always to one side, an error of the
+    first order which the whole has not. Intervals of s grow evenly from cell to cell, so that it would be most of what
+    is found; there the cells on both sides count as well, for half. Single values begin and end abruptly.
+    """
     assert section.arcs is not None
     rows, columns = section.filled.shape
     side = section.grid.coarser
@@ -322,6 +316,8 @@ def _turning(section: Section, pieces: _Pieces, value: float) -> Generator[None,
     for i in range(2):
         for j in range(1 if section.grid.flat else 2):
             wide = _spread(covered, i, j, section.grid.flat)
+            if not section.grid.single:
+                wide = 0.5 * (wide + _between(covered, i, j, section.grid.flat))
             fine = np.repeat(np.repeat(wide, side, 0), side, 1)[:rows, :columns]
             yield
             changes.append(pieces.times(np.where(section.filled, fine, 0.0)) - value)
@@ -338,3 +334,22 @@ def _spread(covered: Floats, i: int, j: int, flat: bool) -> Floats:
     here = wide[i::2, j::step]
     found = np.repeat(np.repeat(here, 2, 0), step, 1)
     return np.asarray(np.where(found > 0.0, found, wide)[:rows, :columns])
+
+
+def _between(covered: Floats, i: int, j: int, flat: bool) -> Floats:
+    """Return what is covered in every second cell each way, and between them the mean of those on both sides."""
+    some = np.zeros(covered.shape, dtype=bool)
+    some[i::2, j :: 1 if flat else 2] = True
+    known = some & (covered > 0.0)
+    values = np.where(known, covered, 0.0)
+    for axis in range(1 if flat else 2):
+        beside, count = _sum_beside(values, axis), _sum_beside(known.astype(np.float64), axis)
+        values = np.where(known, values, beside / np.maximum(count, 1.0))
+        known = known | (count > 0.0)
+    return np.asarray(np.where(known, values, covered))
+
+
+def _sum_beside(values: Floats, axis: int) -> Floats:
+    """Return the sums of the two values beside each along an axis; beyond the ends are zeros."""
+    wide = np.pad(values, [(1, 1) if k == axis else (0, 0) for k in range(2)])
+    return np.asarray(wide[2:] + wide[:-2] if axis == 0 else wide[:, 2:] + wide[:, :-2])

@@ -51,7 +51,7 @@ BLOCK = 24_576
 RINGS, AROUND, TURNS = 16, 32, 64
 """Rings of directions about axis 1, of equal areas; directions on each; angles about axis 1, one a bit."""
 
-FOREARMS = 4096
+FOREARMS = 1024
 """Forearms whose directions are looked up in one piece of work."""
 
 
@@ -230,6 +230,8 @@ def _by_joint_1(
             forearms = found
             yield None
     assert forearms is not None
+    for _ in turns.preparing():
+        yield None
     words = np.zeros((grid.shape[0] * grid.shape[1], RINGS * AROUND), dtype=np.uint64)
     for _ in _noted(words, forearms, turns, joint.high - joint.low):
         yield None

@@ -145,4 +145,5 @@ def _near_walls(section: Section, split: Floats, width: float) -> Bools:
         if section.joint.revolute:
             gap = np.minimum(np.mod(gap, math.tau), math.tau - np.mod(gap, math.tau))
         away = np.minimum(away, np.where(limited, gap, np.inf).min(axis=1))
-    return np.asarray(away * section.joint.measure(split[:, 0]) <= width)
+    ends = np.isfinite(away)
+    return np.asarray(ends & (np.where(ends, away, 0.0) * section.joint.measure(split[:, 0]) <= width))

@@ -18,6 +18,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.screws import rotation, screws_of
 from armlab.kin.lines import PARALLEL_ANGLE
 from armlab.kin.workspace.first_joint import FULL_TURN
+from armlab.kin.workspace.work import Work, result_of
 from armlab.kin.wrist import wrist_centre
 
 Floats = NDArray[np.float64]
@@ -26,8 +27,14 @@ Bools = NDArray[np.bool_]
 ROLLS = 180
 """Values of q_6 that are tried where the tool point is not on axis 6."""
 
+STRIDE = 67
+"""Of these values from one to the next; it has no divisor in common with their number."""
+
 NO_TOOL = 1e-9
 """Metres below which the tool point is the wrist centre."""
+
+TRIED = 6144
+"""Directions that are tried with one value of q_6 in a piece of work."""
 
 SIDE = 56
 """Cells along a side of the cube in which a table over the sphere is kept: less than two degrees each."""
@@ -59,44 +66,66 @@ class WristTurns:
 
     @cached_property
     def rolls(self) -> Floats:
-        """Values of the last joint that are tried, rad."""
+        """Values of the last joint that are tried, rad; in turn far from each other, so that most need only a few."""
         low, high = self.limits[2]
         if np.linalg.norm(np.cross(self.axes[2], self.tool)) <= PARALLEL_ANGLE:
             return np.array([low])
-        return np.linspace(low, high, ROLLS)
+        return np.linspace(low, high, ROLLS)[np.arange(ROLLS) * STRIDE % ROLLS]
 
     def allows(self, directions: ArrayLike) -> Bools:
         """Return which unit vectors (..., 3) are possible: in the world, the forearm as where all joints are at 0."""
         d = np.asarray(directions, dtype=np.float64)
-        found = np.zeros(d.shape[:-1], dtype=bool)
-        first, second, third = self.axes
-        height = d @ first
+        return result_of(self._trying(d.reshape(-1, 3))).reshape(d.shape[:-1])
+
+    def _trying(self, d: Floats) -> Work[Bools]:
+        """Return, after pieces of work, which unit vectors (k, 3) are possible."""
+        found = np.zeros(len(d), dtype=bool)
         for roll in self.rolls:
-            t = rotation(third, roll) @ self.tool
-            along, across = second * (second @ t), np.cross(second, t)
-            x, y = float(first @ (t - along)), float(first @ across)
-            size = math.hypot(x, y)
-            if size <= PARALLEL_ANGLE:
-                continue
-            cosine = (height - first @ along) / size
-            bend = np.arccos(np.clip(cosine, -1.0, 1.0))
-            for q5 in (math.atan2(y, x) + bend, math.atan2(y, x) - bend):
-                w = along + np.cos(q5)[..., None] * (t - along) + np.sin(q5)[..., None] * across
-                beside = np.cross(w, d) @ first
-                ahead = np.einsum("...i,...i->...", w, d) - (w @ first) * height
-                q4 = np.arctan2(beside, ahead)
-                found |= (np.abs(cosine) <= 1.0) & within(self.limits[1], q5) & within(self.limits[0], q4)
+            t = rotation(self.axes[2], roll) @ self.tool
+            left = np.flatnonzero(~found)
+            for first in range(0, len(left), TRIED):
+                some = left[first : first + TRIED]
+                found[some] = self._reaches(t, d[some])
+                yield
+        return found
+
+    def _reaches(self, t: Floats, d: Floats) -> Bools:
+        """Return which unit vectors (k, 3) the first two joints turn t (3,) into."""
+        first, second, _ = self.axes
+        along, across = second * (second @ t), np.cross(second, t)
+        x, y = float(first @ (t - along)), float(first @ across)
+        size, found = math.hypot(x, y), np.zeros(len(d), dtype=bool)
+        if size <= PARALLEL_ANGLE:
+            return found
+        height = d @ first
+        cosine = (height - first @ along) / size
+        bend = np.arccos(np.clip(cosine, -1.0, 1.0))
+        for q5 in (math.atan2(y, x) + bend, math.atan2(y, x) - bend):
+            w = along + np.cos(q5)[:, None] * (t - along) + np.sin(q5)[:, None] * across
+            beside = np.cross(w, d) @ first
+            ahead = np.einsum("ki,ki->k", w, d) - (w @ first) * height
+            q4 = np.arctan2(beside, ahead)
+            found |= (np.abs(cosine) <= 1.0) & within(self.limits[1], q5) & within(self.limits[0], q4)
         return found
 
     @cached_property
     def table(self) -> Bools:
         """What `allows` says in the cells of a cube about the sphere, flat; see `looked_up`."""
+        return result_of(self._tabulating())
+
+    def preparing(self) -> Work[None]:
+        """Make the table in pieces of at most some 20 ms; nothing where it is there."""
+        if "table" not in self.__dict__:
+            self.__dict__["table"] = yield from self._tabulating()
+
+    def _tabulating(self) -> Work[Bools]:
         middle = (np.arange(SIDE) + 0.5) * (2.0 / SIDE) - 1.0
         cells = np.stack(np.meshgrid(middle, middle, middle, indexing="ij"), axis=-1).reshape(-1, 3)
         length = np.linalg.norm(cells, axis=1)
         near = np.flatnonzero(np.abs(length - 1.0) <= 2.0 / SIDE)
         table = np.zeros(len(cells), dtype=bool)
-        table[near] = self.allows(cells[near] / length[near, None])
+        yield
+        table[near] = yield from self._trying(cells[near] / length[near, None])
         return table
 
     def looked_up(self, directions: NDArray[np.floating]) -> Bools:

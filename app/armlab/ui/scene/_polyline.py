@@ -38,24 +38,26 @@ def simplified(points: ArrayLike, tolerance: float) -> NDArray[np.intp]:
     at = np.asarray(points, dtype=float)
     keep = np.zeros(len(at), dtype=bool)
     keep[[0, -1]] = True
-    open_spans = [(0, len(at) - 1)]
-    while open_spans:
-        first, last = open_spans.pop()
-        if last - first < 2:
-            continue
-        away = _distances(at[first + 1 : last], at[first], at[last])
-        worst = int(np.argmax(away))
-        if away[worst] > tolerance:
-            middle = first + 1 + worst
-            keep[middle] = True
-            open_spans += [(first, middle), (middle, last)]
+    rest = np.arange(1, len(at) - 1)
+    # All spans are halved together: a ragged line has thousands, and each by itself would cost as much as all of them.
+    while rest.size:
+        ends = np.flatnonzero(keep)
+        span = np.searchsorted(ends, rest) - 1
+        away = _distances(at[rest], at[ends[span]], at[ends[span + 1]])
+        begins = np.diff(span, prepend=-1) > 0
+        number = np.cumsum(begins) - 1
+        most = np.maximum.reduceat(away, np.flatnonzero(begins))
+        open_still = (most > tolerance)[number]
+        worst = np.flatnonzero(open_still & (away == most[number]))
+        keep[rest[worst[np.unique(number[worst], return_index=True)[1]]]] = True
+        rest = rest[open_still & ~keep[rest]]
     return np.flatnonzero(keep)
 
 
 def _distances(points: Floats, start: Floats, end: Floats) -> Floats:
-    """Return the distances from points (k, 3) to a segment, which may be a point."""
+    """Return the distances from points (k, 3) to segments, (k, 3) each end; a segment may be a point."""
     along, offset = end - start, points - start
-    square = float(along @ along)
-    share = np.clip(offset @ along / square, 0.0, 1.0) if square > 0.0 else np.zeros(len(points))
-    away: Floats = np.linalg.norm(offset - share[:, None] * along, axis=1)
+    square = np.einsum("ki,ki->k", along, along)
+    share = np.einsum("ki,ki->k", offset, along) / np.where(square > 0.0, square, 1.0)
+    away: Floats = np.linalg.norm(offset - np.clip(share, 0.0, 1.0)[:, None] * along, axis=1)
     return away

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+import numpy as np
+
 from armlab.benches.workspace.cloud.state import Workspace, asks_for_boundary
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.section import Section, sections
+from armlab.kin.workspace.surface import near_boundary
 from armlab.session.job import Job, Wanted
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
@@ -22,7 +25,13 @@ def wanted(state: State, panels: frozenset[str]) -> Wanted | None:
 def run(arm: Arm) -> Iterator[Section | None]:
     """Yield the section once it is finished."""
     for section in sections(arm):
-        yield section if section.finished else None
+        if not section.finished:
+            yield None
+            continue
+        # What shows it must neither compute this in the time of everybody nor load the library that finds neighbours.
+        yield from section.boundary.preparing()
+        near_boundary(section, np.zeros((1, 3)), 0.0)
+        yield section
 
 
 def delivered(state: State, arm: Arm, found: Section) -> State:

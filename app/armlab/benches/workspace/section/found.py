@@ -14,6 +14,7 @@ from armlab.kin.workspace.measures import measure_named
 from armlab.kin.workspace.section import Section, sections
 from armlab.kin.workspace.section_grid import random_configurations
 from armlab.kin.workspace.section_size import Reach, Size, reaching, sizing
+from armlab.kin.workspace.work import Work
 
 Floats = NDArray[np.float64]
 
@@ -23,11 +24,14 @@ REACH = "reach"
 USUAL = 160
 """Pieces of work of most arms: what the progress is a part of."""
 
-SHOWN = 8
-"""Pieces between two pictures."""
+SHOWN, SELDOM = 8, 32
+"""Pieces between two pictures at first, and later."""
 
 SAMPLES, PIECE = 393_216, 8_192
 """Random configurations over which a measure is averaged, and of them in a piece of work."""
+
+TOGETHER = 1 << 18
+"""Cells whose means are taken in a piece of work."""
 
 QUANTILES = (0.01, 0.99)
 """Of the values of a measure: the ends of its scale of colours."""
@@ -107,14 +111,18 @@ def _sought(arm: Arm) -> Iterator[Found | None]:
     yield None
     arm.position(np.zeros((1, arm.n)))
     yield None
+    following = 0
     for piece, section in enumerate(sections(arm)):
-        if piece % SHOWN and not section.finished:
+        if piece < following and not section.finished:
             yield None
             continue
+        # Often at first, when much is filled with every piece; each picture costs all who are in the lab some time.
+        following = piece + min(max(SHOWN, piece // 4), SELDOM)
         _ = section.contours  # kept: what shows them must not compute them in the time of everybody
         yield None
         if section.finished:
             volume = yield from sizing(section)
+            yield from section.boundary.preparing()
             yield Found(arm, section, 1.0, volume, (yield from reaching(section)))
         else:
             yield Found(arm, section, min(piece / USUAL, 0.98))
@@ -125,19 +133,27 @@ def _coloured(found: Found, colour: str) -> Iterator[Found | None]:
         yield replace(found, coloured=True)
         return
     section, measure, arm = found.section, measure_named(colour), found.arm
-    total, count = np.zeros(section.filled.size), np.zeros(section.filled.size)
-    pieces = itertools.chain([section.at(*np.nonzero(section.filled))], _random(section))
-    for k, q in enumerate(pieces):
+    rows, columns = section.filled.shape
+    # With an empty cell on each side, so that neighbours are summed without copies.
+    total, count = (np.zeros((rows + 2, columns + 2)) for _ in range(2))
+    for k, q in enumerate(itertools.chain(_filled(section), _random(section))):
         cells, on = section.grid.cell_of(section.joint.split(arm.position(q))[:, :2])
+        at = (cells // columns + 1) * (columns + 2) + cells % columns + 1
         for begin in range(0, len(q), measure.piece):
             some = slice(begin, begin + measure.piece)
             values = measure.values(arm, q[some])[on[some]].astype(np.float64)
-            total += np.bincount(cells[some][on[some]], values, len(total))
-            count += np.bincount(cells[some][on[some]], minlength=len(count))
+            np.add.at(total.reshape(-1), at[some][on[some]], values)
+            np.add.at(count.reshape(-1), at[some][on[some]], 1.0)
             yield None
         if k % SHOWN == 0:
-            yield _with_means(found, colour, total, count)
-    yield replace(_with_means(found, colour, total, count), coloured=True)
+            yield (yield from _with_means(found, colour, total, count))
+    yield replace((yield from _with_means(found, colour, total, count)), coloured=True)
+
+
+def _filled(section: Section) -> Iterator[Floats]:
+    i, j = np.nonzero(section.filled)
+    for first in range(0, len(i), PIECE):
+        yield section.at(i[first : first + PIECE], j[first : first + PIECE])
 
 
 def _random(section: Section) -> Iterator[Floats]:
@@ -146,20 +162,21 @@ def _random(section: Section) -> Iterator[Floats]:
         yield random_configurations(section.joint, PIECE, rng)
 
 
-def _with_means(found: Found, colour: str, total: Floats, count: Floats) -> Found:
-    """Return what was found with the mean of a measure in and beside each cell."""
-    shape = found.section.filled.shape
+def _with_means(found: Found, colour: str, total: Floats, count: Floats) -> Work[Found]:
+    """Return, after pieces of work, what was found with the mean of a measure in and beside each cell."""
     filled = found.section.filled
-    counted = _summed(count.reshape(shape))
-    mean = _summed(total.reshape(shape)) / np.maximum(counted, 1.0)
-    known = mean[filled]
+    values, height = np.empty(filled.shape), max(TOGETHER // filled.shape[1], 1)
+    for first in range(0, len(filled), height):
+        some, wide = slice(first, first + height), slice(first, first + height + 2)
+        counted = _summed(count[wide])
+        values[some] = np.where(counted > 0.0, _summed(total[wide]) / np.maximum(counted, 1.0), np.nan)
+        yield
+    known = values[filled & ~np.isnan(values)]
     low, high = (float(end) for end in np.quantile(known, QUANTILES)) if len(known) else (0.0, 1.0)
-    values = np.where(counted > 0.0, mean, np.nan)
     return replace(found, colour=colour, values=values, low=low, high=high)
 
 
-def _summed(values: Floats) -> Floats:
-    """Return the sums over each cell and its neighbours; rows before columns."""
-    wide = np.pad(values, 1)
+def _summed(wide: Floats) -> Floats:
+    """Return the sums over each cell and its neighbours, without the cells at the edge; rows before columns."""
     rows = wide[:-2] + wide[1:-1] + wide[2:]
     return np.asarray(rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:])

@@ -6,15 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from armlab.kin.ik.closed_form import FREE_ANGLES
-from armlab.kin.ik.problem import REACHED_RAD
 from armlab.kin.ik.screws import Vector, across, angle_about, cross, rotation
 from armlab.kin.ik.trig import sine_cosine
 
 STRAIGHT = 1e-10
 """Sine between the first and the last axis below which they are one line."""
-
-NEARLY_STRAIGHT = 2.0 * REACHED_RAD
-"""The same, up to which any first angle may reach what counts as reached, though one is best."""
 
 RIGHT = 1e-9
 """Cosine between neighbouring axes below which they are at a right angle."""
@@ -56,10 +52,8 @@ def turn(z: Sequence[Vector], R: Vector) -> list[Turned]:
     for q1 in sine_cosine(a, b, c, 1.0, root).values:
         moved = rotation(z1, q1) @ z2
         along = min(across(z0, moved), sine)
-        firsts = [] if along <= STRAIGHT else [(angle_about(z0, moved, goal), False)]
-        if along <= NEARLY_STRAIGHT:
-            firsts += [(q0, True) for q0 in FREE_ANGLES]
-        for q0, free in firsts:
+        free = along <= STRAIGHT
+        for q0 in FREE_ANGLES if free else (angle_about(z0, moved, goal),):
             rest = (rotation(z0, q0) @ rotation(z1, q1)).T @ R
             side = cross(z2, z1)
             found.append(Turned((float(q0), q1, angle_about(z2, side, rest @ side)), free))

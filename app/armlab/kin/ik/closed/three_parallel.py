@@ -27,9 +27,10 @@ from armlab.kin.ik.trig import Angles, sine_cosine
 from armlab.kin.lines import Line, common_normal
 from armlab.kin.transforms import inverse
 
-NEARLY_STRAIGHT = 2.0 * REACHED_RAD
-"""Sine between axis 6 and the parallel ones up to which any value of joint 6 may reach the target, though one is best
-and the planar 3R may not follow it."""
+NEARLY_STRAIGHT, UNCERTAIN = 2.0 * REACHED_RAD, 3e-3
+"""Sine between axis 6 and the parallel ones up to which any value of joint 6 may reach the target, though one is best;
+and up to which this one is not believed where the planar 3R does not follow it: others are within what counts as
+reached, the farther away the smaller the sine is."""
 
 
 def fits(arm: Arm) -> str | None:
@@ -73,10 +74,11 @@ def _solve(s: Screws, G: Vector, turned: bool) -> Found:
     first = list(_each(_first(s, plane.n, meeting, H)))
     found, free, hands, sampled = [], [], 0, False
     for q1, free1 in first:
-        for q5, q6, free6 in _hand(s, plane.n, s.turn(0, q1).T @ H[:3, :3]):
-            hands, sampled = hands + 1, sampled or free1 or free6
+        for q5, q6, free6, along in _hand(s, plane.n, s.turn(0, q1).T @ H[:3, :3]):
             P = inverse(s.move(0, q1)) @ H @ inverse(s.move(4, q5) @ s.move(5, q6))
-            for values, free_inside in solve_plane(plane, np.asarray(P), angle=True):
+            ways = solve_plane(plane, np.asarray(P), angle=True)
+            hands, sampled = hands + 1, sampled or free1 or free6 or (along <= UNCERTAIN and not ways)
+            for values, free_inside in ways:
                 found.append(np.array([q1, values[0], values[1], values[2], q5, q6]))
                 inside = frozenset(joint + 1 for joint in free_inside)
                 chosen = {joint for joint, is_free in ((0, free1), (5, free6)) if is_free}
@@ -98,8 +100,11 @@ def _first(s: Screws, n: Vector, meeting: Vector, H: Vector) -> Angles:
     return sine_cosine(a, b, c, s.scale)
 
 
-def _hand(s: Screws, n: Vector, R: Vector) -> Iterator[tuple[float, float, bool]]:
-    """Yield q5, q6, and whether q6 is free, with R R6⁻¹ R5⁻¹ n = n: R5⁻¹ n = R6 Rᵀ n."""
+def _hand(s: Screws, n: Vector, R: Vector) -> Iterator[tuple[float, float, bool, float]]:
+    """Yield q5, q6 with R R6⁻¹ R5⁻¹ n = n: R5⁻¹ n = R6 Rᵀ n.
+
+    And whether they were chosen freely, and the sine between axis 6 and the parallel ones.
+    """
     z5, z6 = s.z[4], s.z[5]
     seen = R.T @ n
     # z6 . R5⁻¹ n = z6 . seen, a sine-cosine equation in q5; the turn goes backwards.
@@ -110,10 +115,12 @@ def _hand(s: Screws, n: Vector, R: Vector) -> Iterator[tuple[float, float, bool]
     for q5, free5 in _each(sine_cosine(a, b, c, 1.0, (sine if sine > STRAIGHT else 0.0) if right else None)):
         moved = s.turn(4, q5).T @ n
         along = min(across(z6, moved), sine)
-        if along > STRAIGHT:
-            yield q5, angle_about(z6, seen, moved), free5
+        if along <= STRAIGHT:
+            yield from ((q5, q6, True, along) for q6 in FREE_ANGLES)
+            continue
+        yield q5, angle_about(z6, seen, moved), free5, along
         if along <= NEARLY_STRAIGHT:
-            yield from ((q5, q6, True) for q6 in FREE_ANGLES)
+            yield from ((q5, q6, free5, along) for q6 in FREE_ANGLES)
 
 
 def _each(angles: Angles) -> Iterator[tuple[float, bool]]:
