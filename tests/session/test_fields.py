@@ -69,7 +69,7 @@ def test_a_part_is_written_and_read_back_and_what_is_missing_is_as_it_opens(kind
     part = kind.initial(robot)
     data = json.loads(json.dumps(part.to_json()))
     assert kind.from_json(data, robot).to_json() == part.to_json()
-    if kind in BESPOKE:
+    if kind in BESPOKE or kind.bare:
         return
     assert list(data) == [each.under for each in declarations(kind).values()]
     assert kind.from_json({}, robot).to_json() == part.to_json()
@@ -86,7 +86,7 @@ def test_junk_is_refused_with_a_sentence_and_changes_nothing(kind):
                 continue
             held = changed[kind].to_json()
             assert kind.from_json(json.loads(json.dumps(held, allow_nan=False)), ROBOT).to_json() == held
-    if kind not in BESPOKE:
+    if kind not in BESPOKE and not kind.bare:
         with pytest.raises(InputError, match="expected fields by name"):
             kind.from_json([], ROBOT)
 

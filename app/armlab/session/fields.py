@@ -183,6 +183,9 @@ class FieldPart(Part):
     looks: ClassVar[tuple[str, ...]] = ()
     """Fields that only say what is drawn: no step to undo, and example and film go on as they are."""
 
+    bare: ClassVar[bool] = False
+    """Whether the JSON is the value of its one field, without a name."""
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part with the values declared."""
@@ -237,11 +240,14 @@ class FieldPart(Part):
 
     def to_json(self) -> Json:
         """Write the fields declared."""
-        return {each.under: each.written(getattr(self, name)) for name, each in declarations(type(self)).items()}
+        written = {each.under: each.written(getattr(self, name)) for name, each in declarations(type(self)).items()}
+        return next(iter(written.values())) if self.bare else written
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read them back; what is missing is as it opens. Raises `InputError` when it is not usable."""
+        if cls.bare:
+            return cls.initial(robot).with_values(dict.fromkeys(declarations(cls), data))
         if not isinstance(data, dict):
             raise InputError(f"{cls.key}: expected fields by name, got {type(data).__name__}")
         given = {name: data[each.under] for name, each in declarations(cls).items() if each.under in data}
