@@ -9,8 +9,8 @@ import statistics
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from armlab.kin.workspace.section import RESOLUTION, section
 from armlab.kin.workspace.section_size import Size, size
+from armlab.kin.workspace.sections import RESOLUTION, section
 from judged_volume import Judged, judged
 from random_volumes import KINDS, drawn
 from rounds import sized

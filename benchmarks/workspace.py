@@ -12,8 +12,8 @@ import peers
 from armlab import Arm
 from armlab.kin.convert import converted
 from armlab.kin.workspace.cloud import samples
-from armlab.kin.workspace.section import sections
 from armlab.kin.workspace.section_size import Size, size
+from armlab.kin.workspace.sections import sections
 from armlab.kin.workspace.spherical_wrist import coverage
 from armlab.kin.workspace.voxels import Voxels, voxels_for
 from rounds import header, medians, row, sized

@@ -72,11 +72,12 @@ def test_a_broken_plug_in_stops_the_start_and_is_named(house, file, text, told):
     assert "Traceback" not in result.stderr
 
 
-FAILING_PANEL = PANEL.replace("text = gui.html()", "1 / 0")
+FAILING_PANEL = PANEL.replace("form = gui.form(post)", "1 / 0")
 
 
-def test_a_panel_that_fails_is_replaced_by_a_line_and_the_rest_lives_on(house):
-    with_panel(house, FAILING_PANEL)
+@pytest.mark.parametrize("panel", [FAILING_PANEL, "1 / 0"], ids=["built", "imported"])
+def test_a_panel_that_fails_is_replaced_by_a_line_and_the_rest_lives_on(house, panel):
+    with_panel(house, panel)
     code = """
 import asyncio
 from support.fake_browser import FakeBrowser, cookie_of

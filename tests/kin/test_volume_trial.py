@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from armlab.kin.arm import Arm
-from armlab.kin.workspace.section import section
 from armlab.kin.workspace.section_size import Size
+from armlab.kin.workspace.sections import section
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 

@@ -12,7 +12,7 @@ from armlab.kin.arm import Arm
 from armlab.kin.workspace import boundary, wrist_turns
 from armlab.kin.workspace.around import all_zero
 from armlab.kin.workspace.faces import COMPARED, TOGETHER, finding_faces
-from armlab.kin.workspace.section import section
+from armlab.kin.workspace.sections import section
 from armlab.kin.workspace.surface import near_boundary
 from armlab.kin.workspace.wrist_turns import ROLLS, TRIED
 

@@ -9,8 +9,8 @@ from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.planar_regions import regions
-from armlab.kin.workspace.section import section
 from armlab.kin.workspace.section_size import size
+from armlab.kin.workspace.sections import section
 from armlab.kin.workspace.wrist_points import wrist_points
 from armlab.kin.workspace.wrist_turns import turns_freely
 

@@ -11,8 +11,8 @@ from armlab.kin.workspace.first_joint import first_joint
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.pull import pieces
 from armlab.kin.workspace.rows import Rows
-from armlab.kin.workspace.section import section
 from armlab.kin.workspace.section_size import reach, reaching, size, sizing
+from armlab.kin.workspace.sections import section
 
 
 @pytest.fixture(scope="module")

@@ -15,8 +15,8 @@ from armlab.kin.arm import Arm
 from armlab.kin.ik.solve_all import solve_all
 from armlab.kin.transforms import transform
 from armlab.kin.workspace.first_joint import first_joint
-from armlab.kin.workspace.section import section, sections
 from armlab.kin.workspace.section_size import dimension, reach, size
+from armlab.kin.workspace.sections import section, sections
 
 RESOLUTION = 64
 SAMPLES = 32_768

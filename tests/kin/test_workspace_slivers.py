@@ -12,8 +12,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
-from armlab.kin.workspace.section import section, sections
 from armlab.kin.workspace.section_size import MOST_CELLS, WANTED, _between, size
+from armlab.kin.workspace.sections import section, sections
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 
@@ -73,7 +73,7 @@ def test_while_the_cells_are_halved_what_there_was_before_is_yielded():
 def test_where_s_comes_in_intervals_as_many_samples_tell_about_a_smaller_cell(joints, times, monkeypatch):
     rows = [("R", 0, pi / 2, 0.4, 0), *[("R", 0.5, 0, 0, 0)] * (joints - 1)]
     arm = Arm.from_dh(rows, limits=[[-1.0, 1.0], *[[-0.5, 1.5]] * (joints - 1)])
-    module, asked = sys.modules["armlab.kin.workspace.section"], []
+    module, asked = sys.modules["armlab.kin.workspace.sections"], []
     at = module._at
 
     def noted(joint, cells, samples, *more):

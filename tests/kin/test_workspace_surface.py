@@ -6,7 +6,7 @@ import pytest
 from armlab.content.robots import catalogue
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.first_joint import first_joint
-from armlab.kin.workspace.section import section
+from armlab.kin.workspace.sections import section
 from armlab.kin.workspace.surface import near_boundary, surface
 
 FULL = [[-np.pi, np.pi]]

@@ -74,7 +74,7 @@ from armlab.session.state import Command, PartType
 @dataclass(frozen=True)
 class MadeUp(FieldPart):
     key = "made_up"
-    value: int = whole("count", 3, 0, 9)
+    value: int = whole("count", 3, 0, 99)
 
 PART = PartType(MadeUp, order=50)
 
@@ -242,7 +242,7 @@ async def main(url):
     await browser.connect()
     await browser.until(lambda: "al-notes" in browser.html())
     await browser.open("made_up", "target", "robot")
-    await browser.until(lambda: "made-up: 6 joints, counted 3<" in browser.html())
+    await browser.until(lambda: "made-up: 6 joints, counted 33<" in browser.html())
     await browser.until(lambda: any(c["props"].get("label") == "Family" for c in browser.controls.values()))
     method = next(c for c in browser.controls.values() if c["props"].get("label") == "Method")
     assert "Made-up method" in method["props"]["options"], method
@@ -250,7 +250,7 @@ async def main(url):
     await browser.set_value(family, "Planar")
     await browser.until(lambda: 'data-cell="made_up"' in browser.html())
     await browser.press("made-more")
-    await browser.until(lambda: "counted 4" in browser.html())
+    await browser.until(lambda: "counted 34" in browser.html())
     await browser.press("made_up")
     await browser.until(lambda: "made-up: 1 joints" in browser.html())
     await browser.close()

@@ -25,8 +25,8 @@ from armlab.benches.workspace.section.state import (
 )
 from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, InputError
-from armlab.kin.workspace.section import section
 from armlab.kin.workspace.section_size import Size
+from armlab.kin.workspace.sections import section
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint
 from armlab.session.parts.robot import ChooseRobot

@@ -13,8 +13,9 @@ from armlab.kin.workspace.approach import Approaches, Directions, directions
 from armlab.kin.workspace.cloud import Samples, samples
 from armlab.kin.workspace.measures import Measure, measure_named
 from armlab.kin.workspace.planar import PlanarWorkspace, planar_workspace
-from armlab.kin.workspace.section import Section, section, sections
+from armlab.kin.workspace.section import Section
 from armlab.kin.workspace.section_size import Reach, Size, reach, size
+from armlab.kin.workspace.sections import section, sections
 from armlab.kin.workspace.sheet_maps import SheetMap, approach_maps, count_maps
 from armlab.kin.workspace.solution_count import Count, count_of
 from armlab.kin.workspace.spherical_wrist import Coverage, coverage

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.kin.workspace.around import Around
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.pull import pull_in_space
-
-if TYPE_CHECKING:
-    from armlab.kin.workspace.section import Section
+from armlab.kin.workspace.section_grid import Grid
 
 Floats = NDArray[np.float64]
 
@@ -28,7 +27,38 @@ NEAR_ENOUGH = 1e-10
 """Of the length scale."""
 
 
-def nearest_configuration(section: Section, point: Floats) -> Floats:
+class Cells(Protocol):
+    """What is known of a section; see `armlab.kin.workspace.section.Section`."""
+
+    @property
+    def grid(self) -> Grid:
+        """Of its cells."""
+
+    @property
+    def joint(self) -> FirstJoint:
+        """The joint that does not change u and v."""
+
+    @property
+    def filled(self) -> NDArray[np.bool_]:
+        """Cells with a configuration."""
+
+    @property
+    def u(self) -> Floats:
+        """Middles of the cells across."""
+
+    @property
+    def v(self) -> Floats:
+        """Middles of the cells upwards."""
+
+    @property
+    def around(self) -> Around | None:
+        """Which s are reached at q_1 = 0."""
+
+    def at(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> Floats:
+        """Return the configurations of cells."""
+
+
+def nearest_configuration(section: Cells, point: Floats) -> Floats:
     """Return a configuration (n,) inside the limits, its tool as near to a point of the world (3,) as was found."""
     joint = section.joint
     arm = joint.arm
@@ -51,7 +81,7 @@ def with_first(joint: FirstJoint, q: Floats, point: Floats) -> Floats:
     return chosen
 
 
-def _starts(section: Section, point: Floats) -> Floats:
+def _starts(section: Cells, point: Floats) -> Floats:
     """Return configurations (k, n) with q_1 = 0: of cells nearest in (u, v), and of those joint 1 brings nearest."""
     grid, joint, (u, v, _) = section.grid, section.joint, section.joint.split(point)
     i, j = np.nonzero(section.filled)

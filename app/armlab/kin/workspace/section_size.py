@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +14,9 @@ from armlab.kin.workspace.extremes import Objective, climbed
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.outline import Outline
 from armlab.kin.workspace.pull import section_rates
+from armlab.kin.workspace.section import Section
 from armlab.kin.workspace.section_grid import PLANAR_FINER, random_configurations
 from armlab.kin.workspace.work import Work, result_of
-
-if TYPE_CHECKING:
-    from armlab.kin.workspace.section import Section
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]

@@ -9,7 +9,8 @@ import numpy as np
 
 from armlab.benches.workspace.cloud.state import Workspace, asks_for_boundary
 from armlab.kin.arm import Arm
-from armlab.kin.workspace.section import Section, sections
+from armlab.kin.workspace.section import Section
+from armlab.kin.workspace.sections import sections
 from armlab.kin.workspace.surface import near_boundary
 from armlab.session.job import Job, Wanted
 from armlab.session.parts.joints import Joints

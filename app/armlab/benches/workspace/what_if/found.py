@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from armlab.kin.arm import Arm
 from armlab.kin.workspace.cloud import Samples, samples
 from armlab.kin.workspace.first_joint import first_joint
-from armlab.kin.workspace.section import Section, sections
+from armlab.kin.workspace.section import Section
 from armlab.kin.workspace.section_size import Reach, Size, reaching, sizing
+from armlab.kin.workspace.sections import sections
 
 Mask = NDArray[np.bool_]
 
