@@ -76,7 +76,7 @@ class Microscope(FieldPart):
 
     key: ClassVar[str] = "microscope"
 
-    leave_example: ClassVar[tuple[str, ...]] = ("example", "method", "distance")
+    looks: ClassVar[tuple[str, ...]] = ("method", "distance")
 
     arm: Arm
     aim: Aim = choice("direction of the velocity", "lost", AIMS)
