@@ -4,6 +4,7 @@ import json
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from armlab.benches.control.loop.state import CLIP_KEY, Loop
@@ -39,8 +40,9 @@ def plain_fields(kind):
 
 
 def values(part):
-    """Return the values of the declared fields, by name."""
-    return {name: getattr(part, name) for name in declarations(type(part))}
+    """Return the values of the declared fields, by name; arrays as lists, which can be compared."""
+    found = {name: getattr(part, name) for name in declarations(type(part))}
+    return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in found.items()}
 
 
 def other_values(part, field, robot):
