@@ -42,7 +42,7 @@ CHANGES = {
     "iterate.runs": [("set", {"most": 3})],
     "motion.curves": [("set_knot", {"k": 1, "cell": "q", "value": 3})],
     "motion.laws": [("set_quantity", {"name": "duration", "value": 3})],
-    "motion.space_curve": [("set_duration", {"duration": 7})],
+    "motion.space_curve": [("set", {"duration": 7})],
     "pose.tool": [("look_at", {"reference": "0", "frame": "1"})],
     "robot.normal": [("place_lines", {"kind": "parallel"})],
     "robot.table": [("set_point", {"xyz_mm": [50, 0, 0]})],

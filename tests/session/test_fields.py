@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.control.loop.state import CLIP_KEY, Loop
+from armlab.benches.motion.space_curve.state import SpaceCurve
 from armlab.benches.workspace.dexterous.state import Dexterous
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
@@ -73,7 +74,7 @@ def test_a_part_is_written_and_read_back_and_what_is_missing_is_as_it_opens(kind
     part = kind.initial(robot)
     data = json.loads(json.dumps(part.to_json()))
     assert kind.from_json(data, robot).to_json() == part.to_json()
-    if kind in BESPOKE:
+    if kind in BESPOKE or kind.bare:
         return
     assert list(data) == [each.under for each in declarations(kind).values()]
     assert kind.from_json({}, robot).to_json() == part.to_json()
@@ -90,7 +91,7 @@ def test_junk_is_refused_with_a_sentence_and_changes_nothing(kind):
                 continue
             held = changed[kind].to_json()
             assert kind.from_json(json.loads(json.dumps(held, allow_nan=False)), ROBOT).to_json() == held
-    if kind not in BESPOKE:
+    if kind not in BESPOKE and not kind.bare:
         with pytest.raises(InputError, match="expected fields by name"):
             kind.from_json([], ROBOT)
 
@@ -144,6 +145,19 @@ def test_the_film_of_a_part_begins_again_and_another_one_does_not():
     assert put(state, replace(state[Loop], mass=2.0))[Timeline].time == 0.0
     other = apply(apply(State.initial(ROBOT), OpenClip("sweep")), Seek(1.0))
     assert apply(other, Set(Loop, "mass", 2.0))[Timeline].time == 1.0
+
+
+def test_what_only_says_what_is_drawn_is_no_step_and_leaves_the_example_and_the_film():
+    look, work = Set(SpaceCurve, "arrows", True), Set(SpaceCurve, "duration", 7.0)
+    assert (look.undoable, work.undoable) == (False, True)
+    assert not SetFields.of(SpaceCurve, arrows=True).undoable
+    assert SetFields.of(SpaceCurve, arrows=True, duration=7.0).undoable
+    state = apply(apply(State.initial(ROBOT), OpenClip(SpaceCurve.clip)), Seek(1.0))
+    looked = apply(state, look)
+    assert (looked[SpaceCurve].arrows, looked[SpaceCurve].example, looked[Timeline].time) == (True, "frenet", 1.0)
+    worked = apply(state, work)
+    assert (worked[SpaceCurve].example, worked[Timeline].time) == ("", 0.0)
+    assert apply(looked, look) is looked
 
 
 def test_an_undo_says_the_title_of_the_field():

@@ -103,11 +103,11 @@ def test_what_changes_only_the_page_has_it_shown_again():
 def test_a_drag_goes_by_itself_so_that_a_newer_one_may_replace_it():
     drag = MoveJoint(0, 0.5)
     form = BareForm()
-    form.show(form.button("drag", "", drag) + form.button("go", "", MASS))
-    form.press("drag")
+    form.show(f"<i {form.place('at', lambda x, y, number: drag, drag=True)}></i>" + form.button("go", "", drag))
+    form.press("at", "0,0,1")
     form.press("go")
     assert form.posted[0] is drag
-    assert isinstance(form.posted[1], Asked)
+    assert form.posted[1].commands == (drag,)
 
 
 @pytest.fixture(scope="module")

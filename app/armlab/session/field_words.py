@@ -68,8 +68,8 @@ class SetFields(Command):
 
     @property
     def undoable(self) -> bool:  # type: ignore[override]
-        """Whether the part is work, and not only what is being looked at."""
-        return not self.part.kept_by_undo
+        """Whether it is work, and not only what is being looked at."""
+        return not self.part.kept_by_undo and any(name not in self.part.looks for name, _ in self.values)
 
     def apply(self, state: State) -> State:
         """Return the state with the fields set, and no example in place any more."""

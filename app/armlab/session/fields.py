@@ -179,6 +179,12 @@ class FieldPart(Part):
     leave_example: ClassVar[tuple[str, ...]] = (EXAMPLE,)
     """Fields that may be set while the example stays in place."""
 
+    looks: ClassVar[tuple[str, ...]] = ()
+    """Fields that only say what is drawn: no step to undo, and example and film go on as they are."""
+
+    bare: ClassVar[bool] = False
+    """Whether the JSON is the value of its one field, without a name."""
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part with the values declared."""
@@ -233,11 +239,14 @@ class FieldPart(Part):
 
     def to_json(self) -> Json:
         """Write the fields declared."""
-        return {each.under: each.written(getattr(self, name)) for name, each in declarations(type(self)).items()}
+        written = {each.under: each.written(getattr(self, name)) for name, each in declarations(type(self)).items()}
+        return next(iter(written.values())) if self.bare else written
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
         """Read them back; what is missing is as it opens. Raises `InputError` when it is not usable."""
+        if cls.bare:
+            return cls.initial(robot).with_values(dict.fromkeys(declarations(cls), data))
         if not isinstance(data, dict):
             raise InputError(f"{cls.key}: expected fields by name, got {type(data).__name__}")
         given = {name: data[each.under] for name, each in declarations(cls).items() if each.under in data}
@@ -288,8 +297,8 @@ class Set(Command):
 
     @property
     def undoable(self) -> bool:  # type: ignore[override]
-        """Whether the part is work, and not only what is being looked at."""
-        return not self.part.kept_by_undo
+        """Whether it is work, and not only what is being looked at."""
+        return not self.part.kept_by_undo and self.name not in self.part.looks
 
     def apply(self, state: State) -> State:
         """Return the state with the field set, and no example in place any more."""
@@ -301,9 +310,9 @@ def setting(state: State, kind: type[FieldPart], values: Mapping[str, Any]) -> S
     part = state[kind]
     changed = part.with_values(values)
     others = [name for name in values if not _same(getattr(changed, name), getattr(part, name))]
-    if not others:
-        return state
-    return put(state, changed if set(others) <= set(part.leave_example) else changed.without_example())
+    if set(others) <= set(part.looks):
+        return state.replace(changed) if others else state
+    return put(state, changed if set(others) <= {*part.leave_example, *part.looks} else changed.without_example())
 
 
 def put(state: State, part: FieldPart) -> State:

@@ -49,6 +49,7 @@ class Form:
         self._fields, self._post, self._again, self._beside = make(self._asked), post, again, beside
         self._bound: dict[str, Typed] = {}
         self._binding: dict[str, Typed] = {}
+        self._drags: set[str] = set()
 
     @property
     def channel_id(self) -> str:
@@ -124,7 +125,12 @@ class Form:
         return self._fields.area(cell, value, label, lines)
 
     def place(self, cell: str, action: Picked, drag: bool = False) -> str:
-        """Return the attributes of an element in which a place is clicked or, with ``drag``, dragged."""
+        """Return the attributes of an element in which a place is clicked or, with ``drag``, dragged.
+
+        Commands of a drag wait by themselves, so that a newer one may replace them; a refusal of theirs is a notice.
+        """
+        if drag:
+            self._drags.add(cell)
         return f"{self.bound(cell, lambda text: action(*_place(text)))} data-pick{'=drag' if drag else ''}"
 
     def bound(self, cell: str, action: Typed) -> str:
@@ -164,8 +170,9 @@ class Form:
             self._again()
             return
         asked = (wish,) if isinstance(wish, Command) else tuple(wish)
-        if len(asked) == 1 and (asked[0].snapshot or not self._beside):
-            self._post(asked[0])
+        if cell in self._drags or not self._beside:
+            for command in asked:
+                self._post(command)
         elif asked:
             refuse = self._fields.refuse_later(cell, text)
             self._post(Asked(asked, refuse))

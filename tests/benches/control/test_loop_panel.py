@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from armlab.benches.control.exponential.examples import EXAMPLES as MATRICES
-from armlab.benches.control.exponential.state import Exponential, SetEntry, check
+from armlab.benches.control.exponential.state import Exponential, SetEntry
 from armlab.benches.control.exponential.ui import page as exponential
 from armlab.benches.control.exponential.ui.plane import plane
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
@@ -145,7 +145,7 @@ def test_random_and_degenerate_systems_are_drawn_of_numbers(rng):
     for A in matrices:
         for x0 in ((0.0, 0.0), (1.0, -2.0), (1e-6, 0.0)):
             part = replace(Exponential(), A=A, x0=x0, t=float(rng.choice([0.0, 1.0, 3.0])), terms=3)
-            check(part)
+            part.check()
             page = plane(part) + exponential.results_markup(part)
             assert not re.search(r"\bnan\b|\binf\b", page)
 

@@ -7,9 +7,6 @@ import pytest
 from scipy.integrate import trapezoid
 from scipy.interpolate import CubicSpline
 
-from armlab.benches.motion.curves.commands import (
-    ShowDegree,
-)
 from armlab.benches.motion.curves.examples import EXAMPLES, ChooseExample, differences
 from armlab.benches.motion.curves.knots import MOST_KNOTS
 from armlab.benches.motion.curves.made import Drawn, free_options, grid, kinds, made, why_not
@@ -21,6 +18,7 @@ from armlab.kin.motion.law_types import free_law_types
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.peaks import peaks, violations
 from armlab.session.chosen import Chosen
+from armlab.session.fields import Set
 from armlab.session.state import State, apply
 
 ROBOT = catalogue()["puma560"]
@@ -104,7 +102,7 @@ def test_rest_to_rest_with_its_peaks(truth, name):
 def test_the_normalised_polynomials_keep_the_rules(truth, state):
     assert list(normalised(7).coefficients) == truth["C6.2.1-rest-7th"]["expected"]["coeffs_high_to_low"]
     for degree in (3, 5, 7, 9):
-        found = normalised(apply(state, ShowDegree(degree))[Curves].degree)
+        found = normalised(apply(state, Set(Curves, "degree", degree))[Curves].degree)
         assert found.rules.kept
         drawn = curve(((0.0, 0.0), (1.0, 1.0)), "polynomial", degree=degree)
         np.testing.assert_allclose(one_polynomial(drawn).normalised, found.coefficients, rtol=0, atol=1e-9)

@@ -16,8 +16,6 @@ from armlab.benches.motion.curves.commands import (
     SetKnots,
     SetLimit,
     SetOption,
-    SetUnit,
-    ShowDegree,
 )
 from armlab.benches.motion.curves.examples import EXAMPLES, ChooseExample
 from armlab.benches.motion.curves.state import Curves
@@ -27,6 +25,7 @@ from armlab.benches.motion.curves.ui.solved import rules_markup, solved_markup
 from armlab.benches.motion.curves.ui.words import figures, polynomial, read_rows
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from armlab.ui.format import lowered
 from armlab.ui.option_form import Scale
@@ -78,13 +77,13 @@ def test_what_is_typed_and_pressed_becomes_commands():
     assert typed("add-knot 1") == (AddKnot(1),)
     assert typed("rows", "0 0; 1 2") == ()
     assert typed("rows", "0 0; 1 2", as_text=True) == (SetKnots(((0.0, 0.0), (1.0, 2.0))),)
-    assert typed("unit mm") == (SetUnit("mm"),)
+    assert typed("unit mm") == (Set(Curves, "unit", "mm"),)
     assert typed("v_max", " ") == (SetLimit("v_max", None),)
     assert typed("path-1", "polynomial") == (ChoosePath(1, "polynomial"),)
     assert typed("law-0", "cubic") == (ChooseLaw(0, "cubic"),)
     assert typed("path0 ends", "natural") == (SetOption(0, "path", "ends", "natural"),)
     assert typed("path1 ends", "natural") == ()  # only the options of the selected curve are there
-    assert typed("degree 7") == (ShowDegree(7),)
+    assert typed("degree 7") == (Set(Curves, "degree", 7),)
     for cell, text, says in (
         ("t 2", "soon", "knot 3, t: expected a number, got 'soon'"),
         ("a_max", "much", "a_max: expected a number"),

@@ -18,9 +18,6 @@ from armlab.benches.motion.curves.commands import (
     SetKnots,
     SetLimit,
     SetOption,
-    SetUnit,
-    ShowCurve,
-    ShowDegree,
     TakeFastest,
 )
 from armlab.benches.motion.curves.examples import ChooseExample
@@ -32,6 +29,7 @@ from armlab.benches.motion.curves.ui.listed import curves_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.chosen import Chosen
+from armlab.session.fields import Set
 from armlab.session.state import State, apply
 from support.forms import BareForm
 
@@ -91,7 +89,7 @@ def test_knots_are_added_moved_and_removed(state):
     state = apply(state, RemoveKnot(1))
     assert [t for t, _ in state[Curves].knots] == [0.0, 1.0, 2.0, 3.0, 4.0]
     for unit in UNITS:
-        assert apply(state, SetUnit(unit))[Curves].unit == unit
+        assert apply(state, Set(Curves, "unit", unit))[Curves].unit == unit
 
 
 def test_a_curve_that_no_longer_takes_the_knots_stays_and_says_why(state):
@@ -116,7 +114,7 @@ def test_curves_are_added_chosen_and_removed(state):
     assert part.curves[2].path.key == "interpolating"
     with pytest.raises(InputError, match=f"at most {MOST_CURVES}"):
         apply(state, AddCurve())
-    state = apply(state, ShowCurve(0))
+    state = apply(state, Set(Curves, "selected", 0))
     state = apply(apply(state, RemoveCurve(2)), RemoveCurve(1))
     with pytest.raises(InputError, match="at least one"):
         apply(state, RemoveCurve(0))
@@ -166,6 +164,8 @@ def test_an_answer_to_a_question_that_has_passed_is_let_go(state):
     assert wanted(moved, frozenset()) is None
     (found,) = JOB.run(asked)
     assert JOB.delivered(moved, asked, found) is moved
+    assert wanted(apply(state, Set(Curves, "limits", (1.0, 2.0))), frozenset()) is None
+    assert wanted(apply(state, Set(Curves, "unit", "mm")), frozenset()) is not None
     assert with_fastest(moved) is moved
 
 
@@ -222,9 +222,9 @@ def test_limits_at_the_edge_of_what_can_be_typed_are_answered_or_refused(state):
         (SetLimit("v_max", 0.0), "v_max: expected a positive number, or nothing for no limit; got 0"),
         (SetLimit("a_max", math.inf), "a_max: expected a positive number, or nothing for no limit; got inf"),
         (SetLimit("jerk", 1.0), "limit: unknown name 'jerk'"),
-        (SetUnit("feet"), "unit: unknown name 'feet'"),
-        (ShowDegree(4), "degree: expected one of 3, 5, 7, 9, got 4"),
-        (ShowCurve(3), "curve: expected 1 to 3, got 4"),
+        (Set(Curves, "unit", "feet"), "unit: unknown name 'feet'"),
+        (Set(Curves, "degree", 4), "degree: expected one of 3, 5, 7, 9, got 4"),
+        (Set(Curves, "selected", 3), "curve: expected 1 to 3, got 4"),
         (ChooseExample("none"), "example: unknown name 'none'"),
     ],
 )

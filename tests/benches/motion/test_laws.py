@@ -12,7 +12,6 @@ from armlab.benches.motion.laws.commands import (
     SetLawOption,
     SetQuantity,
     Stretch,
-    StretchLaw,
     StretchOptimally,
     TakeBounds,
     optimal,
@@ -36,6 +35,7 @@ from armlab.kin.motion import free_law_types
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.scaling import optimal_scaling
 from armlab.session.chosen import Chosen
+from armlab.session.fields import Set
 from armlab.session.state import apply
 from support.laws import after, bench, example
 
@@ -179,7 +179,7 @@ def test_time_scaling_of_any_law(rng):
 
 
 def test_the_chosen_law_is_the_one_that_is_stretched():
-    part = bench(StretchLaw(1), Stretch(3.0))
+    part = bench(Set(Laws, "scaled", 1), Stretch(3.0))
     second, after_ = part.laws[1], part.stretched
     assert after_.peak_acceleration == pytest.approx(second.peak_acceleration / 9.0)
     assert part.laws[0].peak_acceleration != pytest.approx(second.peak_acceleration)

@@ -19,9 +19,7 @@ from armlab.benches.motion.laws.commands import (
     SetBoundOption,
     SetLawOption,
     SetQuantity,
-    ShowBounds,
     Stretch,
-    StretchLaw,
     StretchOptimally,
     TakeBounds,
 )
@@ -34,6 +32,7 @@ from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import PLUS_MINUS_ONE
 from armlab.session.chosen import Chosen
+from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
 from armlab.session.state import apply
@@ -49,12 +48,12 @@ def test_laws_are_added_chosen_and_taken_away():
     assert len({entry.chosen.key for entry in part.entries}) == 3
     with pytest.raises(InputError, match="at most 3 laws"):
         apply(state, AddLaw())
-    part = after(StretchLaw(2), RemoveLaw(1), state=state)[Laws]
+    part = after(Set(Laws, "scaled", 2), RemoveLaw(1), state=state)[Laws]
     assert [entry.colour for entry in part.entries] == [0, 2]
     assert part.scaled == 1
     # The law that is stretched stays the same one where its place changes.
-    assert after(StretchLaw(1), RemoveLaw(0), state=state)[Laws].scaled == 0
-    one = after(StretchLaw(2), RemoveLaw(1), RemoveLaw(0), state=state)
+    assert after(Set(Laws, "scaled", 1), RemoveLaw(0), state=state)[Laws].scaled == 0
+    one = after(Set(Laws, "scaled", 2), RemoveLaw(1), RemoveLaw(0), state=state)
     with pytest.raises(InputError, match="the last law stays"):
         apply(one, RemoveLaw(0))
     assert apply(one, AddLaw())[Laws].entries[1].colour == 0
@@ -87,7 +86,7 @@ def test_examples_are_put_in_place_written_and_read_back(key):
     read = Laws.from_json(json.loads(json.dumps(part.to_json())), state[RobotPart].robot)
     assert read == part
     assert apply(state, SetQuantity("distance", 7.0))[Laws].example == ""
-    assert apply(state, ShowBounds(not part.bounds_shown))[Laws].example == key
+    assert apply(state, Set(Laws, "bounds_shown", not part.bounds_shown))[Laws].example == key
     assert apply(state, ChooseRobot("puma560"))[Laws] == part
 
 
@@ -175,9 +174,9 @@ def test_the_bound_holds_on_the_path():
         (ChooseLaw(5, "cubic"), "law: expected 1 to 2"),
         (SetLawOption(0, "ramp", 0.2), "ramp"),
         (LeaveAsTyped(0, True), "cubic"),
-        (Stretch(0.0), "k: expected 0.001 to 1000, got 0"),
+        (Stretch(0.0), "k: expected at least 0.001 and at most 1000, got 0"),
         (Stretch(math.nan), "k: expected"),
-        (StretchLaw(2), "law: expected 1 to 2"),
+        (Set(Laws, "scaled", 2), "law to stretch: expected 1 to 2"),
         (ChooseLawExample("nothing"), "nothing"),
         (SetBound("knots", [[1.0, 2.0]]), "waypoints"),
         (SetBound("knots", [[1.0, 2.0], [1.0, 2.0]]), "waypoint"),

@@ -8,11 +8,9 @@ import pytest
 from armlab.benches.motion.space_curve.commands import (
     ChooseCurve,
     ChooseLaw,
-    GoLongWay,
     SetAngle,
     SetPoint,
     TakeOrientation,
-    UseLength,
     WriteIn,
 )
 from armlab.benches.motion.space_curve.examples import EXAMPLES, ChooseExample
@@ -33,6 +31,7 @@ from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.geometry import curvature
 from armlab.kin.rotations import is_rotation
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
@@ -128,7 +127,7 @@ def test_every_example_can_be_put_in_place_and_played(key):
 @pytest.mark.parametrize("by_length", [False, True])
 @pytest.mark.parametrize("key", ["frenet", "helix", "twisted", "clothoid", "spline"])
 def test_velocity_and_acceleration_are_the_derivatives_of_the_motion(key, by_length):
-    found = curve_of(after(ChooseExample(key), UseLength(by_length), ChooseLaw("quintic")))
+    found = curve_of(after(ChooseExample(key), Set(SpaceCurve, "by_length", by_length), ChooseLaw("quintic")))
     h = 1e-4
     for t in (0.7, 1.9, 3.1):
         before, now, later = (moment(found, t + shift) for shift in (-h, 0.0, h))
@@ -140,9 +139,9 @@ def test_velocity_and_acceleration_are_the_derivatives_of_the_motion(key, by_len
 
 def test_by_length_the_first_derivative_is_the_tangent_and_the_second_is_across_it():
     state = after(ChooseExample("frenet"))
-    plain, by_length = curve_of(state), curve_of(after(UseLength(True), state=state))
+    plain, by_length = curve_of(state), curve_of(after(Set(SpaceCurve, "by_length", True), state=state))
     for s in S[1:-1]:
-        now = at(after(UseLength(True), state=state), float(s))
+        now = at(after(Set(SpaceCurve, "by_length", True), state=state), float(s))
         assert np.linalg.norm(now.d1) == pytest.approx(1.0, abs=1e-12)
         np.testing.assert_allclose(now.d2, now.frame.curvature * now.frame.normal, rtol=0, atol=1e-12)
         assert abs(now.centripetal @ now.frame.tangent) < 1e-12
@@ -156,7 +155,7 @@ def test_where_a_curve_is_not_regular_it_says_so():
     np.testing.assert_allclose(still.stands, [0.5], rtol=0, atol=1e-4)
     assert not still.frame.curvature.any()
     with pytest.raises(InputError, match=r"p' = 0 at s = 0\.5"):
-        after(ChooseExample("still"), UseLength(True))
+        after(ChooseExample("still"), Set(SpaceCurve, "by_length", True))
     assert "no direction" in at(after(ChooseExample("cusp")), 0.5).frame.remark
     straight = at(after(ChooseCurve("line")), 0.4).frame
     assert "every normal is as good" in straight.remark
@@ -255,13 +254,13 @@ def test_half_a_turn_is_a_remark_and_has_another_way():
     state = after(ChooseExample("half_turn"))
     found = turn_of(state)
     assert "Chosen: r." in found.remarks[0]
-    other = turn_of(after(GoLongWay(True), state=state))
+    other = turn_of(after(Set(SpaceCurve, "other_way", True), state=state))
     assert "Chosen: −r." in other.remarks[0]
     assert found.straight.angle == pytest.approx(-other.straight.angle)
     with pytest.raises(InputError, match="both orientations are the same"):
         after(
             *(SetAngle("B", k, state[SpaceCurve].start[k]) for k in range(3)),
-            GoLongWay(True),
+            Set(SpaceCurve, "other_way", True),
             state=state,
         )
 

@@ -10,13 +10,11 @@ from armlab.benches.motion.space_curve.commands import (
     AddPoint,
     ChooseCurve,
     ChooseLaw,
-    DrawMarks,
     GoTo,
     LookAt,
     OwnTimes,
     RemovePoint,
     SetAngle,
-    SetDuration,
     SetOption,
     SetPoint,
     TakeOrientation,
@@ -34,6 +32,7 @@ from armlab.benches.motion.space_curve.state import (
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.chosen import Chosen
+from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import Seek, Step, Timeline
 from armlab.session.state import apply
@@ -82,7 +81,7 @@ def test_a_curve_with_times_of_its_own_is_moved_in_them():
 @pytest.mark.parametrize(
     ("commands", "says"),
     [
-        ((ChooseCurve("circle"), SetPoint(0, 0, math.nan)), "waypoint 1: expected finite numbers"),
+        ((ChooseCurve("circle"), SetPoint(0, 0, math.nan)), "waypoint 1: expected three finite numbers"),
         ((ChooseCurve("line"), SetPoint(1, 0, 1e9)), "waypoint 2: expected coordinates"),
         (
             (
@@ -102,8 +101,8 @@ def test_a_curve_with_times_of_its_own_is_moved_in_them():
         ((TypeFormula(0, "sin(3000 s)"),), "changes too quickly"),
         ((TypeFormula(0, ""),), r"x\(s\): expected a formula"),
         ((TypeFormula(0, "2"), TypeFormula(1, "2"), TypeFormula(2, "2")), "stays in one point"),
-        ((SetDuration(0.0),), "T: expected 0.05 to 120 s, got 0"),
-        ((SetDuration(math.nan),), "T: expected"),
+        ((Set(SpaceCurve, "duration", 0.0),), "T: expected 0.05 to 120 s, got 0"),
+        ((Set(SpaceCurve, "duration", math.nan),), "duration: expected"),
         ((ChooseCurve("nothing"),), "unknown name"),
         ((ChooseLaw("nothing"),), "unknown name"),
         ((ChooseExample("nothing"),), "unknown name"),
@@ -115,7 +114,7 @@ def test_a_curve_with_times_of_its_own_is_moved_in_them():
         ((SetAngle("B", -1, 0.1),), "angle of B: expected 1 to 3, got 0"),
         ((WriteIn("xxz"),), "unknown name"),
         ((RemovePoint(7),), "expected 1 to 3"),
-        ((DrawMarks("nothing", True),), "unknown name"),
+        ((Set(SpaceCurve, "nothing", True),), "unknown name"),
         ((LookAt("nothing"),), "unknown name"),
         ((TakeOrientation("A", "nothing"),), "unknown name"),
     ],

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from armlab.benches.motion.space_curve.commands import ChooseCurve, GoTo, SetAngle, SetDuration, SetPoint, UseLength
+from armlab.benches.motion.space_curve.commands import ChooseCurve, GoTo, SetAngle, SetPoint
 from armlab.benches.motion.space_curve.examples import EXAMPLES, ChooseExample
 from armlab.benches.motion.space_curve.state import SpaceCurve, curve_of
 from armlab.benches.motion.space_curve.ui.form import curve_form, head, law_form, marks
@@ -147,13 +147,13 @@ def test_what_is_no_number_is_refused_in_words(cell, says):
 def test_what_is_typed_and_pressed_becomes_commands():
     state = apply(opened(), ChooseCurve("spline"))
     assert typed(state, "p 0 2", "250") == (SetPoint(0, 2, 0.25),)
-    assert typed(state, "T", "3,5") == (SetDuration(3.5),)
+    assert typed(state, "T", "3,5") == (Set(SpaceCurve, "duration", 3.5),)
     assert typed(state, "s", "0.25") == (GoTo(0.25),)
     assert apply(state, typed(state, "frame off")[0])[SpaceCurve].frame is False
-    by_length = apply(opened(), UseLength(True))
+    by_length = apply(opened(), Set(SpaceCurve, "by_length", True))
     half = 500.0 * by_length.derived(curve_of).arc.length
     assert typed(by_length, "sigma", f"{half}") == (GoTo(pytest.approx(0.5)),)
-    assert typed(by_length, "length off") == (UseLength(False),)
+    assert typed(by_length, "length off") == (Set(SpaceCurve, "by_length", False),)
     turned = asked(lambda form: turn_form(form, state), "a B 1", "90")
     assert turned == (SetAngle("B", 1, pytest.approx(np.pi / 2)),)
 

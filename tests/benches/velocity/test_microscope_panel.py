@@ -5,20 +5,10 @@ import re
 import numpy as np
 import pytest
 
+from armlab.benches.velocity.microscope.commands import AimAlong, BringNear, SetComponent, SetDamping
 from armlab.benches.velocity.microscope.examples import ChooseMicroscopeExample
-from armlab.benches.velocity.microscope.state import (
-    AimAlong,
-    AimVelocity,
-    BringNear,
-    Microscope,
-    SetComponent,
-    SetDamping,
-    SetDistance,
-    WatchMethod,
-    known_places,
-    looked,
-    near,
-)
+from armlab.benches.velocity.microscope.looked import known_places, looked, near
+from armlab.benches.velocity.microscope.state import Microscope
 from armlab.benches.velocity.microscope.ui.bars import bars, scale_of
 from armlab.benches.velocity.microscope.ui.page import damping_markup, head_markup, speed_unit, wish_markup
 from armlab.benches.velocity.microscope.ui.scene import names_of
@@ -26,6 +16,7 @@ from armlab.benches.velocity.microscope.ui.words import NAMES, components, condi
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.rotations import rotation_from_quaternion
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
 from armlab.ui.units import units_of
@@ -54,15 +45,15 @@ def test_no_page_at_any_known_singularity_holds_a_number_that_is_none(robot):
     start = opened(robot.key)
     for distance in (0.0, 1e-9, 0.05):
         for i in range(len(known_places(start))):
-            state = apply(apply(start, SetDistance(distance)), BringNear(i))
+            state = apply(apply(start, Set(Microscope, "distance", distance)), BringNear(i))
             for aim in ("lost", "across"):
-                page = page_of(apply(state, AimVelocity(aim)))
+                page = page_of(apply(state, Set(Microscope, "aim", aim)))
                 assert not re.search(r"\bnan\b|\binf\b|∞", page)
                 assert "<rect" in page
 
 
 def test_bars_are_finite_but_for_the_inverse_which_says_it_does_not_exist():
-    state = opened("planar_2r", MoveJoint(1, 0.0), AimVelocity("across"))
+    state = opened("planar_2r", MoveJoint(1, 0.0), Set(Microscope, "aim", "across"))
     picture = bars(state.derived(looked), units_of(state))
     assert picture.count("<rect") == 2 * 4
     assert [word in picture for word in (">does<", ">not<", ">exist<")] == [True] * 3
@@ -124,10 +115,10 @@ def test_fields_become_commands_and_nonsense_is_said():
 
     assert typed("v 0", "250 mm") == (SetComponent(0, 0.25),)
     assert typed("place 1") == (BringNear(1),)
-    assert typed("aim across") == (AimVelocity("across"),)
+    assert typed("aim across") == (Set(Microscope, "aim", "across"),)
     assert typed("along 1") == (AimAlong(1),)
-    assert typed("watch pinv") == (WatchMethod("pinv"),)
-    assert typed("distance", "90") == (SetDistance(np.pi / 2),)
+    assert typed("watch pinv") == (Set(Microscope, "method", "pinv"),)
+    assert typed("distance", "90") == (Set(Microscope, "distance", np.pi / 2),)
     assert typed("d epsilon", "0,5") == (SetDamping("epsilon", 0.5),)
     for cell, text, says in (
         ("v 0", "fast", "v_x: expected a number in mm"),

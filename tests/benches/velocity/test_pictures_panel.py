@@ -8,11 +8,12 @@ import pytest
 from armlab.benches.velocity.pictures.ui import page as pictures
 from armlab.benches.velocity.solve.examples import ChooseSolveExample
 from armlab.benches.velocity.solve.pictures import DragTo, StandAt, flat, square
-from armlab.benches.velocity.solve.state import PicturePair
+from armlab.benches.velocity.solve.state import Solve
 from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, marks_style, nice
 from armlab.benches.velocity.solve.ui.torus import HIGH, WIDE, pressed, projected, torus_markup, torus_style
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
+from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.units import Units, units_of
@@ -36,10 +37,10 @@ def picked(state, cell, text):
 @pytest.mark.parametrize(
     ("cell", "text", "expected"),
     [
-        ("first", "1", PicturePair(1, 0)),
-        ("first", "2", PicturePair(2, 1)),
-        ("second", "0", PicturePair(1, 0)),
-        ("second", "2", PicturePair(0, 2)),
+        ("first", "1", Set(Solve, "pair", (1, 0))),
+        ("first", "2", Set(Solve, "pair", (2, 1))),
+        ("second", "0", Set(Solve, "pair", (1, 0))),
+        ("second", "2", Set(Solve, "pair", (0, 2))),
         ("square", "0.25,0.75", StandAt(0.25, 0.25)),
         ("square", "0.25,0.75,3", DragTo(0.25, 0.25, 3)),
     ],

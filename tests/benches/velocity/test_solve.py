@@ -10,11 +10,12 @@ from armlab.benches.velocity.solve.examples import EXAMPLES, ChooseSolveExample
 from armlab.benches.velocity.solve.found import found
 from armlab.benches.velocity.solve.motion import BeginAlong, SlideAlong, begun, looked_for, part_of
 from armlab.benches.velocity.solve.pictures import DragTo, StandAt, contour, flat, norm_curve, refusal, square
-from armlab.benches.velocity.solve.state import CLIP_KEY, Aim, AskFor, PicturePair, SetComponent, Solve
+from armlab.benches.velocity.solve.state import CLIP_KEY, Aim, AskFor, SetComponent, Solve
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.bench import PutInPlace, benches
 from armlab.session.edits import RemoveJoint, SetCell
+from armlab.session.fields import Set
 from armlab.session.history import History
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
@@ -81,8 +82,8 @@ def test_components_are_typed_and_dragged():
     assert not Aim.undoable
     for command, match in (
         (SetComponent(6, 0.0), "component: expected 1 to 6"),
-        (SetComponent(0, math.nan), "velocity"),
-        (SetComponent(0, 1e9), "velocity: expected at most"),
+        (SetComponent(0, math.nan), "twist: expected finite numbers"),
+        (SetComponent(0, 1e9), "twist: expected at least -100 and at most 100"),
         (Aim((1.0, 2.0)), "velocity: expected 3"),
     ):
         with pytest.raises(InputError, match=match):
@@ -100,7 +101,7 @@ def test_position_alone_is_asked_where_it_is_less():
 
 
 def test_another_arm_and_another_table_keep_what_fits():
-    state = apply(apply(opened("planar_3r"), SetComponent(0, 0.4)), PicturePair(1, 2))
+    state = apply(apply(opened("planar_3r"), SetComponent(0, 0.4)), Set(Solve, "pair", (1, 2)))
     longer = apply(state, SetCell(0, "a", 1.3))
     assert longer[Solve].twist[0] == 0.4
     assert longer[Solve].arm is longer[Joints].arm
@@ -250,7 +251,7 @@ def test_the_singular_set_of_the_2r_is_stretched_and_folded():
 
 
 def test_the_singular_set_of_two_joints_of_a_3r_is_where_their_determinant_vanishes():
-    state = apply(opened("planar_3r"), PicturePair(1, 2))
+    state = apply(opened("planar_3r"), Set(Solve, "pair", (1, 2)))
     arm, place = state[Joints].arm, square(state)
     assert len(place.singular) > 20
     for q2, q3 in place.singular[::7, 0]:
@@ -297,11 +298,11 @@ def test_one_drag_in_the_square_is_one_step_of_undo():
 def test_other_arms_are_refused_in_a_sentence():
     assert "axes are parallel" in refusal(opened("puma560"))
     assert refusal(opened("scara")) == ""
-    assert "slides across the plane" in refusal(apply(opened("scara"), PicturePair(0, 2)))
+    assert "slides across the plane" in refusal(apply(opened("scara"), Set(Solve, "pair", (0, 2))))
     with pytest.raises(InputError, match="axes are parallel"):
         apply(opened("puma560"), StandAt(0.5, 0.5))
     with pytest.raises(InputError, match="two joints"):
-        apply(opened(), PicturePair(1, 1))
+        apply(opened(), Set(Solve, "pair", (1, 1)))
 
 
 def test_the_contour_of_a_circle_is_a_circle():

@@ -22,6 +22,7 @@ from armlab.content.robots import catalogue, own_robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.session.bench import PutInPlace
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import State, apply
@@ -131,6 +132,13 @@ def test_a_drag_keeps_the_scale_and_typing_fits_it():
     tool = apply(state, WriteAlong("tool"))
     pulled = apply(tool, DragForce((1.0, 2.0, 3.0), object()))
     np.testing.assert_allclose(pulled.derived(balance).wrench[:3], [1.0, 2.0, 3.0], atol=1e-12)
+
+
+def test_a_wrench_that_is_set_is_drawn_in_a_scale_of_its_own():
+    state = apply(state_of("puma560"), Set(Statics, "force", (0.0, 0.0, 300.0)))
+    assert state[Statics].full == (500.0, 0.0)
+    assert apply(state, Set(Statics, "draws", 4))[Statics].full == (500.0, 0.0)
+    assert apply(state, Set(Statics, "moment", (0.0, 2.0, 0.0)))[Statics].full == (500.0, 2.0)
 
 
 def test_virtual_work_is_the_same_on_both_sides(robot):

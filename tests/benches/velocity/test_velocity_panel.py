@@ -12,7 +12,6 @@ from armlab.benches.velocity.speeds.commands import (
     SetLinkPoint,
     SetSpeed,
     Unfold,
-    WriteJacobianIn,
 )
 from armlab.benches.velocity.speeds.examples import EXAMPLES, ChooseVelocityExample
 from armlab.benches.velocity.speeds.motion import moving_of, two_points_of
@@ -94,7 +93,7 @@ def test_a_selected_column_is_the_column_and_its_axis():
 @pytest.mark.parametrize("axes", ["world", "tool"])
 @pytest.mark.parametrize("row", [0, 4])
 def test_a_selected_row_is_what_each_joint_gives_along_its_axis(axes, row):
-    state = opened("puma560", WriteJacobianIn(axes), Select(MATRIX, row, None))
+    state = opened("puma560", Set(Velocity, "axes", axes), Select(MATRIX, row, None))
     moving, marks = moving_of(state), drawn(state)["lit"]
     axis = moving.axes[:, row % 3]
     scale = unit_scale(state[Joints].arm) if row < 3 else UNIT

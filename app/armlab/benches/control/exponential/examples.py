@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from armlab.benches.control.exponential.state import Exponential, with_exponential
+from armlab.benches.control.exponential.state import Exponential
 from armlab.session.examples import PartExample, example_of, part_examples
+from armlab.session.fields import put
 from armlab.session.state import Command, State
 
 EXAMPLES = part_examples(
@@ -76,4 +77,4 @@ class ChooseExponentialExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        return with_exponential(state, example_of(EXAMPLES, self.key).part)
+        return put(state, example_of(EXAMPLES, self.key).part)

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any, ClassVar, NamedTuple, Self
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.control.matrix_exponential import (
     Diagonalisation,
@@ -23,7 +21,8 @@ from armlab.kin.control.matrix_exponential import (
     partial_sums,
     remainder_bound,
 )
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.fields import FieldPart, number, setting, table, text, vector, whole
+from armlab.session.state import Command, PartType, State
 
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -45,7 +44,7 @@ POINTS = 161
 
 
 @dataclass(frozen=True)
-class Exponential(Part):
+class Exponential(FieldPart):
     """A linear system xdot = A x in the plane.
 
     Attributes
@@ -66,21 +65,14 @@ class Exponential(Part):
 
     key: ClassVar[str] = "exponential"
 
-    A: Matrix = ((0.0, 1.0), (-2.0, -3.0))
-    t: float = 0.7
-    end: float = 3.0
-    x0: Pair = (1.0, 0.0)
-    terms: int = 4
-    example: str = "notes"
+    leave_example: ClassVar[tuple[str, ...]] = ("example", "t", "terms")
 
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return the matrix on which the printed 1.58 was checked."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep everything: it has nothing to do with the arm."""
-        return self
+    A: Matrix = table("matrix A", ((0.0, 1.0), (-2.0, -3.0)), -LARGEST_ENTRY, LARGEST_ENTRY)
+    t: float = number("t", "time of the matrix exponential", 0.7, 0.0, LONGEST, "s")
+    end: float = number("", "end of the curve", 3.0, SHORTEST, LONGEST, "s")
+    x0: Pair = vector("x(0)", "start", (1.0, 0.0), -LARGEST_ENTRY, LARGEST_ENTRY)
+    terms: int = whole("terms of the series", 4, 1, MOST_TERMS)
+    example: str = text("example", "notes", under="ex")
 
     @cached_property
     def found(self) -> Found:
@@ -92,26 +84,22 @@ class Exponential(Part):
         """The curve of the system in the plane."""
         return curve(self.A, self.x0, self.end)
 
-    def to_json(self) -> Json:
-        """Write everything."""
-        rows = [list(row) for row in self.A]
-        return {"A": rows, "t": self.t, "end": self.end, "x0": list(self.x0), "terms": self.terms, "ex": self.example}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when nothing can be computed with it."""
-        given = {**cls().to_json(), **data}
-        first, second = (_pair(row) for row in given["A"])
-        part = cls(
-            (first, second),
-            float(given["t"]),
-            float(given["end"]),
-            _pair(given["x0"]),
-            int(given["terms"]),
-            str(given["ex"]),
-        )
-        check(part)
-        return part
+    def check(self) -> None:
+        """Refuse a system that cannot be shown."""
+        if self.t > self.end:
+            raise InputError(f"t: expected 0 to {self.end:g} s, got {self.t:g}")
+        values = np.linalg.eigvals(np.array(self.A))
+        growth = self.end * float(max(values.real.max(), np.abs(values.imag).max()))
+        size = self.end * max(abs(self.A[0][j]) + abs(self.A[1][j]) for j in (0, 1))
+        for what, found, largest in (
+            ("an eigenvalue has a real or imaginary part of", growth, LARGEST_GROWTH),
+            ("the moduli in a column add up to", size, LARGEST_SIZE),
+        ):
+            if found > largest * (1.0 + 1e-12):
+                raise InputError(
+                    f"A t at the end: {what} {found:.4g}, expected at most {largest:g}; "
+                    f"take an end up to {largest * self.end / found:.3g} s"
+                )
 
 
 PART = PartType(Exponential, order=98)
@@ -189,18 +177,14 @@ class SetEntry(Command):
         part = state[Exponential]
         if self.name not in ENTRIES:
             raise UnknownName("matrix exponential", self.name, ENTRIES)
-        value = _number(self.value, ENTRIES[self.name])
-        changed: dict[str, Any]
         if self.name == "end":
-            changed = {"end": value, "t": min(part.t, value)}
-        elif self.name[0] == "x":
-            changed = {"x0": _with(part.x0, int(self.name[1]) - 1, value)}
-        else:
-            i, j = int(self.name[1]) - 1, int(self.name[2]) - 1
-            rows = list(part.A)
-            rows[i] = _with(rows[i], j, value)
-            changed = {"A": (rows[0], rows[1])}
-        return with_exponential(state, replace(part, **changed, example=""))
+            return setting(state, Exponential, {"end": self.value, "t": min(part.t, self.value)})
+        if self.name[0] == "x":
+            return setting(state, Exponential, {"x0": _with(part.x0, int(self.name[1]) - 1, self.value)})
+        i, j = int(self.name[1]) - 1, int(self.name[2]) - 1
+        return setting(
+            state, Exponential, {"A": [_with(row, j, self.value) if k == i else row for k, row in enumerate(part.A)]}
+        )
 
 
 ENTRIES = {"a11": "a₁₁", "a12": "a₁₂", "a21": "a₂₁", "a22": "a₂₂", "x1": "x₁(0)", "x2": "x₂(0)", "end": "end"}
@@ -223,9 +207,7 @@ class MoveTime(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the time, moved inside 0 to the end."""
-        part = state[Exponential]
-        t = min(max(_number(self.t, "t"), 0.0), part.end)
-        return with_exponential(state, replace(part, t=t))
+        return setting(state, Exponential, {"t": min(max(self.t, 0.0), state[Exponential].end)})
 
 
 @dataclass(frozen=True)
@@ -244,50 +226,8 @@ class SumTerms(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the number of terms."""
-        return with_exponential(state, replace(state[Exponential], terms=int(self.terms)))
-
-
-def with_exponential(state: State, part: Exponential) -> State:
-    """Return the state with the system; refused when nothing can be computed with it."""
-    check(part)
-    return state if part == state[Exponential] else state.replace(part)
-
-
-def check(part: Exponential) -> None:
-    """Refuse a system that cannot be shown."""
-    for value, where in zip((*part.A[0], *part.A[1], *part.x0), ENTRIES.values(), strict=False):
-        if not abs(_number(value, where)) <= LARGEST_ENTRY:
-            raise InputError(f"{where}: expected −{LARGEST_ENTRY:g} to {LARGEST_ENTRY:g}, got {value:g}")
-    if not SHORTEST <= part.end <= LONGEST:
-        raise InputError(f"end: expected {SHORTEST:g} to {LONGEST:g} s, got {part.end:g}")
-    if not 0.0 <= part.t <= part.end:
-        raise InputError(f"t: expected 0 to {part.end:g} s, got {part.t:g}")
-    if not 1 <= part.terms <= MOST_TERMS:
-        raise InputError(f"terms: expected 1 to {MOST_TERMS}, got {part.terms}")
-    values = np.linalg.eigvals(np.array(part.A))
-    growth = part.end * float(max(values.real.max(), np.abs(values.imag).max()))
-    size = part.end * max(abs(part.A[0][j]) + abs(part.A[1][j]) for j in (0, 1))
-    for what, found, largest in (
-        ("an eigenvalue has a real or imaginary part of", growth, LARGEST_GROWTH),
-        ("the moduli in a column add up to", size, LARGEST_SIZE),
-    ):
-        if found > largest * (1.0 + 1e-12):
-            raise InputError(
-                f"A t at the end: {what} {found:.4g}, expected at most {largest:g}; "
-                f"take an end up to {largest * part.end / found:.3g} s"
-            )
+        return setting(state, Exponential, {"terms": self.terms})
 
 
 def _with(pair: Pair, place: int, value: float) -> Pair:
     return (value, pair[1]) if place == 0 else (pair[0], value)
-
-
-def _pair(numbers: Any) -> Pair:
-    one, other = numbers
-    return float(one), float(other)
-
-
-def _number(value: float, where: str) -> float:
-    if not math.isfinite(value):
-        raise InputError(f"{where}: expected a finite number, got {value}")
-    return float(value) + 0.0

@@ -8,10 +8,11 @@ from typing import Any, ClassVar, Literal
 from armlab.benches.motion.curves.fastest import Asked
 from armlab.benches.motion.curves.knots import Knot, checked, inserted, without
 from armlab.benches.motion.curves.made import Drawn, fitted, free_options, in_knots, kinds, made, why_not
-from armlab.benches.motion.curves.state import MOST_CURVES, Curves, checked_degree, checked_limit, checked_unit
+from armlab.benches.motion.curves.state import MOST_CURVES, Curves
 from armlab.errors import InputError, UnknownName
 from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen
+from armlab.session.fields import setting
 from armlab.session.state import Command, State
 
 Limit = Literal["v_max", "a_max"]
@@ -27,7 +28,7 @@ def _with_knots(state: State, knots: tuple[Knot, ...]) -> State:
     if knots == part.knots:
         return state
     curves = tuple(fitted(knots, each) for each in part.curves)
-    return state.replace(replace(part, knots=knots, curves=curves, example="", asked=None, fastest=None))
+    return setting(state, Curves, {"knots": knots, "curves": curves})
 
 
 def _curve(part: Curves, i: int) -> Drawn:
@@ -100,20 +101,6 @@ class RemoveKnot(Command):
     def apply(self, state: State) -> State:
         """Return the state with one knot less."""
         return _with_knots(state, without(state[Curves].knots, self.k))
-
-
-@dataclass(frozen=True)
-class SetUnit(Command):
-    """Call the unit of the coordinate by another name; the numbers stay."""
-
-    unit: str
-    label: ClassVar[str] = "unit"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the unit."""
-        part = state[Curves]
-        unit = checked_unit(self.unit)
-        return state if unit == part.unit else state.replace(replace(part, unit=unit))
 
 
 @dataclass(frozen=True)
@@ -226,39 +213,9 @@ class SetLimit(Command):
         """Return the state with the limit."""
         if self.which not in LIMITS:
             raise UnknownName("limit", self.which, LIMITS)
-        part, value = state[Curves], checked_limit(self.value, self.which)
-        old, v_max, a_max = getattr(part, self.which), part.v_max, part.a_max
-        if value == old:
-            return state
-        v_max, a_max = (value, a_max) if self.which == "v_max" else (v_max, value)
-        return state.replace(replace(part, v_max=v_max, a_max=a_max, example="", asked=None, fastest=None))
-
-
-@dataclass(frozen=True)
-class ShowCurve(Command):
-    """Show the equations of a curve (0-based)."""
-
-    i: int
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the curve selected."""
-        part = state[Curves]
-        _curve(part, self.i)
-        return state if self.i == part.selected else state.replace(replace(part, selected=self.i))
-
-
-@dataclass(frozen=True)
-class ShowDegree(Command):
-    """Show the normalised polynomial of a degree."""
-
-    degree: int
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the degree."""
-        part, degree = state[Curves], checked_degree(self.degree)
-        return state if degree == part.degree else state.replace(replace(part, degree=degree))
+        limits = list(state[Curves].limits)
+        limits[LIMITS.index(self.which)] = self.value
+        return setting(state, Curves, {"limits": limits})
 
 
 @dataclass(frozen=True)

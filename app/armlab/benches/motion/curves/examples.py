@@ -203,8 +203,7 @@ class ChooseExample(Command):
         part = Curves(
             example.knots,
             example.curves,
-            example.v_max,
-            example.a_max,
+            (example.v_max, example.a_max),
             degree=state[Curves].degree,
             example=example.key,
         )

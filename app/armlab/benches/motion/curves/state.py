@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
 
@@ -12,10 +12,11 @@ from armlab.benches.motion.curves.fastest import Asked, Fastest
 from armlab.benches.motion.curves.knots import Knot, checked
 from armlab.benches.motion.curves.made import Drawn, Made, kinds, made
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen
-from armlab.session.state import Json, Part, PartType
+from armlab.session.fields import FieldPart, choice, own, text, whole
+from armlab.session.state import Json, PartType
 
 MOST_CURVES = 3
 
@@ -25,11 +26,42 @@ UNITS = ("rad", "°", "m", "mm")
 DEGREES = (3, 5, 7, 9)
 """Of the normalised polynomials to look at."""
 
+Limits = tuple[float | None, float | None]
+
 SMALLEST_LIMIT, LARGEST_LIMIT = 1e-9, 1e12
 
 
+def _curves(data: Json) -> tuple[Drawn, ...]:
+    return tuple(each if isinstance(each, Drawn) else _drawn(*each) for each in data)
+
+
+def _drawn(colour: Any, path: Json, law: Json) -> Drawn:
+    if colour not in range(MOST_CURVES):
+        raise InputError(f"colour: expected 0 to {MOST_CURVES - 1}, got {colour!r}")
+    return Drawn(int(colour), Chosen.from_json(path, kinds()), Chosen.from_json(law, free_law_types()))
+
+
+def _written(curves: tuple[Drawn, ...]) -> Json:
+    return [[each.colour, each.path.to_json(), each.law.to_json()] for each in curves]
+
+
+def _limits(data: Json) -> Limits:
+    v_max, a_max = data
+    return _limit(v_max, "v_max"), _limit(a_max, "a_max")
+
+
+def _limit(value: float | None, where: str) -> float | None:
+    """Return a limit, or None for none; `InputError` when it is not positive."""
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not SMALLEST_LIMIT <= value <= LARGEST_LIMIT:
+        got = f"{value:g}" if isinstance(value, (int, float)) and math.isfinite(value) else str(value)[:40]
+        raise InputError(f"{where}: expected a positive number, or nothing for no limit; got {got}")
+    return float(value)
+
+
 @dataclass(frozen=True)
-class Curves(Part):
+class Curves(FieldPart):
     """Knots, the curves through them and limits, all in one unit of the coordinate, and seconds.
 
     Attributes
@@ -38,8 +70,8 @@ class Curves(Part):
         Time and coordinate, times rising.
     curves : tuple of Drawn
         One to three, of different colours.
-    v_max, a_max : float or None
-        Limits of the rate and of its rate; None for no limit.
+    limits : tuple of float or None
+        Of the rate and of its rate; None for no limit.
     unit : str
         One of `UNITS`.
     selected : int
@@ -55,14 +87,16 @@ class Curves(Part):
 
     key: ClassVar[str] = "curves"
 
-    knots: tuple[Knot, ...] = ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 2.0))
-    curves: tuple[Drawn, ...] = (Drawn(0, Chosen("spline")),)
-    v_max: float | None = None
-    a_max: float | None = None
-    unit: str = UNITS[0]
-    selected: int = 0
-    degree: int = 5
-    example: str = ""
+    leave_example: ClassVar[tuple[str, ...]] = ("unit",)
+    looks: ClassVar[tuple[str, ...]] = ("selected", "degree")
+
+    knots: tuple[Knot, ...] = own("knots", ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 2.0)), checked)
+    curves: tuple[Drawn, ...] = own("curves", (Drawn(0, Chosen("spline")),), _curves, _written)
+    limits: Limits = own("limits", (None, None), _limits)
+    unit: str = choice("unit", UNITS[0], UNITS)
+    selected: int = whole("curve whose equations are shown", 0, 0)
+    degree: int = whole("degree", 5, DEGREES[0], DEGREES[-1])
+    example: str = text("example")
     asked: Asked | None = None
     fastest: Fastest | None = None
 
@@ -77,37 +111,34 @@ class Curves(Part):
         """Keep everything: it has nothing to do with the arm."""
         return self
 
-    def to_json(self) -> Json:
-        """Write everything but the fastest intervals."""
-        return {
-            "knots": [list(knot) for knot in self.knots],
-            "curves": [[each.colour, each.path.to_json(), each.law.to_json()] for each in self.curves],
-            "limits": [self.v_max, self.a_max],
-            "unit": self.unit,
-            "selected": self.selected,
-            "degree": self.degree,
-            "example": self.example,
-        }
+    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
+        """Keep everything."""
+        return self
 
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable."""
-        curves = tuple(_drawn(*each) for each in data["curves"])
-        selected, degree = data.get("selected", 0), data.get("degree", 5)
-        distinct = len({each.colour for each in curves}) == len(curves)
-        if not 1 <= len(curves) <= MOST_CURVES or not distinct or selected not in range(len(curves)):
-            raise InputError(f"curves: not usable: {str(data)[:80]}")
-        v_max, a_max = (checked_limit(each, "limit") for each in data["limits"])
-        return cls(
-            checked(data["knots"]),
-            curves,
-            v_max,
-            a_max,
-            checked_unit(data["unit"]),
-            int(selected),
-            checked_degree(degree),
-            str(data.get("example", "")),
-        )
+    def check(self) -> None:
+        """Refuse curves of one colour, and to show what there is not."""
+        if not 1 <= len(self.curves) <= MOST_CURVES or len({each.colour for each in self.curves}) < len(self.curves):
+            raise InputError(f"curves: expected 1 to {MOST_CURVES} of different colours, got {len(self.curves)}")
+        if self.degree not in DEGREES:
+            raise InputError(f"degree: expected one of {', '.join(map(str, DEGREES))}, got {self.degree}")
+        if self.selected >= len(self.curves):
+            raise InputError(f"curve: expected 1 to {len(self.curves)}, got {self.selected + 1}")
+
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """Return the part with fields set, without fastest intervals of other knots or limits."""
+        part = super().with_values(values)
+        same = (part.knots, part.limits) == (self.knots, self.limits)
+        return part if same else replace(part, asked=None, fastest=None)
+
+    @property
+    def v_max(self) -> float | None:
+        """Limit of the rate; None for none."""
+        return self.limits[0]
+
+    @property
+    def a_max(self) -> float | None:
+        """Limit of the rate of the rate."""
+        return self.limits[1]
 
     @cached_property
     def outcomes(self) -> tuple[Made | InputError, ...]:
@@ -134,33 +165,3 @@ def _outcome(knots: tuple[Knot, ...], drawn: Drawn) -> Made | InputError:
         return made(knots, drawn)
     except InputError as refusal:
         return refusal
-
-
-def _drawn(colour: Any, path: Json, law: Json) -> Drawn:
-    if colour not in range(MOST_CURVES):
-        raise InputError(f"colour: expected 0 to {MOST_CURVES - 1}, got {colour!r}")
-    return Drawn(int(colour), Chosen.from_json(path, kinds()), Chosen.from_json(law, free_law_types()))
-
-
-def checked_limit(value: float | None, where: str) -> float | None:
-    """Return a limit, or None for none; `InputError` when it is not positive."""
-    if value is None:
-        return None
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not SMALLEST_LIMIT <= value <= LARGEST_LIMIT:
-        got = f"{value:g}" if isinstance(value, (int, float)) and math.isfinite(value) else str(value)[:40]
-        raise InputError(f"{where}: expected a positive number, or nothing for no limit; got {got}")
-    return float(value)
-
-
-def checked_unit(unit: str) -> str:
-    """Return a unit; `UnknownName` for another word."""
-    if unit not in UNITS:
-        raise UnknownName("unit", unit, UNITS)
-    return unit
-
-
-def checked_degree(degree: int) -> int:
-    """Return the degree of a normalised polynomial; `InputError` for one that is not offered."""
-    if degree not in DEGREES:
-        raise InputError(f"degree: expected one of {', '.join(map(str, DEGREES))}, got {degree!r}")
-    return int(degree)

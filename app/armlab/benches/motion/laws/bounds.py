@@ -133,7 +133,6 @@ class Bounded:
         part = replace(part, knots=tuple(tuple(map(float, row)) for row in data["knots"]))
         for name, value in (("knots", data["knots"]), *given.items()):
             part = part.with_value(name, value)
-        part.found  # noqa: B018  raises when it cannot be
         return part
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from armlab.benches.motion.laws.bounds import joint_paths
-from armlab.benches.motion.laws.state import MOST_LAWS, Laws, changed
+from armlab.benches.motion.laws.state import MOST_LAWS, Laws
 from armlab.benches.motion.laws.timing import AS_TYPED, Entry
 from armlab.errors import InputError, UnknownName
 from armlab.kin.motion import free_law_types, law_type
@@ -15,6 +15,7 @@ from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.scaling import Scaling, optimal_scaling
 from armlab.session.chosen import Chosen
+from armlab.session.fields import setting
 from armlab.session.state import Command, State
 
 
@@ -132,19 +133,6 @@ class SetQuantity(Command):
 
 
 @dataclass(frozen=True)
-class StretchLaw(Command):
-    """Choose the law that is stretched in time."""
-
-    place: int
-    label: ClassVar[str] = "law to stretch"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the law chosen."""
-        _entry(state[Laws], self.place)
-        return _with(state, scaled=self.place)
-
-
-@dataclass(frozen=True)
 class Stretch(Command):
     """Stretch the chosen law to k times its time: a moving slider."""
 
@@ -176,19 +164,6 @@ class StretchOptimally(Command):
 
 
 @dataclass(frozen=True)
-class ShowBounds(Command):
-    """Look at the calculator of bounds, or at the laws alone."""
-
-    on: bool
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made."""
-        part = state[Laws]
-        return state if part.bounds_shown == self.on else state.replace(replace(part, bounds_shown=self.on))
-
-
-@dataclass(frozen=True)
 class SetBound(Command):
     """Set knots, limits or speed of the calculator; None leaves one as it comes."""
 
@@ -198,7 +173,7 @@ class SetBound(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the value set."""
-        return _with_bounds(state, state[Laws].bounded.with_value(self.name, self.value))
+        return _with(state, bounded=state[Laws].bounded.with_value(self.name, self.value))
 
 
 @dataclass(frozen=True)
@@ -213,7 +188,7 @@ class ChooseBoundPath(Command):
         bounded = state[Laws].bounded
         if bounded.path.key == self.key:
             return state
-        return _with_bounds(state, replace(bounded, path=Chosen.of(joint_paths(), self.key)))
+        return _with(state, bounded=replace(bounded, path=Chosen.of(joint_paths(), self.key)))
 
 
 @dataclass(frozen=True)
@@ -228,7 +203,7 @@ class SetBoundOption(Command):
         """Return the state with the option set."""
         bounded = state[Laws].bounded
         path = bounded.path.with_option(joint_paths()[bounded.path.key], self.name, self.value)
-        return _with_bounds(state, replace(bounded, path=path))
+        return _with(state, bounded=replace(bounded, path=path))
 
 
 @dataclass(frozen=True)
@@ -240,7 +215,7 @@ class LowerSpeed(Command):
     def apply(self, state: State) -> State:
         """Return the state with the lower speed."""
         bounded = state[Laws].bounded
-        return _with_bounds(state, replace(bounded, speed=bounded.found.lowered().V))
+        return _with(state, bounded=replace(bounded, speed=bounded.found.lowered().V))
 
 
 @dataclass(frozen=True)
@@ -293,17 +268,9 @@ def _entry(part: Laws, place: int) -> Entry:
 
 
 def _with(state: State, **fields: object) -> State:
-    part = state[Laws]
-    after = changed(part, **fields)
-    return state if after is part else state.replace(after)
+    return setting(state, Laws, fields)
 
 
 def _with_entry(state: State, place: int, entry: Entry) -> State:
     entries = state[Laws].entries
     return _with(state, entries=(*entries[:place], entry, *entries[place + 1 :]))
-
-
-def _with_bounds(state: State, bounded: object) -> State:
-    after = _with(state, bounded=bounded)
-    after[Laws].bounded.found  # noqa: B018  raises when it cannot be
-    return after

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 from armlab.benches.motion.laws.bounds import Bounded
-from armlab.benches.motion.laws.state import CLIP_KEY, Laws, check
+from armlab.benches.motion.laws.state import CLIP_KEY, Laws
 from armlab.benches.motion.laws.timing import Entry, Timing
 from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import BANG_COAST_BANG, PLUS_MINUS_ONE
@@ -189,7 +189,7 @@ class ChooseLawExample(Command):
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
         part = example_of(EXAMPLES, self.key).part()
-        check(part)
+        part.check()
         timeline = state[Timeline]
         rewound = replace(timeline, time=0.0, playing=False) if timeline.clip == CLIP_KEY else timeline
         return state.replace(part, rewound)

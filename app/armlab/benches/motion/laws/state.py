@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
 from armlab.benches.motion.laws.bounds import Bounded
 from armlab.benches.motion.laws.timing import AS_TYPED, QUANTITIES, Entry, Timing, law_of
-from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.kin.motion import Law, free_law_types
 from armlab.session.chosen import Chosen
-from armlab.session.state import Json, Part, PartType
+from armlab.session.fields import FieldPart, declarations, flag, number, own, text, whole
+from armlab.session.state import Json, PartType
 
 CLIP_KEY = "laws"
 
@@ -24,8 +25,45 @@ LEAST_FACTOR, MOST_FACTOR = 0.001, 1000.0
 """Of a time scaling."""
 
 
+OPENED = Entry(Chosen("cubic")), Entry(Chosen("quintic"), colour=1)
+
+
+def _entries(data: Json) -> tuple[Entry, ...]:
+    return tuple(each if isinstance(each, Entry) else _entry(each) for each in data)
+
+
+def _entry(data: Json) -> Entry:
+    chosen = Chosen.from_json(data["law"], free_law_types())
+    return Entry(chosen, bool(data["as_typed"]), int(data["colour"]))
+
+
+def _written(entries: tuple[Entry, ...]) -> Json:
+    return [{"law": each.chosen.to_json(), "as_typed": each.as_typed, "colour": each.colour} for each in entries]
+
+
+def _timing(data: Json) -> Timing:
+    if isinstance(data, Timing):
+        return data
+    timing = Timing(fastest=bool(data["fastest"]))
+    for each in QUANTITIES:
+        timing = timing.with_quantity(each.key, data[each.key])
+    return timing
+
+
+def _bounded(data: Json) -> Bounded:
+    return data if isinstance(data, Bounded) else Bounded.from_json(data)
+
+
+def _kept(entry: Entry, timing: Timing) -> Entry:
+    """Return a law as it was saved, without a deceleration above the limit, which could be typed before."""
+    down = entry.chosen.options.get("sddot_down")
+    if down is None or not timing.fastest or down <= timing.limit(2):
+        return entry
+    return replace(entry, chosen=entry.chosen.with_option(free_law_types()[entry.chosen.key], "sddot_down", None))
+
+
 @dataclass(frozen=True)
-class Laws(Part):
+class Laws(FieldPart):
     """What the bench shows.
 
     Attributes
@@ -48,22 +86,38 @@ class Laws(Part):
 
     key: ClassVar[str] = "laws"
 
-    entries: tuple[Entry, ...] = (Entry(Chosen("cubic")), Entry(Chosen("quintic"), colour=1))
-    timing: Timing = field(default_factory=Timing)
-    scaled: int = 0
-    k: float = 1.0
-    bounded: Bounded = field(default_factory=Bounded)
-    bounds_shown: bool = False
-    example: str = ""
+    looks: ClassVar[tuple[str, ...]] = ("bounds_shown",)
 
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return the cubic beside the quintic."""
-        return cls()
+    entries: tuple[Entry, ...] = own("laws", OPENED, _entries, _written, under="laws")
+    timing: Timing = own("duration and limits", Timing(), _timing, asdict)
+    scaled: int = whole("law to stretch", 0, 0)
+    k: float = number("k", "time scaling", 1.0, LEAST_FACTOR, MOST_FACTOR)
+    bounded: Bounded = own("bounds on a path", Bounded(), _bounded, Bounded.to_json, under="bounds")
+    bounds_shown: bool = flag("whether the bounds are shown", False)
+    example: str = text("example")
 
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep everything: it has nothing to do with the arm."""
-        return self
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """Return the part with fields set; laws that are read with their timing are `_kept`."""
+        if "entries" in values and "timing" in values:
+            fields = declarations(type(self))
+            entries, timing = (self._checked(fields[name].spec, values[name]) for name in ("entries", "timing"))
+            values = {**values, "entries": tuple(_kept(entry, timing) for entry in entries)}
+        return super().with_values(values)
+
+    def check(self) -> None:
+        """Refuse what cannot be made; `InputError` names the law, the option or the limit."""
+        colours = {entry.colour for entry in self.entries}
+        if not 1 <= len(self.entries) == len(colours) <= MOST_LAWS or not colours <= set(range(MOST_LAWS)):
+            raise InputError(f"laws: expected 1 to {MOST_LAWS} of different colours, got {len(self.entries)}")
+        if self.scaled >= len(self.entries):
+            raise InputError(f"law to stretch: expected 1 to {len(self.entries)}, got {self.scaled + 1}")
+        for entry in self.entries:
+            if entry.as_typed and entry.chosen.key not in AS_TYPED:
+                raise InputError(f"as typed: {entry.title} does not say its own time and distance")
+        # Made here, kept by the part, and refused where they cannot be.
+        if not np.isfinite(self.end):
+            raise InputError("laws: too long to be drawn")
+        self.bounded.found  # noqa: B018  raises when it cannot be
 
     @cached_property
     def laws(self) -> tuple[Law, ...]:
@@ -85,81 +139,5 @@ class Laws(Part):
         """When the slowest of all ends, seconds."""
         return max(law.duration for law in self.every)
 
-    def to_json(self) -> Json:
-        """Write what was chosen and typed."""
-        return {
-            "laws": [
-                {"law": each.chosen.to_json(), "as_typed": each.as_typed, "colour": each.colour}
-                for each in self.entries
-            ],
-            "timing": asdict(self.timing),
-            "scaled": self.scaled,
-            "k": self.k,
-            "bounds": self.bounded.to_json(),
-            "bounds_shown": self.bounds_shown,
-            "example": self.example,
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when nothing can be computed with it."""
-        timing = Timing(fastest=bool(data["timing"]["fastest"]))
-        for each in QUANTITIES:
-            timing = timing.with_quantity(each.key, data["timing"][each.key])
-        entries = tuple(
-            Entry(
-                _kept(Chosen.from_json(each["law"], free_law_types()), timing),
-                bool(each["as_typed"]),
-                int(each["colour"]),
-            )
-            for each in data["laws"]
-        )
-        bounded = Bounded.from_json(data["bounds"])
-        part = cls(
-            entries,
-            timing,
-            int(data["scaled"]),
-            float(data["k"]),
-            bounded,
-            bool(data["bounds_shown"]),
-            str(data.get("example", "")),
-        )
-        check(part)
-        return part
-
 
 PART = PartType(Laws, order=104)
-
-
-def _kept(chosen: Chosen, timing: Timing) -> Chosen:
-    """Return a law as it was saved, without a deceleration above the limit, which could be typed before."""
-    down = chosen.options.get("sddot_down")
-    if down is None or not timing.fastest or down <= timing.limit(2):
-        return chosen
-    return chosen.with_option(free_law_types()[chosen.key], "sddot_down", None)
-
-
-def check(part: Laws) -> None:
-    """Refuse what cannot be made; `InputError` names the law, the option or the limit."""
-    colours = {entry.colour for entry in part.entries}
-    if not 1 <= len(part.entries) == len(colours) <= MOST_LAWS or not colours <= set(range(MOST_LAWS)):
-        raise InputError(f"laws: expected 1 to {MOST_LAWS} of different colours, got {len(part.entries)}")
-    if not 0 <= part.scaled < len(part.entries):
-        raise InputError(f"law to stretch: expected 1 to {len(part.entries)}, got {part.scaled + 1}")
-    if not LEAST_FACTOR <= part.k <= MOST_FACTOR:
-        raise InputError(f"k: expected {LEAST_FACTOR:g} to {MOST_FACTOR:g}, got {part.k:g}")
-    for entry in part.entries:
-        if entry.as_typed and entry.chosen.key not in AS_TYPED:
-            raise InputError(f"as typed: {entry.title} does not say its own time and distance")
-    # Made here, kept by the part, and refused where they cannot be.
-    if not np.isfinite(part.end):
-        raise InputError("laws: too long to be drawn")
-
-
-def changed(part: Laws, **fields: object) -> Laws:
-    """Return the part with other values, checked; what was an example is none any more."""
-    if all(getattr(part, name) == value for name, value in fields.items()):
-        return part
-    after = replace(part, **{"example": "", **fields})  # type: ignore[arg-type]
-    check(after)
-    return after

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Literal, Self, get_args
+from typing import ClassVar, Literal, get_args
 
-from armlab.content.robots import Robot
 from armlab.errors import UnknownName
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.fields import FieldPart, own, setting
+from armlab.session.state import Command, Json, PartType, State
 
 Quantity = Literal["q", "q_dot", "q_ddot", "jerk", "s", "speed", "curvature", "load"]
 
@@ -18,8 +18,13 @@ FIRST: tuple[Quantity, ...] = ("q", "q_dot", "q_ddot")
 """Shown when nobody has chosen."""
 
 
+def _in_order(keys: Json) -> tuple[Quantity, ...]:
+    wanted = {checked_quantity(key) for key in keys}
+    return tuple(key for key in QUANTITIES if key in wanted)
+
+
 @dataclass(frozen=True)
-class MotionPlots(Part):
+class MotionPlots(FieldPart):
     """The choice of plots; it stays when the arm changes.
 
     Attributes
@@ -30,27 +35,9 @@ class MotionPlots(Part):
 
     key: ClassVar[str] = "motion_plots"
     kept_by_undo: ClassVar[bool] = True
+    bare: ClassVar[bool] = True
 
-    shown: tuple[Quantity, ...] = FIRST
-
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return position, velocity and acceleration."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep everything."""
-        return self
-
-    def to_json(self) -> Json:
-        """Write the choice."""
-        return list(self.shown)
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read the choice; `UnknownName` for a plot there is not."""
-        wanted = {checked_quantity(key) for key in data}
-        return cls(tuple(key for key in QUANTITIES if key in wanted))
+    shown: tuple[Quantity, ...] = own("plots", FIRST, _in_order)
 
 
 PART = PartType(MotionPlots, order=99)
@@ -66,10 +53,8 @@ class ShowMotionPlot(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the choice made."""
-        shown, key = state[MotionPlots].shown, checked_quantity(self.quantity)
-        if (key in shown) == self.on:
-            return state
-        return state.replace(MotionPlots(tuple(k for k in QUANTITIES if (self.on if k == key else k in shown))))
+        others = {*state[MotionPlots].shown} - {checked_quantity(self.quantity)}
+        return setting(state, MotionPlots, {"shown": {*others, self.quantity} if self.on else others})
 
 
 def checked_quantity(key: object) -> Quantity:

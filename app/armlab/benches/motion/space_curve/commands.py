@@ -14,9 +14,7 @@ from armlab.benches.motion.space_curve.state import (
     POINTS,
     Shown,
     SpaceCurve,
-    changed,
     curve_of,
-    point_of,
 )
 from armlab.benches.motion.space_curve.turn import rotation_of, written
 from armlab.errors import InputError, UnknownName
@@ -24,6 +22,7 @@ from armlab.kin.euler import SEQUENCES
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.trajectory import times_at
 from armlab.session.chosen import Chosen
+from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import target_pose
 from armlab.session.parts.timeline import Timeline, clips
@@ -44,27 +43,7 @@ class LookAt(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the other one in view."""
-        if self.shown not in ("curve", "turn"):
-            raise UnknownName("view", self.shown, ("curve", "turn"))
-        return changed(state, replace(state[SpaceCurve], shown=self.shown, example=""))
-
-
-@dataclass(frozen=True)
-class DrawMarks(Command):
-    """Show or hide the Frenet frame ("frame") or velocity and acceleration ("arrows")."""
-
-    name: str
-    on: bool
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the marks shown or hidden."""
-        part = state[SpaceCurve]
-        if self.name not in ("frame", "arrows"):
-            raise UnknownName("marks", self.name, ("frame", "arrows"))
-        marks = {"frame": part.frame, "arrows": part.arrows, self.name: self.on}
-        shown = replace(part, frame=marks["frame"], arrows=marks["arrows"])
-        return state if shown == part else state.replace(shown)
+        return setting(state, SpaceCurve, {"shown": self.shown})
 
 
 @dataclass(frozen=True)
@@ -108,8 +87,7 @@ class SetPoint(Command):
         if not (0 <= self.point < len(points) and 0 <= self.axis < 3):
             raise InputError(f"waypoint: expected 1 to {len(points)}, got {self.point + 1}")
         points[self.point][self.axis] = self.value
-        each = tuple(point_of(point, f"waypoint {k + 1}") for k, point in enumerate(points))
-        return _curve(state, points=each)
+        return _curve(state, points=points)
 
 
 @dataclass(frozen=True)
@@ -152,7 +130,7 @@ class TypeFormula(Command):
         texts = list(state[SpaceCurve].formula)
         _refuse_index("axis", self.axis)
         texts[self.axis] = self.text.strip()
-        return _curve(state, formula=(texts[0], texts[1], texts[2]))
+        return _curve(state, formula=texts)
 
 
 @dataclass(frozen=True)
@@ -174,18 +152,6 @@ class SetOption(Command):
 
 
 @dataclass(frozen=True)
-class UseLength(Command):
-    """Parametrise the curve by its length, or as it was made."""
-
-    on: bool
-    label: ClassVar[str] = "parameter of the curve"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the parameter; a curve that stands still somewhere has none."""
-        return _curve(state, by_length=self.on)
-
-
-@dataclass(frozen=True)
 class ChooseLaw(Command):
     """Take another timing law, its options as they come."""
 
@@ -197,18 +163,6 @@ class ChooseLaw(Command):
         if self.key == state[SpaceCurve].law.key:
             return state
         return _curve(state, law=Chosen.of(free_law_types(), self.key))
-
-
-@dataclass(frozen=True)
-class SetDuration(Command):
-    """Set the seconds of the motion."""
-
-    duration: float
-    label: ClassVar[str] = "duration"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the duration."""
-        return _curve(state, duration=self.duration)
 
 
 @dataclass(frozen=True)
@@ -279,7 +233,7 @@ class SetAngle(Command):
         angles = list(_angles(state, self.end))
         _refuse_index(f"angle of {self.end}", self.k)
         angles[self.k] = self.value
-        return _turned(state, self.end, point_of(angles, f"angles of {self.end}"))
+        return _curve(state, **{"start" if self.end == "A" else "end": angles})
 
 
 @dataclass(frozen=True)
@@ -302,20 +256,8 @@ class TakeOrientation(Command):
         return _curve(state, start=start, end=end)
 
 
-@dataclass(frozen=True)
-class GoLongWay(Command):
-    """Turn about the one axis the long way round, or the short way."""
-
-    on: bool
-    label: ClassVar[str] = "way round"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the way."""
-        return _curve(state, other_way=self.on)
-
-
 def _curve(state: State, **fields: Any) -> State:
-    return changed(state, replace(state[SpaceCurve], example="", **fields))
+    return setting(state, SpaceCurve, fields)
 
 
 def _refuse_index(name: str, k: int) -> None:
@@ -328,10 +270,6 @@ def _angles(state: State, end: End) -> Point:
     if end not in ("A", "B"):
         raise UnknownName("orientation", end, ("A", "B"))
     return state[SpaceCurve].start if end == "A" else state[SpaceCurve].end
-
-
-def _turned(state: State, end: End, angles: Point) -> State:
-    return _curve(state, start=angles) if end == "A" else _curve(state, end=angles)
 
 
 def _fitting(points: tuple[Point, ...], least: int, most: int | None) -> tuple[Point, ...]:

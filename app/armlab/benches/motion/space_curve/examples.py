@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 from armlab.benches.motion.space_curve.laid import FORMULA, Point, kinds, made_curve
-from armlab.benches.motion.space_curve.state import CLIP_KEY, SpaceCurve, check
+from armlab.benches.motion.space_curve.state import CLIP_KEY, SpaceCurve
 from armlab.benches.motion.space_curve.turn import Triple
 from armlab.kin.motion import free_law_types
 from armlab.session.chosen import Chosen
@@ -231,5 +231,5 @@ def example_part(key: str) -> SpaceCurve:
         duration = made_curve(part.question).duration
         assert duration is not None
         part = replace(part, duration=duration, law=Chosen.of(free_law_types(), "constant"))
-    check(part)
+    part.check()
     return part

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
-from typing import ClassVar, Literal, Self
-
-import numpy as np
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import ClassVar, Literal, get_args
 
 from armlab.benches.motion.space_curve.formula import FARTHEST
 from armlab.benches.motion.space_curve.laid import FORMULA, Laid, Moment, Point, Question, kinds, laid, moment
 from armlab.benches.motion.space_curve.turn import Triple, Turned, TurnQuestion, turned
-from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
+from armlab.kin.checks import finite_floats
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.motion import free_law_types
-from armlab.session.chosen import Chosen
+from armlab.session.chosen import Chosen, Kind
+from armlab.session.fields import FieldPart, choice, flag, number, own, text
 from armlab.session.parts.timeline import Timeline
 from armlab.session.sizes import MOST_TURNED
-from armlab.session.state import Json, Part, PartType, State
+from armlab.session.state import Json, PartType, State
 
 CLIP_KEY = "space_curve"
 
@@ -34,9 +34,41 @@ POINTS: tuple[Point, ...] = ((-0.6, -0.1, 0.25), (-0.4, -0.25, 0.6), (-0.15, -0.
 NOTES: tuple[str, str, str] = ("6s+2", "5s^2", "-8s")
 """The curve of the notes, 6.142."""
 
+START: Triple = (0.0, math.radians(60.0), 0.0)
+END: Triple = (math.radians(120.0), math.radians(60.0), math.radians(-120.0))
+"""Two orientations to turn between."""
+
+
+def _chosen(known: Callable[[], Mapping[str, Kind]], data: Json) -> Chosen:
+    return Chosen.from_json(data.to_json() if isinstance(data, Chosen) else data, known())
+
+
+def _three(where: str, most: float, says: str, data: Json) -> tuple[float, float, float]:
+    x, y, z = finite_floats(data, where, (3,), "three finite numbers").tolist()
+    if max(abs(x), abs(y), abs(z)) > most:
+        raise InputError(f"{where}: expected {says}")
+    return x, y, z
+
+
+def _points(data: Json) -> tuple[Point, ...]:
+    says = f"coordinates of at most {FARTHEST:g} m"
+    return tuple(_three(f"waypoint {k}", FARTHEST, says, point) for k, point in enumerate(data, start=1))
+
+
+def _angles(name: str, data: Json) -> Triple:
+    return _three(f"angles of {name}", MOST_TURNED, "at most ten turns", data)
+
+
+def _formulas(data: Json) -> tuple[str, str, str]:
+    """Return three texts; what they say is read when the curve is laid."""
+    x, y, z = data
+    if isinstance(data, str) or not all(isinstance(each, str) for each in data):
+        raise TypeError
+    return x, y, z
+
 
 @dataclass(frozen=True)
-class SpaceCurve(Part):
+class SpaceCurve(FieldPart):
     """What is looked at.
 
     Attributes
@@ -70,76 +102,31 @@ class SpaceCurve(Part):
     """
 
     key: ClassVar[str] = "space_curve"
+    clip: ClassVar[str] = CLIP_KEY
+    looks: ClassVar[tuple[str, ...]] = ("frame", "arrows")
 
-    shown: Shown = "curve"
-    curve: Chosen = field(default_factory=lambda: Chosen(FORMULA))
-    points: tuple[Point, ...] = POINTS[:3]
-    formula: tuple[str, str, str] = NOTES
-    by_length: bool = False
-    law: Chosen = field(default_factory=lambda: Chosen("cubic"))
-    duration: float = 4.0
-    frame: bool = True
-    arrows: bool = False
-    axes: str = "zxz"
-    fixed: bool = False
-    start: Triple = (0.0, math.radians(60.0), 0.0)
-    end: Triple = (math.radians(120.0), math.radians(60.0), math.radians(-120.0))
-    other_way: bool = False
-    example: str = "frenet"
+    shown: Shown = choice("what is shown", "curve", get_args(Shown))
+    curve: Chosen = own("kind of curve", Chosen(FORMULA), partial(_chosen, kinds), Chosen.to_json)
+    points: tuple[Point, ...] = own("waypoints", POINTS[:3], _points)
+    formula: tuple[str, str, str] = own("formula of the curve", NOTES, _formulas)
+    by_length: bool = flag("parameter of the curve", False)
+    law: Chosen = own("timing law", Chosen("cubic"), partial(_chosen, free_law_types), Chosen.to_json)
+    duration: float = number("T", "duration", 4.0, unit="s")
+    frame: bool = flag("Frenet frame", True)
+    arrows: bool = flag("velocity and acceleration", False)
+    axes: str = choice("sequence of angles", "zxz", SEQUENCES)
+    fixed: bool = flag("whether the axes stay", False)
+    start: Triple = own("angles of A", START, partial(_angles, "A"))
+    end: Triple = own("angles of B", END, partial(_angles, "B"))
+    other_way: bool = flag("way round", False)
+    example: str = text("example", "frenet")
 
-    @classmethod
-    def initial(cls, robot: Robot) -> Self:
-        """Return the example of the notes."""
-        return cls()
-
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep everything: it has nothing to do with the arm."""
-        return self
-
-    def to_json(self) -> Json:
-        """Write everything."""
-        return {
-            "shown": self.shown,
-            "curve": self.curve.to_json(),
-            "points": [list(point) for point in self.points],
-            "formula": list(self.formula),
-            "by_length": self.by_length,
-            "law": self.law.to_json(),
-            "duration": self.duration,
-            "frame": self.frame,
-            "arrows": self.arrows,
-            "axes": self.axes,
-            "fixed": self.fixed,
-            "start": list(self.start),
-            "end": list(self.end),
-            "other_way": self.other_way,
-            "example": self.example,
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when nothing can be computed with it."""
-        opened = cls()
-        x, y, z = (str(each) for each in data.get("formula", opened.formula))
-        part = cls(
-            shown="turn" if data.get("shown") == "turn" else "curve",
-            curve=Chosen.from_json(data.get("curve", opened.curve.to_json()), kinds()),
-            points=tuple(point_of(each, f"waypoint {k + 1}") for k, each in enumerate(data.get("points", POINTS[:3]))),
-            formula=(x, y, z),
-            by_length=bool(data.get("by_length", False)),
-            law=Chosen.from_json(data.get("law", opened.law.to_json()), free_law_types()),
-            duration=float(data.get("duration", opened.duration)),
-            frame=bool(data.get("frame", True)),
-            arrows=bool(data.get("arrows", False)),
-            axes=str(data.get("axes", opened.axes)),
-            fixed=bool(data.get("fixed", False)),
-            start=point_of(data.get("start", opened.start), "angles of A"),
-            end=point_of(data.get("end", opened.end), "angles of B"),
-            other_way=bool(data.get("other_way", False)),
-            example=str(data.get("example", "")),
-        )
-        check(part)
-        return part
+    def check(self) -> None:
+        """Refuse what nothing can be computed or drawn with; the text names what is wrong."""
+        if self.curve.key != FORMULA and len(self.points) > MOST_POINTS:
+            raise InputError(f"waypoints: expected at most {MOST_POINTS} here, got {len(self.points)}")
+        turned(self.turn_question)
+        laid(self.question)
 
     @property
     def question(self) -> Question:
@@ -182,39 +169,3 @@ def turn_place(state: State) -> tuple[float, float]:
     """Return s and s-dot of the turn where the clip stands."""
     s, rate = state.derived(curve_of).law.derivatives(time_of(state), (0, 1))
     return min(max(float(s), 0.0), 1.0), float(rate)
-
-
-def point_of(values: Sequence[float], where: str) -> Point:
-    """Return three finite numbers; `InputError` when they are not."""
-    found = tuple(float(value) for value in values)
-    if len(found) != 3:
-        raise InputError(f"{where}: expected three numbers, got {len(found)}")
-    if not np.isfinite(found).all():
-        raise InputError(f"{where}: expected finite numbers, got {list(found)}")
-    return found
-
-
-def check(part: SpaceCurve) -> None:
-    """Refuse what nothing can be computed or drawn with; the text names the waypoint, the formula, or the angle."""
-    if part.curve.key != FORMULA and len(part.points) > MOST_POINTS:
-        raise InputError(f"waypoints: expected at most {MOST_POINTS} here, got {len(part.points)}")
-    for k, point in enumerate(part.points):
-        if not all(abs(value) <= FARTHEST for value in point):
-            raise InputError(f"waypoint {k + 1}: expected coordinates of at most {FARTHEST:g} m")
-    if part.axes not in SEQUENCES:
-        raise UnknownName("axes", part.axes, SEQUENCES)
-    for name, angles in (("A", part.start), ("B", part.end)):
-        if not all(abs(angle) <= MOST_TURNED for angle in angles):
-            raise InputError(f"angles of {name}: expected at most ten turns")
-    turned(part.turn_question)
-    laid(part.question)
-
-
-def changed(state: State, part: SpaceCurve) -> State:
-    """Return the state with another curve or turn, and the film, if it is on, at its beginning."""
-    if part == state[SpaceCurve]:
-        return state
-    check(part)
-    timeline = state[Timeline]
-    rewound = replace(timeline, time=0.0, playing=False) if timeline.clip == CLIP_KEY else timeline
-    return state.replace(part, rewound)

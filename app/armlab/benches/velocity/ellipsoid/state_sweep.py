@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 from armlab.benches.velocity.ellipsoid.state import Manipulability, VelocityBlock
 from armlab.content.robots import Robot
 from armlab.errors import InputError
+from armlab.kin.arm import Arm
 from armlab.kin.easing import eased
 from armlab.kin.ellipsoid import SingularPlaces, measures, singular_places
+from armlab.session.fields import FieldPart, number, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, PartType, State
 
 Array = NDArray[np.float64]
 
@@ -33,12 +35,13 @@ UNTOUCHED = 1e-9
 """rad or m from where the sweep has put it, within which no hand has moved the joint."""
 
 
-@dataclass(frozen=True)
-class Sweep(Part):
+@dataclass(frozen=True, eq=False)
+class Sweep(FieldPart):
     """The joint that moves while the others stay.
 
     Attributes
     ----------
+    arm : Arm
     joint : int
         0-based.
     start : float or None
@@ -48,17 +51,25 @@ class Sweep(Part):
     key: ClassVar[str] = "sweep"
     kept_by_undo: ClassVar[bool] = True
 
-    joint: int = 0
-    start: float | None = None
+    arm: Arm
+    joint: int = whole("joint that sweeps, 0-based", 0, 0, kept="")
+    start: float | None = number("", "where it stood when the film was opened", None, kept="")
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the joint whose motion changes w: not the first, about which everything only turns."""
-        return cls(min(1, robot.arm.n - 1))
+        return cls(robot.arm, min(1, robot.arm.n - 1))
+
+    def check(self) -> None:
+        """Refuse a joint that the arm does not have."""
+        if self.joint >= self.arm.n:
+            raise InputError(f"joint: expected 1 to {self.arm.n}, got {self.joint + 1}")
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep joint and start where the joint is still there."""
-        return replace(self, joint=origin.index(self.joint)) if self.joint in origin else self.initial(robot)
+        if self.joint not in origin:
+            return self.initial(robot)
+        return replace(self, arm=robot.arm, joint=origin.index(self.joint))
 
     def after(self, before: State, now: State) -> Self:
         """Forget the start when the clip is closed, and where the joint that turned now slides or the other way."""
@@ -66,19 +77,6 @@ class Sweep(Part):
             return self
         was, is_now = (state[Joints].arm.revolute[state[Sweep].joint] for state in (before, now))
         return replace(self, start=None) if now[Timeline].clip != CLIP_KEY or was != is_now else self
-
-    def to_json(self) -> Json:
-        """Write joint and start."""
-        return {"joint": self.joint, "start": self.start}
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read them back."""
-        joint = int(data["joint"])
-        start = None if data["start"] is None else float(data["start"])
-        if not 0 <= joint < robot.arm.n or (start is not None and not math.isfinite(start)):
-            raise InputError(f"sweep: not usable: {data}")
-        return cls(joint, start)
 
 
 PART = PartType(Sweep, order=95)
@@ -124,14 +122,13 @@ class SweepJoint(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the joint chosen."""
-        joints, timeline = state[Joints], state[Timeline]
-        if not 0 <= self.joint < joints.arm.n:
-            raise InputError(f"joint: expected 1 to {joints.arm.n}, got {self.joint + 1}")
-        if self.joint == state[Sweep].joint:
+        sweep, timeline = state[Sweep], state[Timeline]
+        chosen = sweep.with_values({"joint": self.joint, "start": None})
+        if chosen.joint == sweep.joint:
             return state
         if timeline.clip != CLIP_KEY:
-            return state.replace(Sweep(self.joint))
-        started = Sweep(self.joint, free_start(joints, self.joint))
+            return state.replace(chosen)
+        started = replace(chosen, start=free_start(state[Joints], chosen.joint))
         return put_back(state).replace(started, replace(timeline, time=0.0, playing=False))
 
 

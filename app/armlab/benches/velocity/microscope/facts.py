@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from armlab.benches.velocity.microscope.look import Look
-from armlab.benches.velocity.microscope.state import Microscope, looked, near
+from armlab.benches.velocity.microscope.looked import looked, near
+from armlab.benches.velocity.microscope.state import Microscope
 from armlab.session.facts import Fact, Facts
 from armlab.session.state import State
 

@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from armlab.benches.velocity.microscope.state import Microscope
 from armlab.kin.arm import Arm
 from armlab.kin.control.rate_inverse import RateStep, rate_step
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.control.side_by_side import Compared, side_by_side
 from armlab.kin.control.singular_poses import SINGULAR, SingularPose, nearest_singular_pose, singular_poses
 from armlab.kin.velocity.singular import Singularity, singularities
-
-if TYPE_CHECKING:
-    from armlab.benches.velocity.microscope.state import Microscope
 
 Array = NDArray[np.float64]
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import ClassVar, Self
 
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.checks import finite_floats, whole_number
 from armlab.kin.task import Task
+from armlab.session.fields import FieldPart, choice, own, setting, text, vector
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 
 CLIP_KEY = "self_motion"
 
@@ -28,8 +28,19 @@ USUAL = {"position": 0.25, "rotation": 0.0}
 """Length scales a second, and rad/s, of the velocity a bench begins with, along its first coordinate."""
 
 
+def _pair(data: Json) -> tuple[int, int]:
+    first, second = (whole_number(each, "pair of joints", 0) for each in data)
+    return first, second
+
+
+def _start(data: Json) -> tuple[float, ...] | None:
+    if data is None:
+        return None
+    return tuple(finite_floats(data, "start", (len(data),), "finite joint values").tolist())
+
+
 @dataclass(frozen=True, eq=False)
-class Solve(Part):
+class Solve(FieldPart):
     """What is asked for.
 
     Attributes
@@ -48,13 +59,14 @@ class Solve(Part):
 
     key: ClassVar[str] = "solve"
     kept_by_undo: ClassVar[bool] = True
+    leave_example: ClassVar[tuple[str, ...]] = ("example", "rows", "pair", "start")
 
     arm: Arm
-    twist: tuple[float, ...]
-    rows: str = "task"
-    pair: tuple[int, int] = (0, 1)
-    start: tuple[float, ...] | None = None
-    example: str = ""
+    twist: tuple[float, ...] = vector("v", "wanted velocity, m/s and rad/s", (), -FASTEST, FASTEST, kept="")
+    rows: str = choice("what is asked of the tool", "task", ROWS, kept="")
+    pair: tuple[int, int] = own("joints of the pictures, 0-based", (0, 1), _pair, kept="")
+    start: tuple[float, ...] | None = own("where the self-motion began", None, _start, kept="")
+    example: str = text("example", kept="")
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -79,33 +91,15 @@ class Solve(Part):
         other = self.rows != before[Solve].rows or now[Joints].locked != before[Joints].locked
         return replace(part, start=None) if (was or other) and not on and self.start is not None else part
 
-    def to_json(self) -> Json:
-        """Write what was chosen and typed."""
-        return {
-            "twist": list(self.twist),
-            "rows": self.rows,
-            "pair": list(self.pair),
-            "start": None if self.start is None else list(self.start),
-            "example": self.example,
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it does not fit the arm."""
-        arm = robot.arm
-        twist = checked_twist(arm, [float(value) for value in data["twist"]])
-        start = None if data["start"] is None else tuple(float(value) for value in data["start"])
-        if start is not None and (len(start) != arm.n or not all(map(math.isfinite, start))):
-            raise InputError(f"solve: expected {arm.n} finite joint values, got {start}")
-        rows, (first, second), example = data["rows"], data["pair"], data.get("example", "")
-        _check_rows(arm, rows)
-        if not isinstance(example, str):
-            raise InputError(f"solve, example: expected a key, got {example!r}")
-        if not all(type(k) is int for k in (first, second)):
-            raise InputError(f"solve, pair: expected two whole numbers, got {data['pair']}")
-        if arm.n > 1 or (first, second) != (0, 0):
-            _check_pair(arm, first, second)
-        return cls(arm, twist, rows, (first, second), start, example)
+    def check(self) -> None:
+        """Refuse what does not fit the arm."""
+        n, (first, second) = self.arm.n, self.pair
+        if self.rows == "position" and not has_choice(self.arm):
+            raise InputError(f"position alone: the task of this arm is its {self.arm.task.title}")
+        if (n > 1 or first or second) and (first == second or max(first, second) >= n):
+            raise InputError(f"two joints: expected two different ones of 1 to {n}, got {first + 1} and {second + 1}")
+        if self.start is not None and len(self.start) != n:
+            raise InputError(f"start: expected {n} joint values, got {len(self.start)}")
 
 
 PART = PartType(Solve, order=96)
@@ -119,16 +113,6 @@ def usual_twist(arm: Arm) -> tuple[float, ...]:
     else:
         twist[0] = 0.5
     return tuple(twist)
-
-
-def checked_twist(arm: Arm, twist: Sequence[float]) -> tuple[float, ...]:
-    """Return a velocity; `InputError` when it is not one of the arm's task."""
-    if len(twist) != arm.task.m:
-        raise InputError(f"velocity: expected {arm.task.m} components ({arm.task.title}), got {len(twist)}")
-    for value in twist:
-        if not (math.isfinite(value) and abs(value) <= FASTEST):
-            raise InputError(f"velocity: expected at most {FASTEST:g} m/s or rad/s, got {value:g}")
-    return tuple(float(value) for value in twist)
 
 
 @lru_cache(maxsize=64)
@@ -148,18 +132,6 @@ def has_choice(arm: Arm) -> bool:
     return bool(arm.task.position) and arm.task.rotation != "none"
 
 
-def _check_rows(arm: Arm, rows: str) -> None:
-    if rows not in ROWS:
-        raise UnknownName("what is asked", rows, ROWS)
-    if rows == "position" and not has_choice(arm):
-        raise InputError(f"position alone: the task of this arm is its {arm.task.title}")
-
-
-def _check_pair(arm: Arm, first: int, second: int) -> None:
-    if first == second or not (0 <= first < arm.n and 0 <= second < arm.n):
-        raise InputError(f"two joints: expected two different ones of 1 to {arm.n}, got {first + 1} and {second + 1}")
-
-
 @dataclass(frozen=True)
 class SetComponent(Command):
     """Type one component of the wanted velocity, m/s or rad/s."""
@@ -175,7 +147,7 @@ class SetComponent(Command):
             raise InputError(f"component: expected 1 to {len(part.twist)}, got {self.index + 1}")
         twist = list(part.twist)
         twist[self.index] = self.value
-        return _with(state, replace(part, twist=checked_twist(part.arm, twist), example=""))
+        return setting(state, Solve, {"twist": twist})
 
 
 @dataclass(frozen=True)
@@ -192,8 +164,7 @@ class Aim(Command):
         p = len(part.arm.task.position)
         if len(self.velocity) != p:
             raise InputError(f"velocity: expected {p} components, got {len(self.velocity)}")
-        twist = checked_twist(part.arm, [*self.velocity, *part.twist[p:]])
-        return _with(state, replace(part, twist=twist, example=""))
+        return setting(state, Solve, {"twist": [*self.velocity, *part.twist[p:]]})
 
 
 @dataclass(frozen=True)
@@ -205,27 +176,4 @@ class AskFor(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with that asked."""
-        part = state[Solve]
-        _check_rows(part.arm, self.rows)
-        return _with(state, replace(part, rows=self.rows, start=None))
-
-
-@dataclass(frozen=True)
-class PicturePair(Command):
-    """Choose the two joints (0-based) of the pictures."""
-
-    first: int
-    second: int
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the joints chosen."""
-        part = state[Solve]
-        _check_pair(part.arm, self.first, self.second)
-        return _with(state, replace(part, pair=(self.first, self.second)))
-
-
-def _with(state: State, part: Solve) -> State:
-    before = state[Solve]
-    same = all(getattr(part, name) == getattr(before, name) for name in ("twist", "rows", "pair", "start", "example"))
-    return state if same else state.replace(part)
+        return setting(state, Solve, {"rows": self.rows, "start": None})

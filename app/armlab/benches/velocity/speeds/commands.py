@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
 
-from armlab.benches.velocity.speeds.state import (
-    FOLDS,
-    MARKS,
-    Velocity,
-    Xyz,
-    checked_point,
-    ends_of,
-    usual_speed,
-    within,
-)
+from armlab.benches.velocity.speeds.state import FOLDS, MARKS, Velocity, Xyz, ends_of, usual_speed
 from armlab.errors import InputError, UnknownName
-from armlab.kin.velocity.jacobians import AXES
+from armlab.session.fields import setting
 from armlab.session.state import Command, State
 
 
@@ -47,11 +38,9 @@ class SetSpeed(Command):
         """Return the state with the speed."""
         part = state[Velocity]
         _check_joint(part, self.joint)
-        if not math.isfinite(self.value):
-            raise InputError(f"speed of joint {self.joint + 1}: expected a number, got {self.value}")
         qdot = list(part.qdot)
-        qdot[self.joint] = within(part.arm, self.joint, self.value)
-        return _changed(state, qdot=tuple(qdot))
+        qdot[self.joint] = self.value
+        return setting(state, Velocity, {"qdot": qdot})
 
 
 @dataclass(frozen=True)
@@ -66,7 +55,7 @@ class MoveAlone(Command):
         part = state[Velocity]
         _check_joint(part, self.joint)
         speed = part.qdot[self.joint] or usual_speed(part.arm, self.joint)
-        return _changed(state, qdot=tuple(speed if i == self.joint else 0.0 for i in range(part.arm.n)))
+        return setting(state, Velocity, {"qdot": [speed if i == self.joint else 0.0 for i in range(part.arm.n)]})
 
 
 @dataclass(frozen=True)
@@ -79,21 +68,7 @@ class SetAllSpeeds(Command):
     def apply(self, state: State) -> State:
         """Return the state with all speeds 0, or all the usual ones."""
         arm = state[Velocity].arm
-        return _changed(state, qdot=tuple(usual_speed(arm, i) if self.on else 0.0 for i in range(arm.n)))
-
-
-@dataclass(frozen=True)
-class WriteJacobianIn(Command):
-    """Choose in whose axes J is written."""
-
-    axes: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the axes."""
-        if self.axes not in AXES:
-            raise UnknownName("axes", self.axes, AXES)
-        return _changed(state, axes=self.axes)
+        return setting(state, Velocity, {"qdot": [usual_speed(arm, i) if self.on else 0.0 for i in range(arm.n)]})
 
 
 @dataclass(frozen=True)
@@ -106,11 +81,10 @@ class LookAtLink(Command):
     def apply(self, state: State) -> State:
         """Return the state with the link and its points."""
         part = state[Velocity]
-        if not 1 <= self.link <= part.arm.n:
-            raise InputError(f"link: expected 1 to {part.arm.n}, got {self.link}")
-        if self.link == part.link:
+        looking = part.with_values({"link": self.link})
+        if looking.link == part.link:
             return state
-        return _changed(state, link=self.link, points=ends_of(part.arm, self.link))
+        return setting(state, Velocity, {"link": looking.link, "points": ends_of(part.arm, looking.link)})
 
 
 @dataclass(frozen=True)
@@ -126,8 +100,7 @@ class SetLinkPoint(Command):
         if self.which not in (0, 1):
             raise InputError(f"point of a link: expected 1 or 2, got {self.which + 1}")
         first, second = state[Velocity].points
-        point = checked_point(self.xyz)
-        return _changed(state, points=(point, second) if self.which == 0 else (first, point))
+        return setting(state, Velocity, {"points": (first, self.xyz) if self.which else (self.xyz, second)})
 
 
 @dataclass(frozen=True)
@@ -140,11 +113,7 @@ class DrawVelocities(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the choice."""
-        if self.name not in MARKS:
-            raise UnknownName("mark", self.name, MARKS)
-        marks = state[Velocity].marks
-        found = marks | {self.name} if self.on else marks - {self.name}
-        return state if found == marks else state.replace(replace(state[Velocity], marks=found))
+        return _switched(state, "marks", MARKS, self.name, self.on)
 
 
 @dataclass(frozen=True)
@@ -157,11 +126,7 @@ class Unfold(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the choice."""
-        if self.name not in FOLDS:
-            raise UnknownName("part of the page", self.name, FOLDS)
-        unfolded = state[Velocity].unfolded
-        found = unfolded | {self.name} if self.on else unfolded - {self.name}
-        return state if found == unfolded else state.replace(replace(state[Velocity], unfolded=found))
+        return _switched(state, "unfolded", FOLDS, self.name, self.on)
 
 
 def _check_joint(part: Velocity, joint: int) -> None:
@@ -169,9 +134,9 @@ def _check_joint(part: Velocity, joint: int) -> None:
         raise InputError(f"joint: expected 1 to {part.arm.n}, got {joint + 1}")
 
 
-def _changed(state: State, **fields: Any) -> State:
-    """Return the state with other values; what was an example is none any more."""
-    part = state[Velocity]
-    if all(getattr(part, name) == value for name, value in fields.items()):
-        return state
-    return state.replace(replace(part, **{"example": "", **fields}))
+def _switched(state: State, field: str, known: Sequence[str], name: str, on: bool) -> State:
+    """Return the state with one of the names of a field on or off."""
+    if name not in known:
+        raise UnknownName(field, name, known)
+    chosen = getattr(state[Velocity], field)
+    return setting(state, Velocity, {field: chosen | {name} if on else chosen - {name}})

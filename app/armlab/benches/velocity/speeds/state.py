@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
+from armlab.kin.checks import finite_floats
 from armlab.kin.dh import link_transform
 from armlab.kin.velocity.jacobians import AXES
+from armlab.session.fields import FieldPart, choice, number, own, some, text, vector, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import Timeline
-from armlab.session.state import Json, Part, PartType, State
+from armlab.session.state import Json, PartType, State
 
 Floats = NDArray[np.float64]
 Xyz = tuple[float, float, float]
@@ -50,8 +52,21 @@ DRAWN, SAMPLES, SHARE = 0.45, 64, 0.9
 """Reaches of the arm that the longest arrow has in so large a share of so many random configurations."""
 
 
+def _point(xyz: Sequence[float]) -> Xyz:
+    x, y, z = finite_floats(xyz, "point of a link", (3,), "three finite numbers, in metres").tolist()
+    for axis, value in zip("xyz", (x, y, z), strict=True):
+        if abs(value) > FARTHEST:
+            raise InputError(f"point of a link, {axis}: expected at most {FARTHEST:g} m, got {value:.6g} m")
+    return x, y, z
+
+
+def _points(data: Json) -> tuple[Xyz, Xyz]:
+    first, second = data
+    return _point(first), _point(second)
+
+
 @dataclass(frozen=True, eq=False)
-class Velocity(Part):
+class Velocity(FieldPart):
     """What the bench shows.
 
     Attributes
@@ -78,15 +93,17 @@ class Velocity(Part):
     key: ClassVar[str] = "velocity"
     kept_by_undo: ClassVar[bool] = True
 
+    leave_example: ClassVar[tuple[str, ...]] = ("example", "marks", "unfolded", "reached")
+
     arm: Arm
-    qdot: tuple[float, ...]
-    axes: str
-    link: int
-    points: tuple[Xyz, Xyz]
-    marks: frozenset[str] = field(default_factory=lambda: frozenset(("v",)))
-    unfolded: frozenset[str] = frozenset()
-    reached: float | None = None
-    example: str = ""
+    qdot: tuple[float, ...] = vector("q̇", "speeds of the joints, rad/s and m/s", kept="")
+    axes: str = choice("axes of the rows of J", "world", AXES)
+    link: int = whole("link whose points are looked at", 1, 1, kept="")
+    points: tuple[Xyz, Xyz] = own("two points of the link", ((0.0,) * 3,) * 2, _points, kept="")
+    marks: frozenset[str] = some("drawn in the scene", ("v",), MARKS)
+    unfolded: frozenset[str] = some("parts of the page that are unfolded", (), FOLDS)
+    reached: float | None = number("", "where the film stands", None, unit="s", kept="")
+    example: str = text("example", kept="")
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -94,9 +111,17 @@ class Velocity(Part):
         arm = robot.arm
         return cls(arm, tuple(usual_speed(arm, i) for i in range(arm.n)), "world", arm.n, ends_of(arm, arm.n))
 
-    def for_robot(self, robot: Robot) -> Self:
-        """Keep the axes and what is drawn."""
-        return replace(self.initial(robot), axes=self.axes, marks=self.marks, unfolded=self.unfolded)
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """Return the part with some fields set, and speeds moved into what the joints can do."""
+        part = super().with_values(values)
+        return replace(part, qdot=tuple(within(part.arm, i, value) for i, value in enumerate(part.qdot)))
+
+    def check(self) -> None:
+        """Refuse a link that the arm does not have, and a time before the film begins."""
+        if self.link > self.arm.n:
+            raise InputError(f"link: expected 1 to {self.arm.n}, got {self.link}")
+        if self.reached is not None and self.reached < 0.0:
+            raise InputError(f"reached: expected at least 0 s, got {self.reached:g}")
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep the speeds of the joints that are still there and of their kind, and the link with typed points."""
@@ -118,39 +143,6 @@ class Velocity(Part):
             part = replace(part, example="")
         return part if part.reached is None or now[Timeline].clip == CLIP_KEY else replace(part, reached=None)
 
-    def to_json(self) -> Json:
-        """Write everything."""
-        return {
-            "qdot": list(self.qdot),
-            "axes": self.axes,
-            "link": self.link,
-            "points": [list(point) for point in self.points],
-            "marks": sorted(self.marks),
-            "unfolded": sorted(self.unfolded),
-            "reached": self.reached,
-            "example": self.example,
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it does not fit the arm."""
-        arm = robot.arm
-        qdot, link = tuple(float(value) for value in data["qdot"]), int(data["link"])
-        first, second = (checked_point([float(value) for value in point]) for point in data["points"])
-        reached = None if data["reached"] is None else float(data["reached"])
-        if len(qdot) != arm.n or not all(map(math.isfinite, qdot)) or not 1 <= link <= arm.n:
-            raise InputError(f"velocity: not usable: {data}")
-        for names, known in (([data["axes"]], AXES), (data["marks"], MARKS), (data["unfolded"], FOLDS)):
-            for name in names:
-                if name not in known:
-                    raise UnknownName("velocity", name, known)
-        if reached is not None and not (math.isfinite(reached) and reached >= 0.0):
-            raise InputError(f"velocity, reached: expected seconds, got {reached}")
-        inside = tuple(within(arm, i, value) for i, value in enumerate(qdot))
-        marks, unfolded = frozenset(data["marks"]), frozenset(data["unfolded"])
-        points = first, second
-        return cls(arm, inside, data["axes"], link, points, marks, unfolded, reached, str(data["example"]))
-
 
 PART = PartType(Velocity, order=26)
 
@@ -170,17 +162,6 @@ def within(arm: Arm, joint: int, value: float) -> float:
     """Return a speed of a joint (0-based), moved into what it can do."""
     most = fastest(arm, joint)
     return min(max(value, -most), most)
-
-
-def checked_point(xyz: Sequence[float]) -> Xyz:
-    """Return three finite numbers; `InputError` otherwise."""
-    if len(xyz) != 3:
-        raise InputError(f"point of a link: expected three numbers, got {len(xyz)}")
-    for axis, value in zip("xyz", xyz, strict=True):
-        if not (math.isfinite(value) and abs(value) <= FARTHEST):
-            raise InputError(f"point of a link, {axis}: expected at most {FARTHEST:g} m, got {value:.6g} m")
-    x, y, z = xyz
-    return x, y, z
 
 
 def ends_of(arm: Arm, link: int) -> tuple[Xyz, Xyz]:
@@ -208,7 +189,7 @@ def ends_of(arm: Arm, link: int) -> tuple[Xyz, Xyz]:
         far = arm.tool[:3, 3]
     if float(np.linalg.norm(far - near)) < 1e-6 * arm.length_scale:
         far = near + np.array([APART * arm.length_scale, 0.0, 0.0])
-    return checked_point((near + 0.0).tolist()), checked_point((far + 0.0).tolist())
+    return _points((near + 0.0, far + 0.0))
 
 
 @lru_cache(maxsize=128)

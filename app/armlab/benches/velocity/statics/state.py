@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import ClassVar, Literal, NamedTuple, Self
+from functools import partial
+from typing import Any, ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +17,10 @@ from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
 from armlab.kin.joint_scale import counted_speeds
 from armlab.kin.statics import Duality, VirtualWork, duality, joint_torques, torque_free, virtual_work
+from armlab.session.fields import FieldPart, choice, own, put, setting, text, vector, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.round_numbers import round_above
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 
 Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
@@ -45,8 +48,17 @@ NOTHING = 1e-9
 """Torque that counts as none, in parts of what the wrench would need at the length of the whole arm."""
 
 
+def _triple(kind: str, values: Json) -> Triple:
+    unit = "N" if kind == "force" else "N m"
+    x, y, z = finite_floats(values, kind, (3,), f"three finite numbers, in {unit}").tolist()
+    for value in (x, y, z):
+        if abs(value) > MOST:
+            raise InputError(f"{kind}: expected at most {MOST:g} {unit}, got {value:.6g} {unit}")
+    return x, y, z
+
+
 @dataclass(frozen=True)
-class Statics(Part):
+class Statics(FieldPart):
     """A wrench at the tool point.
 
     Attributes
@@ -55,7 +67,7 @@ class Statics(Part):
         N and N m, by the robot on the environment, along the chosen axes; the moment about the tool point.
     axes : "world" or "tool"
         A wrench along the axes of the tool turns with it.
-    full_force, full_moment : float
+    full : (float, float)
         N and N m that are drawn in full length: round numbers, the same while a hand pulls; 0 where there is nothing.
     draws : int
         How many virtual displacements were drawn; with 0 every joint moves a little forward.
@@ -64,14 +76,14 @@ class Statics(Part):
     """
 
     key: ClassVar[str] = "statics"
+    leave_example: ClassVar[tuple[str, ...]] = ("example", "draws")
 
-    force: Triple = (0.0, 0.0, USUAL)
-    moment: Triple = ZERO
-    axes: Axes = "world"
-    full_force: float = USUAL
-    full_moment: float = 0.0
-    draws: int = 0
-    example: str = ""
+    force: Triple = own("force, N", (0.0, 0.0, USUAL), partial(_triple, "force"), kept="edits")
+    moment: Triple = own("moment, N m", ZERO, partial(_triple, "moment"), kept="edits")
+    axes: Axes = choice("axes of the wrench", "world", AXES, kept="edits")
+    full: tuple[float, ...] = vector("", "drawn in full length", (USUAL, 0.0), 0.0, 10.0 * MOST, kept="edits")
+    draws: int = whole("virtual displacements drawn", 0, 0, kept="edits")
+    example: str = text("example", kept="")
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -81,42 +93,29 @@ class Statics(Part):
         x, y, z = (robot.arm.base[:3, :2] @ (0.6 * USUAL, 0.8 * USUAL)).round(9).tolist()
         return cls((x, y, z))
 
-    def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the wrench: it belongs to the tool."""
-        return replace(self, example="")
-
     def after(self, before: State, now: State) -> Self:
         """Forget the example when the arm is moved away from it."""
         moved = now[Joints].q is not before[Joints].q and self is before[Statics]
         return replace(self, example="") if self.example and moved else self
 
-    def to_json(self) -> Json:
-        """Write everything."""
-        return {
-            "force": list(self.force),
-            "moment": list(self.moment),
-            "axes": self.axes,
-            "full": [self.full_force, self.full_moment],
-            "draws": self.draws,
-            "example": self.example,
-        }
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """Return the part with some fields set, another wrench in a scale in which it is well seen."""
+        part = super().with_values(values)
+        return part if "full" in values or not {*KINDS} & {*values} else part.fitted()
 
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable."""
-        force, moment = (_triple(data[kind], kind) for kind in KINDS)
-        full_force, full_moment = (float(each) for each in data["full"])
-        if not all(math.isfinite(each) and 0.0 <= each <= 10.0 * MOST for each in (full_force, full_moment)):
-            raise InputError(f"statics: not usable: {data['full']}")
-        draws, example = int(data["draws"]), str(data["example"])
-        if draws < 0:
-            raise InputError(f"statics: draws: expected 0 or more, got {draws}")
-        return cls(force, moment, _axes(data["axes"]), full_force, full_moment, draws, example)
+    @property
+    def full_force(self) -> float:
+        """The force that is drawn in full length, N."""
+        return self.full[0]
+
+    @property
+    def full_moment(self) -> float:
+        """The moment that is drawn in full length, N m."""
+        return self.full[1]
 
     def fitted(self) -> Self:
         """Return the part drawn in such a scale that the present wrench is well seen."""
-        force, moment = (round_above(math.hypot(*vector)) for vector in (self.force, self.moment))
-        return replace(self, full_force=force, full_moment=moment)
+        return replace(self, full=tuple(round_above(math.hypot(*each)) for each in (self.force, self.moment)))
 
     def wrench(self, tool: Array) -> Array:
         """Return the wrench in world axes about the tool point, (6,), with the tool at a pose (4, 4)."""
@@ -236,12 +235,9 @@ class SetComponent(Command):
         if type(self.axis) is not int or not 0 <= self.axis < 3:
             got = self.axis + 1 if type(self.axis) is int else repr(self.axis)
             raise InputError(f"component of a wrench: expected 1 to 3, got {got}")
-        part = state[Statics]
-        values = list(getattr(part, self.kind))
+        values = list(getattr(state[Statics], self.kind))
         values[self.axis] = self.value
-        vector = _triple(values, self.kind)
-        changed = replace(part, force=vector) if self.kind == "force" else replace(part, moment=vector)
-        return _with(state, changed.fitted())
+        return setting(state, Statics, {self.kind: values})
 
 
 @dataclass(frozen=True)
@@ -252,7 +248,7 @@ class ReleaseWrench(Command):
 
     def apply(self, state: State) -> State:
         """Return the state without force and moment."""
-        return _with(state, replace(state[Statics], force=ZERO, moment=ZERO).fitted())
+        return setting(state, Statics, dict.fromkeys(KINDS, ZERO))
 
 
 @dataclass(frozen=True)
@@ -280,10 +276,10 @@ class DragForce(Command):
     def apply(self, state: State) -> State:
         """Return the state with the force along the chosen axes; the scale of the picture stays."""
         part = state[Statics]
-        given = np.array(_triple(self.force, "force"))
+        given = np.array(_triple("force", self.force))
         turn = np.eye(3) if part.axes == "world" else state[Joints].tool_pose[:3, :3].T
         full = part.full_force or round_above(float(np.linalg.norm(given)))
-        return _with(state, replace(part, force=_triple((turn @ given).tolist(), "force"), full_force=full))
+        return setting(state, Statics, {"force": turn @ given, "full": (full, part.full_moment)})
 
 
 @dataclass(frozen=True)
@@ -295,14 +291,15 @@ class WriteAlong(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with other axes."""
-        part, axes = state[Statics], _axes(self.axes)
-        if axes == part.axes:
+        part = state[Statics]
+        changed = part.with_values({"axes": self.axes})
+        if changed == part:
             return state
         tool = np.asarray(state[Joints].tool_pose, dtype=np.float64)
         world = part.wrench(tool)
-        turn = np.eye(3) if axes == "world" else tool[:3, :3].T
+        turn = np.eye(3) if changed.axes == "world" else tool[:3, :3].T
         force, moment = _clean(turn @ world[:3]), _clean(turn @ world[3:])
-        return _with(state, replace(part, force=force, moment=moment, axes=axes))
+        return put(state, replace(changed, force=force, moment=moment, example=""))
 
 
 @dataclass(frozen=True)
@@ -316,28 +313,8 @@ class DrawDisplacement(Command):
         return state.replace(replace(state[Statics], draws=state[Statics].draws + 1))
 
 
-def _with(state: State, part: Statics) -> State:
-    changed = replace(part, example="")
-    return state if changed == state[Statics] else state.replace(changed)
-
-
 def _clean(vector: Array) -> Triple:
     """Return a turned vector without the rounding errors of the turn."""
     size = float(np.abs(vector).max())
     x, y, z = np.where(np.abs(vector) < 1e-14 * size, 0.0, vector).tolist()
     return x, y, z
-
-
-def _triple(values: Json, kind: str) -> Triple:
-    unit = "N" if kind == "force" else "N m"
-    x, y, z = finite_floats(values, kind, (3,), f"three finite numbers, in {unit}").tolist()
-    for value in (x, y, z):
-        if abs(value) > MOST:
-            raise InputError(f"{kind}: expected at most {MOST:g} {unit}, got {value:.6g} {unit}")
-    return x, y, z
-
-
-def _axes(key: Json) -> Axes:
-    if not isinstance(key, str) or key not in AXES:
-        raise UnknownName("axes", key, AXES)
-    return next(axes for axes in AXES if axes == key)

@@ -100,13 +100,6 @@ class PlaceSlice(Command):
 
 
 @dataclass(frozen=True)
-class PlaceSliceTyped(PlaceSlice):
-    """Put the slice where it was typed: each counts, and a refusal is said at the field."""
-
-    snapshot: ClassVar[bool] = False
-
-
-@dataclass(frozen=True)
 class GoInSection(Command):
     """Bring the tool to a place of the section, or as near as it can come; joint 1 moves as little as that allows.
 

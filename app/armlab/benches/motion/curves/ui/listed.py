@@ -17,8 +17,6 @@ from armlab.benches.motion.curves.commands import (
     SetKnots,
     SetLimit,
     SetOption,
-    SetUnit,
-    ShowCurve,
 )
 from armlab.benches.motion.curves.knots import MOST_KNOTS
 from armlab.benches.motion.curves.made import Drawn, Made, free_options, kinds, why_not
@@ -28,6 +26,7 @@ from armlab.errors import InputError
 from armlab.kin.field import Field, seen_fields
 from armlab.kin.motion.law_types import free_law_types
 from armlab.session.chosen import Chosen, Value
+from armlab.session.fields import Set
 from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, capitalised, dot, escaped, lowered
@@ -37,7 +36,8 @@ from armlab.ui.option_form import Scale, option_form, unit_text
 def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], None]) -> str:
     """Return the table of knots, or the same as text; ``turn`` changes between both."""
     names = {name: name for name in UNITS}
-    units = form.chips("unit", names, part.unit, "Unit of the coordinate; the numbers stay", SetUnit)
+    hint = "Unit of the coordinate; the numbers stay"
+    units = form.chips("unit", names, part.unit, hint, partial(Set, Curves, "unit"))
     switch = form.button("as-text", "As table" if as_text else "As text", turn, "copy", "Another way to type the knots")
     head = f'<h3>Knots<span class="copies">{switch}</span></h3><div class="cu-units"><span>q in</span>{units}</div>'
     return head + (_text(form, part) if as_text else _table(form, part))
@@ -88,7 +88,7 @@ def curves_markup(form: Form, part: Curves) -> str:
 def _curve(form: Form, part: Curves, i: int) -> str:
     drawn, outcome, chosen = part.curves[i], part.outcomes[i], i == part.selected
     mark, hint = f"{dot(css(COLOURS[drawn.colour]))}{i + 1}", "Show its options here and its equations below"
-    head = form.button(f"show-{i}", mark, ShowCurve(i), "chip", hint, pressed=chosen)
+    head = form.button(f"show-{i}", mark, Set(Curves, "selected", i), "chip", hint, pressed=chosen)
     path = form.bound(f"path-{i}", partial(ChoosePath, i))
     head += f'<select {path} aria-label="Kind of curve {i + 1}">{_kinds(part, drawn)}</select>'
     last = len(part.curves) == 1

@@ -7,7 +7,6 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.motion.curves.commands import ShowDegree
 from armlab.benches.motion.curves.examples import differences
 from armlab.benches.motion.curves.made import Made, in_knots
 from armlab.benches.motion.curves.solved import (
@@ -24,6 +23,7 @@ from armlab.benches.motion.curves.solved import (
 from armlab.benches.motion.curves.state import DEGREES, Curves
 from armlab.benches.motion.curves.ui.words import COLOURS, figures, polynomial, power, unit
 from armlab.kin.paths.polynomial import Rules
+from armlab.session.fields import Set
 from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import dot, escaped, matrix, number, subscript
@@ -201,7 +201,7 @@ def rules_markup(form: Form, part: Curves) -> str:
     found, printed = normalised(part.degree), (6.0, -5.0, 10.0, 0.0, 0.0, 0.0)
     names = {str(degree): str(degree) for degree in DEGREES}
     hint = "Degree of the polynomial"
-    chosen = form.chips("degree", names, str(part.degree), hint, lambda degree: ShowDegree(int(degree)))
+    chosen = form.chips("degree", names, str(part.degree), hint, lambda degree: Set(Curves, "degree", int(degree)))
     k = part.degree // 2
     said = (
         f"<h3>Rest to rest, normalised <small>degree</small> {chosen}</h3>"

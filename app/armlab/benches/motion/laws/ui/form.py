@@ -12,9 +12,7 @@ from armlab.benches.motion.laws.commands import (
     RemoveLaw,
     SetLawOption,
     SetQuantity,
-    ShowBounds,
     Stretch,
-    StretchLaw,
     StretchOptimally,
 )
 from armlab.benches.motion.laws.examples import EXAMPLES, ChooseLawExample
@@ -22,6 +20,7 @@ from armlab.benches.motion.laws.state import MOST_LAWS, Laws
 from armlab.benches.motion.laws.timing import AS_TYPED, QUANTITIES, excesses, phases
 from armlab.benches.motion.laws.words import corrections, excess_text, phases_text
 from armlab.kin.motion import free_law_types
+from armlab.session.fields import Set
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, Rgb, css
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
@@ -59,7 +58,8 @@ def head_markup(form: Form, part: Laws) -> str:
     """Return the choice of an example, and whether the calculator is shown."""
     chooser = examples(form, EXAMPLES, part.example, ChooseLawExample)
     shown = "bounds" if part.bounds_shown else "laws"
-    views = form.chips("view", VIEWS, shown, "What to look at", lambda view: ShowBounds(view == "bounds"))
+    hint = "What to look at"
+    views = form.chips("view", VIEWS, shown, hint, lambda view: Set(Laws, "bounds_shown", view == "bounds"))
     return f'{chooser}<div class="bar">{views}</div>'
 
 
@@ -112,7 +112,7 @@ def scaling_markup(form: Form, part: Laws) -> str:
     which = ""
     for i, entry in enumerate(part.entries):
         mark, chosen = marked(str(i + 1), LAW_COLOURS[entry.colour]), i == part.scaled
-        which += form.button(f"scale {i}", mark, StretchLaw(i), "chip", f"Stretch law {i + 1}", pressed=chosen)
+        which += form.button(f"scale {i}", mark, Set(Laws, "scaled", i), "chip", f"Stretch law {i + 1}", pressed=chosen)
     best = form.chip("optimal", "Optimal k", StretchOptimally(), "Slower, or faster, until one limit is met")
     back = form.chip("unscaled", "k = 1", Stretch(1.0), "Leave the law alone", off=part.k == 1.0)
     return f'<h3>Uniform time scaling <small>r = k t</small></h3><div class="bar">{which}{best}{back}</div>'

@@ -8,15 +8,12 @@ from armlab.benches.motion.space_curve.commands import (
     AddPoint,
     ChooseCurve,
     ChooseLaw,
-    DrawMarks,
     LookAt,
     OwnTimes,
     RemovePoint,
-    SetDuration,
     SetOption,
     SetPoint,
     TypeFormula,
-    UseLength,
 )
 from armlab.benches.motion.space_curve.examples import EXAMPLES, ChooseExample
 from armlab.benches.motion.space_curve.laid import FORMULA, kinds
@@ -24,6 +21,7 @@ from armlab.benches.motion.space_curve.stage import stage_of
 from armlab.benches.motion.space_curve.state import CLIP_KEY, MOST_POINTS, SpaceCurve, curve_of
 from armlab.benches.motion.space_curve.ui.words import corrected, read
 from armlab.kin.motion import free_law_types
+from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
 from armlab.session.state import State
 from armlab.ui.examples import examples
@@ -70,7 +68,7 @@ def curve_form(form: Form, state: State) -> str:
     typed = _formula(form, part) if part.curve.key == FORMULA else _points(form, part, units)
     given = option_form(form, "o-", kind.fields, part.curve.options, partial(SetOption, "curve"), scales_of(units))
     hint = "Parametrise the curve by the distance gone along it (notes 6.13–6.17)"
-    cell, other = f"length {_turned(part.by_length)}", UseLength(not part.by_length)
+    cell, other = f"length {_turned(part.by_length)}", Set(SpaceCurve, "by_length", not part.by_length)
     by_length = form.chip(cell, "By arc length", other, hint, part.by_length)
     notes = corrected(OVERFLY) if part.curve.key == "overfly" else ""
     found = state.derived(curve_of)
@@ -126,7 +124,7 @@ def law_form(form: Form, state: State) -> str:
     titles = {key: kind.title for key, kind in free_law_types().items()}
     chooser = form.select("law", "Timing law", titles, part.law.key, ChooseLaw)
     seconds, hint = trimmed(part.duration, 4), "Duration in seconds"
-    duration = form.field("T", seconds, hint, lambda text: SetDuration(read(text, "T")))
+    duration = form.field("T", seconds, hint, lambda text: Set(SpaceCurve, "duration", read(text, "T")))
     found = state.derived(curve_of)
     own = ""
     if part.shown == "curve" and found.given.duration is not None:
@@ -159,4 +157,4 @@ def marks(form: Form, state: State) -> str:
 
 
 def _mark(form: Form, name: str, on: bool, text: str, hint: str) -> str:
-    return form.chip(f"{name} {_turned(on)}", text, DrawMarks(name, not on), hint, on)
+    return form.chip(f"{name} {_turned(on)}", text, Set(SpaceCurve, name, not on), hint, on)

@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 
-from armlab.benches.motion.space_curve.commands import End, GoLongWay, SetAngle, TakeOrientation, WriteIn
+from armlab.benches.motion.space_curve.commands import End, SetAngle, TakeOrientation, WriteIn
 from armlab.benches.motion.space_curve.state import SpaceCurve, turn_of, turn_place
 from armlab.benches.motion.space_curve.ui.words import corrected
 from armlab.kin.euler import NAMES, SEQUENCES, angle_symbols
+from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.colours import AXES, css
 from armlab.ui.form import Form
@@ -93,7 +94,7 @@ def turn_numbers(form: Form, state: State) -> str:
     turning = abs(theta) > STILL
     half = abs(abs(theta) - math.pi) < 1e-7
     cell, text = f"long {'off' if part.other_way else 'on'}", "the other way" if half else "the long way"
-    other = GoLongWay(not part.other_way)
+    other = Set(SpaceCurve, "other_way", not part.other_way)
     long_way = form.chip(cell, text, other, "About −r by 360° − θ", part.other_way, off=not turning)
     return (
         f'<h3>At s = {number(s, 3)}</h3><table class="sc-table sc-two"><tr><th></th><th>one axis</th>'

@@ -6,22 +6,11 @@ from functools import partial
 
 import numpy as np
 
+from armlab.benches.velocity.microscope.commands import AimAlong, BringNear, SetComponent, SetDamping, SetSpeed
 from armlab.benches.velocity.microscope.examples import EXAMPLES, ChooseMicroscopeExample
 from armlab.benches.velocity.microscope.look import Look
-from armlab.benches.velocity.microscope.state import (
-    DAMPING,
-    AimAlong,
-    AimVelocity,
-    BringNear,
-    Microscope,
-    SetComponent,
-    SetDamping,
-    SetDistance,
-    SetSpeed,
-    known_places,
-    looked,
-    near,
-)
+from armlab.benches.velocity.microscope.looked import known_places, looked, near
+from armlab.benches.velocity.microscope.state import DAMPING, Microscope
 from armlab.benches.velocity.microscope.ui.bars import bars
 from armlab.benches.velocity.microscope.ui.words import (
     components,
@@ -34,6 +23,7 @@ from armlab.benches.velocity.microscope.ui.words import (
 from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.field import Field
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
@@ -93,7 +83,7 @@ def head_markup(form: Form, state: State, units: Units) -> str:
         "distance",
         readable(part.distance / units.factor(True), 2),
         "Distance from the singularity",
-        lambda text: SetDistance(units.read(text, True, "distance")),
+        lambda text: Set(Microscope, "distance", units.read(text, True, "distance")),
     )
     hint = "Of a joint that slides, as many length scales as these are radians"
     label = f'<label class="option" title="{hint}"><span>at a distance of</span>{away}<i>{units.angle_unit}</i></label>'
@@ -104,7 +94,8 @@ def wish_markup(form: Form, look: Look, units: Units) -> str:
     """Return the choice of the direction, the components and the speed."""
     part = look.part
     aims = "".join(
-        form.chip(f"aim {aim}", text, AimVelocity(aim), hint, aim == part.aim) for aim, (text, hint) in AIMS.items()
+        form.chip(f"aim {aim}", text, Set(Microscope, "aim", aim), hint, aim == part.aim)
+        for aim, (text, hint) in AIMS.items()
     )
     names = components(part.arm.task)
     natural = look.natural(look.wish).tolist()
@@ -114,7 +105,7 @@ def wish_markup(form: Form, look: Look, units: Units) -> str:
         field = form.field(f"v {i}", units.entry(value, turns), name, partial(_component, i, name, turns, units))
         typed.append(f'<label class="option"><span>{_lowered(name)}</span>{field}<i>{units.unit(turns)}/s</i></label>')
     size = form.field(
-        "speed", readable(part.speed, 4), "Size of the velocity", lambda text: SetSpeed(_number("size", text))
+        "speed", readable(part.size, 4), "Size of the velocity", lambda text: SetSpeed(_number("size", text))
     )
     title = f"Size of the velocity. {scales_words(look)}".strip()
     return (

@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.velocity.microscope.look import Look, Near
-from armlab.benches.velocity.microscope.state import WatchMethod
+from armlab.benches.velocity.microscope.state import Microscope
 from armlab.kin.control.side_by_side import Compared
 from armlab.kin.control.singular_poses import FAR, SINGULAR
 from armlab.kin.task import Task
+from armlab.session.fields import Set
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, escaped, number, scientific, subscript, trimmed
@@ -117,7 +118,7 @@ def _row(look: Look, answer: Compared, kinds: list[bool], form: Form, units: Uni
     pressed = look.part.method == answer.key
     title = f"{answer.title}, α = 1/σ_max²" if answer.key == "transpose" else answer.title
     hint = f"{title}: draw what it makes the tool do"
-    name = form.chip(f"watch {answer.key}", NAMES[answer.key], WatchMethod(answer.key), hint, pressed)
+    name = form.chip(f"watch {answer.key}", NAMES[answer.key], Set(Microscope, "method", answer.key), hint, pressed)
     if answer.step.qdot is None:
         return f'<tr><th>{name}</th><td colspan="{len(kinds) + 3}" class="said">{escaped(answer.step.says)}</td></tr>'
     speeds = np.abs(answer.step.qdot * look.task.joint_units)

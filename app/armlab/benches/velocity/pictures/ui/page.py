@@ -7,10 +7,11 @@ import math
 import numpy as np
 
 from armlab.benches.velocity.solve.pictures import DragTo, Square, StandAt, flat, key_of, norm_curve, refusal, square
-from armlab.benches.velocity.solve.state import PicturePair, Solve
+from armlab.benches.velocity.solve.state import Solve
 from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, marks_style, norm_svg, square_markup
 from armlab.benches.velocity.solve.ui.torus import pressed, torus_markup, torus_style
 from armlab.benches.velocity.solve.ui.words import card, small
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Wish
@@ -61,11 +62,11 @@ def head_markup(form: Form, state: State, units: Units) -> str:
     names = {str(k): units.variable(k, bool(arm.revolute[k])) for k in range(arm.n)}
 
     def choice(side: int, which: str) -> str:
-        def chosen(key: str) -> PicturePair:
+        def chosen(key: str) -> Set:
             joint = int(key)
             # The joint that stands on the other side changes places with this one.
             other = pair[side] if joint == pair[1 - side] else pair[1 - side]
-            return PicturePair(joint, other) if side == 0 else PicturePair(other, joint)
+            return Set(Solve, "pair", (joint, other) if side == 0 else (other, joint))
 
         return form.select(which, f"{which.capitalize()} joint", names, str(pair[side]), chosen)
 

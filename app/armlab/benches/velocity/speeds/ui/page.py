@@ -13,7 +13,6 @@ from armlab.benches.velocity.speeds.commands import (
     MoveAlone,
     SetAllSpeeds,
     Unfold,
-    WriteJacobianIn,
 )
 from armlab.benches.velocity.speeds.examples import EXAMPLES, ChooseVelocityExample
 from armlab.benches.velocity.speeds.motion import first_at_limit, moving_of, time_left
@@ -28,6 +27,7 @@ from armlab.benches.velocity.speeds.ui.numbers import (
 )
 from armlab.benches.velocity.speeds.ui.sliders import SpeedSliders, dotted
 from armlab.benches.velocity.speeds.ui.words import in_words
+from armlab.session.fields import Set
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.joints import Joints
@@ -139,7 +139,9 @@ def _switch(form: Form, cell: str, text: str, switched: Callable[[bool], Command
 
 def axes_markup(form: Form, state: State) -> str:
     """Return the choice of the axes of J."""
-    chosen = form.chips("axes", AXES, state[Velocity].axes, "In whose axes the rows of J are", WriteJacobianIn)
+    chosen = form.chips(
+        "axes", AXES, state[Velocity].axes, "In whose axes the rows of J are", partial(Set, Velocity, "axes")
+    )
     return f'<div class="bar"><span class="dim">J in the axes of</span>{chosen}</div>'
 
 

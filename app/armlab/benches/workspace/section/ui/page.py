@@ -13,7 +13,6 @@ from armlab.benches.workspace.section.state import (
     GoInSection,
     GoToPoint,
     PlaceSlice,
-    PlaceSliceTyped,
     SectionView,
     found_of,
 )
@@ -99,8 +98,8 @@ def _place(form: Form, state: State, found: Found | None, units: Units) -> str:
     """Return where the slice stands."""
     part = state[SectionView]
 
-    def typed(revolute: bool, text: str) -> PlaceSliceTyped:
-        return PlaceSliceTyped(units.read(text, revolute, "place of the slice"))
+    def typed(revolute: bool, text: str) -> PlaceSlice:
+        return PlaceSlice(units.read(text, revolute, "place of the slice"))
 
     if part.slice == "none" or found is None or found.section.grid.flat:
         return ""
