@@ -39,7 +39,7 @@ CHANGES = {
     "control.follow": [("set_value", {"key": "duration", "value": 2.0})],
     "control.loop": [("set", {"gain": 25})],
     "iterate.newton_1d": [("type_equation", {"text": "x^2 - 3"})],
-    "iterate.runs": [("steps_at_most", {"most": 3})],
+    "iterate.runs": [("set", {"most": 3})],
     "motion.curves": [("set_knot", {"k": 1, "cell": "q", "value": 3})],
     "motion.laws": [("set_quantity", {"name": "duration", "value": 3})],
     "motion.space_curve": [("set", {"duration": 7})],

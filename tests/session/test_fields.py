@@ -4,15 +4,19 @@ import json
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from armlab.benches.control.loop.state import CLIP_KEY, Loop
 from armlab.benches.motion.space_curve.state import SpaceCurve
+from armlab.benches.workspace.dexterous.state import Dexterous
 from armlab.content.robots import catalogue
 from armlab.errors import InputError, UnknownName
+from armlab.session.edits import SetCell
 from armlab.session.field_words import SetFields
 from armlab.session.fields import EXAMPLE, FieldPart, Set, declarations, fields_of, put
 from armlab.session.parts.robot import ChooseRobot
+from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.session import Session, Undo
 from armlab.session.state import State, apply, part_types
@@ -37,8 +41,9 @@ def plain_fields(kind):
 
 
 def values(part):
-    """Return the values of the declared fields, by name."""
-    return {name: getattr(part, name) for name in declarations(type(part))}
+    """Return the values of the declared fields, by name; arrays as lists, which can be compared."""
+    found = {name: getattr(part, name) for name in declarations(type(part))}
+    return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in found.items()}
 
 
 def other_values(part, field, robot):
@@ -167,3 +172,25 @@ def test_an_undo_says_the_title_of_the_field():
 def test_another_arm_leaves_what_has_nothing_to_do_with_it():
     state = apply(State.initial(ROBOT), Set(Loop, "mass", 3.0))
     assert apply(state, ChooseRobot("planar_2r"))[Loop].mass == 3.0
+
+
+def test_a_choice_among_numbers_is_held_as_it_is_offered():
+    state = apply(State.initial(ROBOT), SetFields.of(Dexterous, share=True, count=400_000.0))
+    assert (type(state[Dexterous].share), type(state[Dexterous].count)) == (float, int)
+    with pytest.raises(UnknownName, match=r"share: unknown name 2\.0; .* Available: 0\.25, 0\.5"):
+        apply(state, Set(Dexterous, "share", 2.0))
+
+
+def test_what_an_edited_table_cannot_have_falls_and_what_any_arm_can_have_stays():
+    state = apply(State.initial(ROBOT), SetFields.of(Dexterous, method="wrist", count=400_000))
+    edited = apply(state, SetCell(4, "a", 0.1))
+    assert (edited[Dexterous].method, edited[Dexterous].count) == ("", 400_000)
+
+
+def test_a_field_that_is_an_array_is_set_written_and_known_again():
+    pose = catalogue()["scara"].arm.fk([0.1, 0.2, 0.1, 0.3])
+    state = apply(State.initial(ROBOT), Set(Target, "pose", pose.tolist()))
+    assert Target.from_json(state[Target].to_json(), ROBOT).to_json() == state[Target].to_json()
+    assert state[Target].to_json()["pose"] == state[Target].pose.tolist()
+    assert apply(state, Set(Target, "pose", state[Target].pose)) is state
+    assert apply(state, Set(Target, "pose", None))[Target].pose is None

@@ -24,7 +24,7 @@ WORK = [
     ("control.exponential.set_entry", {"name": "a11", "value": -0.5}),
     ("control.follow.add_run", {}),
     ("iterate.newton_1d.type_equation", {"text": "x^3 - 2"}),
-    ("iterate.runs.steps_at_most", {"most": 5}),
+    ("iterate.runs.set", {"most": 5}),
     ("motion.curves.add_knot", {"after": 1}),
     ("motion.laws.add_law", {}),
     ("motion.space_curve.choose_curve", {"key": "formula"}),

@@ -2,6 +2,7 @@
 
 import importlib
 import inspect
+import json
 import math
 import pkgutil
 
@@ -60,7 +61,7 @@ def values_of(says):
         return POSES
     if says.startswith("a table of task"):
         return TASKS
-    return [int(each) if each.lstrip("-").isdigit() else each for each in says.split(" or ")]
+    return [json.loads(each) if each[0] in "-0123456789" else each for each in says.split(" or ")]
 
 
 @pytest.mark.parametrize("page", PAGES)

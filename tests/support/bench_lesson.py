@@ -109,7 +109,7 @@ value = "most"
 
 ```solution
 [[do]]
-command = "iterate.runs.steps_at_most"
+command = "iterate.runs.set"
 most = 2
 ```
 """

@@ -325,7 +325,8 @@ def put(state: State, part: FieldPart) -> State:
 
 
 def _same(one: Any, other: Any) -> bool:
-    return np.array_equal(one, other) if isinstance(one, np.ndarray) else bool(one == other)
+    arrays = isinstance(one, np.ndarray) or isinstance(other, np.ndarray)
+    return np.array_equal(one, other) if arrays else bool(one == other)
 
 
 def _plain(value: Any) -> Json:

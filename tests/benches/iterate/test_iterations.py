@@ -10,12 +10,10 @@ from armlab.benches.iterate.runs.commands import (
     AddRun,
     AimAt,
     ChooseMethod,
-    KeepLimits,
     RemoveRun,
     SelectRun,
     SetParameter,
     SetStart,
-    StepsAtMost,
 )
 from armlab.benches.iterate.runs.examples import ChooseExample
 from armlab.benches.iterate.runs.job import JOB, todo, with_films
@@ -26,6 +24,7 @@ from armlab.errors import InputError
 from armlab.kin.ik.iterate import iterate, transpose_flow
 from armlab.kin.transforms import transform
 from armlab.session.arm_on_clip import standing
+from armlab.session.fields import Set
 from armlab.session.job import Deliver
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint
 from armlab.session.parts.robot import ChooseRobot
@@ -51,7 +50,9 @@ def test_starting_puts_the_film_on_at_its_first_picture_with_the_arm_there():
 @pytest.mark.parametrize("key", ["planar_2r", "planar_3r", "puma560", "scara", "panda", "cartesian_3p"])
 @pytest.mark.parametrize("limits", ["clamp", "none"])
 def test_the_films_are_the_iterations_of_the_core(key, limits):
-    state = done(opened(key), KeepLimits(limits), StepsAtMost(20), AddRun("dls_error"), SetStart())
+    state = done(
+        opened(key), Set(Iterations, "limits", limits), Set(Iterations, "most", 20), AddRun("dls_error"), SetStart()
+    )
     part, arm = state[Iterations], state[Joints].arm
     assert len(part.films) == 3
     for run in part.runs:
@@ -122,7 +123,7 @@ def test_runs_are_added_copied_and_removed_and_keep_their_colours():
     ("command", "says"),
     [
         (SetStart((math.nan, 0.0)), "finite"),
-        (SetStart((0.0,)), "2 finite"),
+        (SetStart((0.0,)), "start: expected 2 numbers, got 1"),
         (SetStart((1e6, 0.0)), "ten turns"),
         (StartIterations((math.inf, 0.0)), "finite"),
         (AimAt(transform(position=[1e9, 0.0, 0.0])), "farther"),
@@ -132,10 +133,11 @@ def test_runs_are_added_copied_and_removed_and_keep_their_colours():
         (SetParameter(1, "beta", 1.0), "beta"),
         (SetParameter(7, "alpha", 1.0), "run: expected 1 to 2"),
         (ChooseMethod(0, "magic"), "magic"),
-        (StepsAtMost(0), "1 to 500"),
-        (StepsAtMost(2.5), "1 to 500"),
-        (StepsAtMost(math.inf), "1 to 500"),
-        (KeepLimits("sometimes"), "sometimes"),
+        (Set(Iterations, "most", 0), "most: expected a whole number, at least 1, got 0"),
+        (Set(Iterations, "most", 501), "most: expected a whole number, at most 500, got 501"),
+        (Set(Iterations, "most", 2.5), "expected a whole number"),
+        (Set(Iterations, "most", math.inf), "expected a whole number"),
+        (Set(Iterations, "limits", "sometimes"), "sometimes"),
         (SelectRun(2), "run: expected 1 to 2"),
         (ChooseExample("nothing"), "nothing"),
     ],
@@ -232,7 +234,9 @@ def test_a_new_film_moves_the_arm_only_where_the_old_one_had_put_it():
 
 
 def test_other_runs_go_along_by_step_or_by_time():
-    state = done(opened(), ChooseMethod(0, FLOW), AddRun(FLOW), SetParameter(2, "duration", 5.0), StepsAtMost(20))
+    state = done(
+        opened(), ChooseMethod(0, FLOW), AddRun(FLOW), SetParameter(2, "duration", 5.0), Set(Iterations, "most", 20)
+    )
     flow, gradient, short_flow = (state[Iterations].films[run.colour] for run in state[Iterations].runs)
     assert alongside(gradient, (7, 0.25), gradient) == (7, 0.25)
     i, share = alongside(flow, (10, 0.0), short_flow)
@@ -261,7 +265,7 @@ def test_the_job_works_only_while_somebody_looks_and_until_all_is_made():
     *_, last = (found for found in JOB.run(wanted.inputs) if found is not None)
     state = apply(state, Deliver(JOB, wanted.inputs, last))
     assert JOB.wanted(state, frozenset({"iterations"})) is None
-    assert JOB.wanted(apply(state, StepsAtMost(3)), frozenset({"iterations"})) is not None
+    assert JOB.wanted(apply(state, Set(Iterations, "most", 3)), frozenset({"iterations"})) is not None
     assert JOB.wanted(apply(opened(), StartIterations((0.0, 1.0))), frozenset()) is not None
 
 
@@ -278,7 +282,7 @@ def test_a_film_of_another_question_does_no_harm():
 
 def test_a_film_of_another_arm_never_moves_this_one():
     state = apply(started("planar_2r", (0.2, 1.0)), Seek(1.0))
-    wanted = JOB.wanted(apply(state, StepsAtMost(5)), frozenset())
+    wanted = JOB.wanted(apply(state, Set(Iterations, "most", 5)), frozenset())
     found = next(found for found in JOB.run(wanted.inputs) if found is not None)
     other = apply(state, ChooseRobot("puma560"))
     late = apply(other, Deliver(JOB, wanted.inputs, found))
@@ -297,5 +301,5 @@ def test_the_work_on_the_other_runs_goes_on_when_one_film_has_been_delivered():
     again = JOB.wanted(after, panels)
     assert len(again.inputs.runs) < len(wanted.inputs.runs)
     assert again.key == wanted.key
-    assert JOB.wanted(apply(after, StepsAtMost(7)), panels).key != wanted.key
+    assert JOB.wanted(apply(after, Set(Iterations, "most", 7)), panels).key != wanted.key
     assert JOB.wanted(with_films(after), panels) is None

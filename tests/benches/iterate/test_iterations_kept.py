@@ -12,12 +12,10 @@ from armlab.benches.iterate.runs.commands import (
     AddRun,
     ChooseMethod,
     ChooseTask,
-    KeepLimits,
     RemoveRun,
     SelectRun,
     SetParameter,
     SetStart,
-    StepsAtMost,
 )
 from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
 from armlab.benches.iterate.runs.job import with_films
@@ -29,6 +27,7 @@ from armlab.kin.ik.iterate import TaskVector, iterate, task_vector
 from armlab.kin.ik.iterate.problem import Problem
 from armlab.session.arm_on_clip import standing
 from armlab.session.edits import AddJoint, SetCell, SetLimits
+from armlab.session.fields import Set
 from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.joints import Joints, LockJoint, TakePose
 from armlab.session.parts.robot import ChooseRobot, RobotPart
@@ -109,8 +108,8 @@ def test_it_is_written_and_read_back():
         ChooseTask(task_vector(catalogue()["planar_3r"].arm, "xy", joints={3: 0.5})),
         AddRun(FLOW),
         SetParameter(1, "alpha", 0.123),
-        KeepLimits("none"),
-        StepsAtMost(17),
+        Set(Iterations, "limits", "none"),
+        Set(Iterations, "most", 17),
     )
     again = State.from_json(json.loads(json.dumps(state.to_json())), state[RobotPart].robot)
     part, read = state[Iterations], again[Iterations]
@@ -151,7 +150,7 @@ def test_a_damaged_file_is_refused(damage):
 
 
 def test_another_arm_keeps_the_runs_and_an_edited_one_also_start_and_target():
-    state = done(opened(), AddRun("ccd"), SetStart((0.3, 0.4)), StepsAtMost(9))
+    state = done(opened(), AddRun("ccd"), SetStart((0.3, 0.4)), Set(Iterations, "most", 9))
     other = with_films(apply(state, ChooseRobot("puma560")))
     assert [run.method for run in other[Iterations].runs] == ["newton", "gradient", "ccd"]
     assert other[Iterations].runs[1].values["alpha"] != state[Iterations].runs[1].values["alpha"]
@@ -200,8 +199,8 @@ def test_random_commands_leave_a_usable_state(rng):
             lambda: AddRun(str(rng.choice(keys))),
             lambda: RemoveRun(0),
             lambda part=part: SelectRun(int(rng.integers(len(part.runs)))),
-            lambda: StepsAtMost(int(rng.integers(1, 8))),
-            lambda: KeepLimits(str(rng.choice(["clamp", "none"]))),
+            lambda: Set(Iterations, "most", int(rng.integers(1, 8))),
+            lambda: Set(Iterations, "limits", str(rng.choice(["clamp", "none"]))),
             lambda: Seek(float(rng.uniform(0.0, 9.0))),
             lambda: OpenClip(str(rng.choice(["", "iterations", "sweep"]))),
             lambda: TakePose("zero"),

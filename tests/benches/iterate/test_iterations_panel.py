@@ -10,15 +10,18 @@ import pytest
 from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
 from armlab.benches.iterate.runs.job import with_films
 from armlab.benches.iterate.runs.state import Iterations
+from armlab.benches.iterate.runs.ui.page import problem_markup
 from armlab.benches.iterate.runs.ui.tangents import View, picture
 from armlab.benches.iterate.runs.ui.words import choices, chosen, made, outcome
 from armlab.content.robots import catalogue
+from armlab.errors import InputError
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.format import scientific
 from armlab.ui.small_numbers import small
 from armlab.ui.ticks import ticks
 from armlab.ui.units import Units
+from support.forms import asked
 from support.student import run, student
 
 UNITS = Units(Notation())
@@ -60,6 +63,15 @@ def test_every_task_vector_on_offer_can_be_chosen_and_is_recognised(key):
         if choice.startswith("q"):
             assert vector.joints == ((int(choice[1:]), 0.25),)
             assert vector.m == arm.n
+
+
+def test_the_largest_number_of_steps_is_read_as_a_whole_number():
+    state = State.initial(catalogue()["planar_2r"])
+    (command,) = asked(lambda form: problem_markup(form, state), "most", "17")
+    assert apply(state, command)[Iterations].most == 17
+    (wrong,) = asked(lambda form: problem_markup(form, state), "most", "2.5")
+    with pytest.raises(InputError, match="most: expected a whole number"):
+        apply(state, wrong)
 
 
 def test_an_example_is_chosen_played_to_a_row_and_refused_nonsense(url):

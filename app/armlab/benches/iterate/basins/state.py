@@ -39,6 +39,18 @@ STEPS = (50, 100, 200, MOST_STEPS)
 """Largest numbers of steps to choose from; a film has as many at most."""
 
 
+def _read_run(data: Json) -> Run:
+    """Return a run as it is, or as it was written."""
+    method, parameters, *_ = data.to_json() if isinstance(data, Run) else data
+    iteration_method(method)  # a flow has no steps to be counted
+    return run_of(method, parameters)
+
+
+def _read_pair(data: Json) -> tuple[int, int]:
+    across, up = data
+    return int(across), int(up)
+
+
 @dataclass(frozen=True, eq=False)
 class Basins(FieldPart):
     """The map that will be drawn, the one that is being drawn, and the one there is.
@@ -65,8 +77,8 @@ class Basins(FieldPart):
     kept_by_undo: ClassVar[bool] = True
 
     arm: Arm
-    run: Run = own("method", None, lambda run: _read_run(run), Run.to_json, kept="edits")
-    joints: tuple[int, int] = own("joints across and up", (), lambda pair: _read_pair(pair), kept="")
+    run: Run = own("method", None, _read_run, Run.to_json, kept="edits")
+    joints: tuple[int, int] = own("joints across and up", (), _read_pair, kept="")
     rest: tuple[float, ...] = vector("q", "start values", kept="joints")
     points: int = choice("starts along either side", POINTS[1], POINTS)
     most: int = choice("largest number of steps", STEPS[2], STEPS)
@@ -320,18 +332,6 @@ def _with_selected(part: Iterations, run: Run) -> Iterations:
 def _first_joints(arm: Arm) -> tuple[int, int]:
     """Return the two joints of a 2R, else joints 2 and 3: about the first everything only turns."""
     return (0, min(1, arm.n - 1)) if arm.n < 3 or arm.task.rotation == "phi" else (1, 2)
-
-
-def _read_run(data: Json) -> Run:
-    """Return a run as it is, or as it was written."""
-    method, parameters, *_ = data.to_json() if isinstance(data, Run) else data
-    iteration_method(method)  # a flow has no steps to be counted
-    return run_of(method, parameters)
-
-
-def _read_pair(data: Json) -> tuple[int, int]:
-    across, up = data
-    return int(across), int(up)
 
 
 def _check_joints(arm: Arm, across: int, up: int) -> None:

@@ -10,19 +10,16 @@ from numpy.typing import NDArray
 
 from armlab.benches.iterate.runs.state import (
     Iterations,
-    checked_limits,
-    checked_most,
-    checked_start,
+    fitted,
     on_film,
     vector_of,
 )
 from armlab.benches.iterate.runs.worked import Run, fitting, free_colour
 from armlab.errors import InputError
-from armlab.kin.ik.iterate import TaskVector, task_vector
+from armlab.kin.ik.iterate import TaskVector
+from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import target_pose
-from armlab.session.run_targets import checked_target
 from armlab.session.state import Command, State
 
 
@@ -36,7 +33,7 @@ class SetStart(Command):
     def apply(self, state: State) -> State:
         """Return the state with the start set."""
         q = state[Joints].q if self.q is None else self.q
-        return changed(state, start=checked_start(state[Joints].arm, q))
+        return changed(state, start=q)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +46,7 @@ class AimAt(Command):
     def apply(self, state: State) -> State:
         """Return the state with the target set."""
         pose = target_pose(state) if self.pose is None else self.pose
-        return changed(state, target=checked_target(state[RobotPart].robot, pose))
+        return changed(state, target=pose)
 
 
 @dataclass(frozen=True)
@@ -61,35 +58,7 @@ class ChooseTask(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the task vector chosen."""
-        task = self.task
-        if task is not None:
-            arm = state[Joints].arm
-            task = task_vector(arm, task.task, joints=dict(task.joints), euler=task.euler, fixed=task.fixed)
-        return changed(state, task=task)
-
-
-@dataclass(frozen=True)
-class KeepLimits(Command):
-    """Choose whether the steps end at the joint limits."""
-
-    limits: str
-    label: ClassVar[str] = "limits of the iterations"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the choice made."""
-        return changed(state, limits=checked_limits(self.limits))
-
-
-@dataclass(frozen=True)
-class StepsAtMost(Command):
-    """Set the largest number of steps."""
-
-    most: float
-    label: ClassVar[str] = "most iterations"
-
-    def apply(self, state: State) -> State:
-        """Return the state with the number set."""
-        return changed(state, most=checked_most(self.most))
+        return changed(state, task=None if self.task is None else fitted(state[Joints].arm, self.task))
 
 
 @dataclass(frozen=True)
@@ -185,18 +154,9 @@ def checked_run(part: Iterations, run: int) -> int:
 
 def changed(state: State, **fields: object) -> State:
     """Return the state with another question, or the same state; what was an example is none any more."""
-    part = state[Iterations]
-    if all(_same(getattr(part, name), value) for name, value in fields.items()):
-        return state
-    return state.replace(replace(part, **{"example": "", **fields}))  # type: ignore[arg-type]
+    return setting(state, Iterations, fields)
 
 
 def _with_run(state: State, i: int, run: Run) -> State:
     runs = state[Iterations].runs
     return changed(state, runs=(*runs[:i], run, *runs[i + 1 :]))
-
-
-def _same(one: object, other: object) -> bool:
-    if isinstance(one, np.ndarray):
-        return bool(np.array_equal(one, np.asarray(other)))
-    return one == other

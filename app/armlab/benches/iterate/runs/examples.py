@@ -164,6 +164,7 @@ def _put(example: Example, state: State) -> Iterations:
     target = np.array(transform(position=example.position), dtype=np.float64)
     target.setflags(write=False)
     return Iterations(
+        state[RobotPart].robot,
         start=example.start,
         target=target,
         task=task_vector(arm, example.task or None, joints=example.joints) if chosen else None,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import ClassVar, Self
@@ -14,18 +13,21 @@ from armlab.benches.iterate.runs.arms import Arms, Asked
 from armlab.benches.iterate.runs.films import Film, Question
 from armlab.benches.iterate.runs.worked import MOST_RUNS, Run, fitting, refitted, run_of
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
 from armlab.kin.ik.iterate import TaskVector, task_vector
 from armlab.kin.ik.iterate.record import Limits
+from armlab.kin.task import task_named
+from armlab.kin.transforms import as_pose
+from armlab.session.fields import EXAMPLE, FieldPart, choice, own, text, vector, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import FARTHEST, Target
 from armlab.session.parts.timeline import Timeline, clips, with_clip
 from armlab.session.run_targets import checked_target, first_target
 from armlab.session.sizes import MOST_TURNED
-from armlab.session.state import Command, Json, Part, PartType, State
+from armlab.session.state import Command, Json, PartType, State
 
 CLIP_KEY = "iterations"
 
@@ -39,12 +41,33 @@ STEPS = 60
 Floats = NDArray[np.float64]
 
 
+def _read_q(data: Json) -> tuple[float, ...] | None:
+    return None if data is None else tuple(map(float, data))
+
+
+def _read_runs(data: Json) -> tuple[Run, ...]:
+    return tuple(each if isinstance(each, Run) else run_of(*each) for each in data)
+
+
+def _read_task(data: Json) -> TaskVector | None:
+    if data is None or isinstance(data, TaskVector):
+        return data
+    return TaskVector(task_named(data["task"]), tuple((int(i), float(q)) for i, q in data["joints"]), data["euler"])
+
+
+def _written(task: TaskVector | None) -> Json:
+    if task is None:
+        return None
+    return {"task": task.task.key, "joints": [list(each) for each in task.joints], "euler": task.euler}
+
+
 @dataclass(frozen=True, eq=False)
-class Iterations(Part):
+class Iterations(FieldPart):
     """A problem of inverse kinematics and up to four methods that set out to solve it.
 
     Attributes
     ----------
+    robot : Robot
     start : tuple of float
         Where every run begins, rad or m.
     target : ndarray, shape (4, 4)
@@ -69,16 +92,20 @@ class Iterations(Part):
     """
 
     key: ClassVar[str] = "iterations"
+    leave_example: ClassVar[tuple[str, ...]] = (EXAMPLE, "selected")
 
-    start: tuple[float, ...]
-    target: Floats
-    task: TaskVector | None = None
-    runs: tuple[Run, ...] = ()
-    selected: int = 0
-    limits: Limits = "clamp"
-    most: int = STEPS
-    example: str = ""
-    before: tuple[float, ...] | None = None
+    robot: Robot
+    start: tuple[float, ...] = vector("q_0", "start", kept="joints")
+    target: Floats = own("target", None, lambda pose: as_pose(pose, "target"), kept="edits")
+    task: TaskVector | None = own("task vector", None, _read_task, _written, kept="")
+    runs: tuple[Run, ...] = own("runs", (), _read_runs, lambda runs: [run.to_json() for run in runs])
+    selected: int = whole("selected run", 0, 0)
+    limits: Limits = choice("joint limits", "clamp", ("clamp", "none"))
+    most: int = whole("most iterations", STEPS, 1, MOST_STEPS)
+    example: str = text("example", kept="")
+    before: tuple[float, ...] | None = own(
+        "where the arm stood", None, lambda q: q if q is None else tuple(map(float, q)), kept=""
+    )
     films: Mapping[int, Film] = field(default_factory=dict)
     arms: Arms | None = None
 
@@ -90,23 +117,28 @@ class Iterations(Part):
             run_of("gauss_newton" if arm.n < arm.task.m else "newton"),
             fitting("gradient", arm, TaskVector(arm.task), colour=1),
         )
-        return cls(tuple(map(float, robot.home)), first_target(robot), runs=runs)
+        return cls(robot, tuple(map(float, robot.home)), first_target(robot), runs=runs)
+
+    def check(self) -> None:
+        """Refuse what cannot be with this arm, and runs that could not be told apart."""
+        for q in (self.start,) if self.before is None else (self.start, self.before):
+            checked_start(self.robot.arm, q)
+        checked_target(self.robot, self.target)
+        if self.task is not None:
+            fitted(self.robot.arm, self.task)
+        if not 1 <= len(self.runs) == len({run.colour for run in self.runs}) <= MOST_RUNS:
+            raise InputError(f"runs: expected 1 to {MOST_RUNS}, each with a colour of its own, got {len(self.runs)}")
+        if self.selected >= len(self.runs):
+            raise InputError(f"selected: expected 0 to {len(self.runs) - 1}, got {self.selected}")
 
     def for_robot(self, robot: Robot) -> Self:
         """Keep the runs and how they are made, but for step sizes: what suits one arm is wild with another."""
-        runs = tuple(refitted(run, robot.arm) for run in self.runs)
-        return replace(self.initial(robot), runs=runs, selected=self.selected, limits=self.limits, most=self.most)
+        return replace(super().for_robot(robot), runs=tuple(refitted(run, robot.arm) for run in self.runs))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
         """Keep target and start; the choice of a task vector falls with the joints it was made for."""
-        q = np.array(robot.home, dtype=float)
-        for i, was in enumerate(origin):
-            if was is not None and was < len(self.start):
-                q[i] = self.start[was]
-        same = origin == tuple(range(len(self.start)))
-        task = self.task if same else None
-        # Films are of an arm; those of the edited one are made anew.
-        return replace(self, start=tuple(q.tolist()), task=task, example="", before=None, films={}, arms=None)
+        kept = super().for_edited(robot, origin)
+        return replace(kept, task=self.task) if origin == tuple(range(len(self.start))) else kept
 
     def after(self, before: State, now: State) -> Self:
         """Follow the target of the lab, and forget where the arm stood when the film is taken off.
@@ -123,41 +155,6 @@ class Iterations(Part):
         if part.before is not None and now[Timeline].clip != CLIP_KEY:
             part = replace(part, before=None)
         return part
-
-    def to_json(self) -> Json:
-        """Write everything but what the runs have given."""
-        return {
-            "start": list(self.start),
-            "target": self.target.tolist(),
-            "task": _task_to_json(self.task),
-            "runs": [run.to_json() for run in self.runs],
-            "selected": self.selected,
-            "limits": self.limits,
-            "most": self.most,
-            "example": self.example,
-            "before": None if self.before is None else list(self.before),
-        }
-
-    @classmethod
-    def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when it is not usable with this arm."""
-        opened = cls.initial(robot)
-        runs = tuple(run_of(*each) for each in data["runs"]) if "runs" in data else opened.runs
-        colours = {run.colour for run in runs}
-        selected, before = int(data.get("selected", 0)), data.get("before")
-        if not 1 <= len(runs) == len(colours) <= MOST_RUNS or not 0 <= selected < len(runs):
-            raise InputError(f"iterations: not usable: {data}")
-        return cls(
-            start=checked_start(robot.arm, data.get("start", opened.start)),
-            target=checked_target(robot, data.get("target", opened.target)),
-            task=_task_from_json(data.get("task"), robot),
-            runs=runs,
-            selected=selected,
-            limits=checked_limits(data.get("limits", opened.limits)),
-            most=checked_most(data.get("most", opened.most)),
-            example=str(data.get("example", "")),
-            before=None if before is None else checked_start(robot.arm, before),
-        )
 
     @property
     def run(self) -> Run:
@@ -219,33 +216,9 @@ def checked_start(arm: Arm, q: ArrayLike) -> tuple[float, ...]:
     return tuple(values.tolist())
 
 
-def checked_limits(limits: str) -> Limits:
-    """Return whether limits are kept; `UnknownName` for another word."""
-    if limits == "clamp":
-        return "clamp"
-    if limits == "none":
-        return "none"
-    raise UnknownName("limits", limits, ("clamp", "none"))
-
-
-def checked_most(most: float) -> int:
-    """Return a largest number of steps; `InputError` when it is none."""
-    if not (math.isfinite(most) and most == int(most) and 1 <= most <= MOST_STEPS):
-        raise InputError(f"most iterations: expected a whole number from 1 to {MOST_STEPS}, got {most:g}")
-    return int(most)
-
-
-def _task_to_json(task: TaskVector | None) -> Json:
-    if task is None:
-        return None
-    return {"task": task.task.key, "joints": [list(each) for each in task.joints], "euler": task.euler}
-
-
-def _task_from_json(data: Json, robot: Robot) -> TaskVector | None:
-    if data is None:
-        return None
-    joints = {int(joint): float(value) for joint, value in data["joints"]}
-    return task_vector(robot.arm, data["task"], joints=joints, euler=data["euler"])
+def fitted(arm: Arm, task: TaskVector) -> TaskVector:
+    """Return a task vector as it is made for an arm; `InputError` when it cannot be."""
+    return task_vector(arm, task.task, joints=dict(task.joints), euler=task.euler, fixed=task.fixed)
 
 
 # -- commands --------------------------------------------------------------------------------------------------------

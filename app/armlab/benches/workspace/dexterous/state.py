@@ -34,6 +34,10 @@ PLACE = "place of the slice"
 DRAWINGS = {"slice": "Slice", "body": "Body"}
 
 
+def _read_turned(data: Json) -> tuple[float, ...]:
+    return tuple(finite_floats(data, "orientation", (9,), "nine finite numbers").tolist()) if len(data) else ()
+
+
 @dataclass(frozen=True, eq=False)
 class Dexterous(FieldPart):
     """How orientations are looked at.
@@ -65,7 +69,7 @@ class Dexterous(FieldPart):
     arm: Arm
     method: str = text("method", kept="edits")
     s: float | None = number("s", PLACE, None, kept="edits")
-    turned: tuple[float, ...] = own("orientation", (), lambda values: _read_turned(values), kept="edits")
+    turned: tuple[float, ...] = own("orientation", (), _read_turned, kept="edits")
     count: int = choice("samples", COUNTS[1], COUNTS)
     draw: str = choice("drawing", "slice", DRAWINGS)
     share: float = choice("least share of the directions", SHARES[-1], SHARES)
@@ -97,10 +101,6 @@ class Dexterous(FieldPart):
 
 
 PART = PartType(Dexterous, order=122)
-
-
-def _read_turned(data: Json) -> tuple[float, ...]:
-    return tuple(finite_floats(data, "orientation", (9,), "nine finite numbers").tolist()) if len(data) else ()
 
 
 def method_of(state: State) -> Method:

@@ -5,19 +5,20 @@ from __future__ import annotations
 from functools import partial
 
 from armlab.benches.iterate.runs.clip import place_of
-from armlab.benches.iterate.runs.commands import AimAt, ChooseTask, KeepLimits, SetStart, StepsAtMost
+from armlab.benches.iterate.runs.commands import AimAt, ChooseTask, SetStart
 from armlab.benches.iterate.runs.examples import EXAMPLES, ChooseExample
 from armlab.benches.iterate.runs.state import CLIP_KEY, Iterations, arms_found, vector_of
 from armlab.benches.iterate.runs.ui.plots import Plots
 from armlab.benches.iterate.runs.ui.runs import runs_markup
 from armlab.benches.iterate.runs.ui.table import Table
 from armlab.benches.iterate.runs.ui.words import choices, chosen, made, vector_text
+from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import OpenClip, Play, Timeline
-from armlab.session.state import Post, State
+from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.plugin import Panel, Show
@@ -83,10 +84,16 @@ def problem_markup(form: Form, state: State) -> str:
 
 def _bounds(form: Form, part: Iterations) -> str:
     """Return the choice of limits, and the largest number of steps."""
-    kept = form.chips("limits", LIMITS, part.limits, "Whether each step ends at the joint limits", KeepLimits)
-    most = form.field("most", str(part.most), "Largest number of steps", lambda text: StepsAtMost(plain_number(text)))
+    hint = "Whether each step ends at the joint limits"
+    kept = form.chips("limits", LIMITS, part.limits, hint, lambda key: Set(Iterations, "limits", key))
+    most = form.field("most", str(part.most), "Largest number of steps", _most)
     steps = f'<label class="it-most">at most {most}<i>steps</i></label>'
     return f'<div class="kit-numbers"><span class="dim">Limits</span>{kept}{steps}</div>'
+
+
+def _most(text: str) -> Command:
+    most = plain_number(text)
+    return Set(Iterations, "most", int(most) if most.is_integer() else most)
 
 
 def _present(state: State) -> str:
