@@ -1,9 +1,12 @@
-"""What a control does goes with the control: nothing works round it."""
+"""What a control does goes with it, and what a field of a part is, is said once: nothing works round either."""
 
 import ast
 
 import pytest
 
+from armlab.benches.control.loop.state import Loop
+from armlab.session.fields import FieldPart
+from armlab.session.state import part_types
 from support.sources import PACKAGE, tree_of
 
 KIT = {"ui/fields.py", "ui/form.py", "ui/markup.py"}
@@ -53,3 +56,35 @@ def test_a_planted_way_round_is_found(line, tmp_path):
     page.parent.mkdir(parents=True)
     page.write_text(line, encoding="utf-8")
     assert around_forms(tmp_path)
+
+
+OWN_JSON = {
+    "control": "its runs and its target are read together with the arm",
+    "display": "its JSON is a map whose keys are the switches of the picture, whichever there are",
+    "ellipsoid": "its JSON is the name of a block alone, or a pair",
+    "joints": "joint values, and which are held, are read together with the arm and its limits",
+    "lesson": "a student's way through lessons, which are files that change",
+    "lines": "two lines in one list, read together with the arm",
+    "plan": "waypoints, moves and a recorded motion are read together with the arm",
+    "point": "its JSON is a list of three coordinates, as links hold it",
+    "robot": "an arm, by its key or as a whole table",
+    "shelf": "whole states of other places",
+    "trainer": "answers to an exercise that follows from the arm",
+    "unit_circle": "its JSON is an angle alone",
+    "what_if": "a list of changes that are tried on the arm one after the other",
+}
+"""Parts that write their own JSON, and why."""
+
+
+def own_json():
+    """Return the keys of parts that declare no fields, or write them in a form of their own."""
+    return {kind.key for kind in part_types() if not issubclass(kind, FieldPart) or "to_json" in vars(kind)}
+
+
+def test_a_part_writes_its_own_json_only_for_a_reason():
+    assert own_json() == OWN_JSON.keys()
+
+
+def test_a_planted_json_is_found(monkeypatch):
+    monkeypatch.setattr(Loop, "to_json", lambda part: {}, raising=False)
+    assert own_json() - OWN_JSON.keys() == {"loop"}

@@ -13,7 +13,6 @@ from armlab.benches.workspace.what_if.state import (
     ChooseQuantity,
     ForgetChanges,
     Suppose,
-    SupposeTyped,
     TakeOver,
     WhatIf,
 )
@@ -72,8 +71,8 @@ def test_cells_become_commands():
     assert commands(state, "forget") == (ForgetChanges(),)
     assert commands(state, "joint 1") == (ChooseQuantity(1),)
     assert commands(state, "field low") == (ChooseQuantity(0, "low"),)
-    assert commands(state, "value", "750") == (SupposeTyped(0, "a", 0.75),)
-    assert commands(state, "value", "80 cm") == (SupposeTyped(0, "a", 0.8),)
+    assert commands(state, "value", "750") == (Suppose(0, "a", 0.75),)
+    assert commands(state, "value", "80 cm") == (Suppose(0, "a", 0.8),)
     assert commands(state, "back 0 a") == (Suppose(0, "a", 1.0),)
     with pytest.raises(InputError, match="a₁: expected a number in mm, got 'long'"):
         commands(state, "value", "long")

@@ -136,13 +136,6 @@ class Suppose(Command):
 
 
 @dataclass(frozen=True)
-class SupposeTyped(Suppose):
-    """Change a number in thought as it was typed: each counts, and a refusal is said at the field."""
-
-    snapshot: ClassVar[bool] = False
-
-
-@dataclass(frozen=True)
 class ForgetChanges(Command):
     """Think of the arm as it is again."""
 

@@ -11,7 +11,6 @@ from armlab.benches.workspace.what_if.state import (
     ChooseQuantity,
     ForgetChanges,
     Suppose,
-    SupposeTyped,
     TakeOver,
     WhatIf,
 )
@@ -93,8 +92,8 @@ def exact_markup(form: Form, part: WhatIf, units: Units) -> str:
     name = name_of(part.arm, part.row, part.field, units)
     thought = units.entry(value_of(part.other, part.row, part.field), angle)
 
-    def typed(text: str) -> SupposeTyped:
-        return SupposeTyped(part.row, part.field, units.read(text, angle, name))
+    def typed(text: str) -> Suppose:
+        return Suppose(part.row, part.field, units.read(text, angle, name))
 
     field = form.field("value", thought, f"{name}, {NAMED[part.field]}, in {units.unit(angle)}", typed)
     now = f"now {with_unit(value_of(part.arm, part.row, part.field), angle, units)}"
