@@ -103,9 +103,7 @@ class Iterations(FieldPart):
     limits: Limits = choice("joint limits", "clamp", ("clamp", "none"))
     most: int = whole("most iterations", STEPS, 1, MOST_STEPS)
     example: str = text("example", kept="")
-    before: tuple[float, ...] | None = own(
-        "where the arm stood", None, lambda q: q if q is None else tuple(map(float, q)), kept=""
-    )
+    before: tuple[float, ...] | None = own("where the arm stood", None, _read_q, kept="")
     films: Mapping[int, Film] = field(default_factory=dict)
     arms: Arms | None = None
 
