@@ -10,7 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Advance, OpenClip, Play, Seek, Timeline
-from armlab.session.session import Session
+from armlab.session.session import Refuse, Session
 from armlab.ui.player import INTERVAL, PATIENCE, Player
 from armlab.ui.plugin import pages
 from armlab.ui.timeline_bar import SPEEDS, TimelineBar
@@ -209,7 +209,7 @@ def test_nobody_watching_nothing_is_played():
 
 
 @pytest.mark.parametrize(("cell", "text"), [("seek", "x"), ("seek", "nan"), ("speed", "fast"), ("dance", ""), ("", "")])
-def test_what_no_page_of_ours_sends_does_nothing(monkeypatch, cell, text):
+def test_what_no_page_of_ours_sends_does_nothing_to_the_film(monkeypatch, cell, text):
     posted, made = [], []
 
     def fields(_gui, on_input):
@@ -219,9 +219,10 @@ def test_what_no_page_of_ours_sends_does_nothing(monkeypatch, cell, text):
     monkeypatch.setattr("armlab.ui.timeline_bar.Fields", fields)
     TimelineBar(SimpleNamespace(gui=None), posted.append).show(Stage().session.state, frozenset(pages()))
     made[0].send(cell, text)
-    assert posted == []
+    assert posted == ([] if cell in ("dance", "", "speed") else [Refuse(f"timeline: expected a number, got {text!r}")])
+    assert not made[0].refused
     made[0].send("seek", "0.5")
-    assert posted == [Seek(0.5 * END)]
+    assert posted[-1] == Seek(0.5 * END)
 
 
 def test_the_bar_of_a_page(url):

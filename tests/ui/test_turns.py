@@ -2,8 +2,10 @@
 
 import asyncio
 import json
+from types import SimpleNamespace
 
 import pytest
+from viser import _messages
 
 from armlab.ui import adapter, turns
 from armlab.ui.fields import Fields
@@ -99,3 +101,26 @@ def test_a_socket_that_sent_nonsense_before_much_else_is_let_go_of_soon(bare):
         assert not live
 
     bare.run(work)
+
+
+def test_building_a_page_is_not_what_its_browser_has_taken():
+    """The first message of the camera waits until the page is built, in the time of all."""
+    now = used = 0.0
+    turns_of = {"token": Turns(lambda: now, lambda: used)}
+
+    async def handle(_client, _message):
+        nonlocal used
+        used += 2.0 * SPARE
+
+    async def receive():
+        return b""
+
+    socket = SimpleNamespace(request=SimpleNamespace(headers={adapter.TOKEN_HEADER: "token"}), recv=receive)
+    server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections={7: socket}), _connected_clients={})
+    connection = SimpleNamespace(client_id=7, _handle_incoming_message=handle)
+    adapter._guard(server, connection, turns_of)
+    camera = {name: value for name, value in CAMERA.items() if name != "type"}
+    asyncio.run(connection._handle_incoming_message(7, _messages.ViewerCameraMessage(**camera)))
+    assert turns_of["token"].pause == 0.0
+    asyncio.run(connection._handle_incoming_message(7, _messages.GuiUpdateMessage("none", {"value": 1})))
+    assert turns_of["token"].pause > 0.0

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 from armlab.errors import InputError
-from armlab.session.session import Asked
+from armlab.session.session import Asked, Refuse
 from armlab.session.state import Command, Post
 from armlab.ui import markup
 from armlab.ui.fields import Fields, OnInput
@@ -149,6 +149,13 @@ class Form:
         self._bound, self._binding = self._binding, {}
         self._fields.show(content)
 
+    def _refused(self, cell: str, text: str, why: str) -> Wish:
+        """Say why not, at the field or in a notice."""
+        if self._beside:
+            self._fields.refuse(cell, text, why)
+            return None
+        return Refuse(why)
+
     def visible(self, on: bool) -> None:
         """Show or hide the whole."""
         self._fields.visible(on)
@@ -164,8 +171,7 @@ class Form:
         try:
             wish = action(text)
         except InputError as refusal:
-            self._fields.refuse(cell, text, str(refusal))
-            wish = None
+            wish = self._refused(cell, text, str(refusal))
         if wish is None:
             self._again()
             return
