@@ -270,7 +270,7 @@ def test_a_command_that_is_refused_names_the_step_and_why(benches):
     benches(benches=BENCHES.replace("most = 2\n", "most = 0\n"))
     (problem,) = problems("benches")
     assert problem.step == 3
-    assert problem.says.startswith("action 1 of its solution is refused: most iterations: expected a whole number")
+    assert problem.says.startswith("action 1 of its solution is refused: most: expected a whole number")
 
 
 def test_facts_and_an_edited_table_do_not_go_together():

@@ -13,7 +13,9 @@ from armlab.content.bench_words import BenchWord
 from armlab.content.checks.fact import FactIs
 from armlab.content.observation import Observation
 from armlab.content.robots import catalogue
+from armlab.content.seen_fact import read_value
 from armlab.errors import InputError, UnknownName
+from armlab.session import facts
 from armlab.session.facts import (
     KINDS,
     Fact,
@@ -226,3 +228,21 @@ def test_a_check_that_fits_its_fact_is_left_in_peace(asked):
 def test_facts_know_their_page():
     assert isinstance(LOOP, Facts)
     assert (LOOP.key, LOOP.panel) == ("control.loop", "loop")
+
+
+@pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        (2.5, 2.5),
+        ((1.0, 2.0), [1.0, 2.0]),
+        (True, True),
+        (None, None),
+        (math.inf, None),
+        (1e9, None),
+        ((1.0, math.nan), None),
+        ("x" * 1000, None),
+    ],
+)
+def test_what_a_file_cannot_hold_of_a_fact_is_not_told(value, told):
+    assert facts._tellable(value) == told
+    read_value(facts._tellable(value), "fact")

@@ -1,5 +1,6 @@
 """Parts whose fields are declared: read back as they were written, junk refused, and set by one command."""
 
+import dataclasses
 import json
 import math
 from dataclasses import replace
@@ -194,3 +195,19 @@ def test_a_field_that_is_an_array_is_set_written_and_known_again():
     assert state[Target].to_json()["pose"] == state[Target].pose.tolist()
     assert apply(state, Set(Target, "pose", state[Target].pose)) is state
     assert apply(state, Set(Target, "pose", None))[Target].pose is None
+
+
+APART = [
+    kind
+    for kind in DECLARED
+    if kind.for_edited is FieldPart.for_edited and len(declarations(kind)) == len(dataclasses.fields(kind))
+]
+"""Parts that have nothing to do with the arm, or with its table only."""
+
+
+@pytest.mark.parametrize("kind", APART, ids=lambda kind: kind.key)
+def test_what_stays_as_it_is_stays_the_same_object(kind):
+    """Pages are made anew, and work begins anew, when a part they look at is another one."""
+    part = State.initial(ROBOT)[kind]
+    assert part.for_edited(ROBOT, ORIGIN) is part
+    assert len(APART) > 8

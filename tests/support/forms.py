@@ -33,8 +33,8 @@ class BareFields:
     def refuse(self, cell: str, text: str, why: str) -> None:
         self.refused = why
 
-    def refuse_later(self, cell: str, text: str) -> Callable[[str], None]:
-        return lambda why: self.refuse(cell, text, why)
+    def refuse_later(self, cell: str, text: str) -> Callable[[str], bool]:
+        return lambda why: self.refuse(cell, text, why) is None
 
     def forgive(self) -> None:
         self.refused = ""

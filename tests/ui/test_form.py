@@ -1,5 +1,6 @@
 """Controls that carry what they do: only what is on the page can be pressed; a refusal stands where it came from."""
 
+import threading
 from functools import partial
 
 import pytest
@@ -9,7 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
-from armlab.session.session import Asked, Session, Undo
+from armlab.session.session import LONGEST_NOTICE, Asked, Session, Undo
 from support.fake_browser import cookie_of
 from support.forms import BareForm, asked
 from support.lab import running_lab
@@ -137,13 +138,61 @@ def test_what_the_worker_refuses_is_told_at_the_field_it_came_from_and_at_no_oth
 def test_of_commands_asked_for_together_none_is_done_when_one_is_refused():
     session, told = Session.fresh("s", catalogue()["planar_2r"]), []
     before = session.state
-    session.apply(Asked((MASS, Set(Loop, "mass", -1.0)), told.append), 0.0)
+    session.apply(Asked((MASS, Set(Loop, "mass", -1.0)), lambda why: told.append(why) is None), 0.0)
     assert session.state is before
     assert session.history.undo_label is None
     assert len(told) == 1
     assert session.notice is None
-    session.apply(Asked((MASS, GAIN), told.append), 1.0)
+    session.apply(Asked((MASS, GAIN), lambda why: told.append(why) is None), 1.0)
     assert (session.state[Loop].mass, session.state[Loop].gain) == (0.5, 0.5)
     session.apply(Undo(), 2.0)
     assert (session.state[Loop].mass, session.state[Loop].gain) == (0.5, 10.0)
     assert len(told) == 1
+
+
+def test_a_refusal_that_has_no_place_any_more_is_a_notice_and_a_long_one_is_cut():
+    session, told = Session.fresh("s", catalogue()["planar_2r"]), []
+    session.apply(Asked((Set(Loop, "mass", -1.0),), lambda why: bool(told.append(why))), 0.0)
+    assert session.notice.text == told[0]
+    session.apply(Asked((Set(Loop, "kind", "x" * 10**6),), lambda why: told.append(why) is None), 0.0)
+    assert len(told[-1]) <= LONGEST_NOTICE
+
+
+def test_what_was_refused_while_something_else_was_pressed_is_a_notice(url, monkeypatch):
+    apply, waiting = Session.apply, threading.Event()
+
+    def later(self, command, at):
+        waiting.wait(5.0)
+        apply(self, command, at)
+
+    async def main():
+        browser = await student(url)
+        await browser.open("loop")
+        await browser.until(lambda: 'data-cell="l-gain"' in browser.html())
+        monkeypatch.setattr(Session, "apply", later)
+        await browser.press("l-gain", "-5")
+        await browser.press("kind step")
+        waiting.set()
+        await browser.until(lambda: any("gain: expected" in one for one in browser.notices))
+        await browser.until(lambda: "The error dies out" in browser.html())
+        await browser.close()
+
+    run(main())
+
+
+def test_what_was_refused_goes_when_the_field_is_to_show_something_else(url):
+    async def main():
+        browser = await student(url)
+        await browser.open("loop")
+        await browser.press("l-gain", "-5")
+        await browser.until(lambda: "✕ gain: expected" in browser.html())
+        await browser.press("example", "larger_gain")
+        await browser.until(lambda: 'value="100"' in browser.html())
+        assert "✕ gain: expected" not in browser.html()
+        await browser.press("l-gain", "-6")
+        await browser.until(lambda: "✕ gain: expected" in browser.html())
+        await browser.press("l-mass", "3")
+        await browser.until(lambda: "✕ gain: expected" not in browser.html())
+        await browser.close()
+
+    run(main())

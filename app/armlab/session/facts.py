@@ -190,8 +190,18 @@ def evidence_of(state: State, words: Iterable[str]) -> Json:
     slow = [word for found in benches if found.job for word in words if word.rpartition(".")[0] == found.key]
     return {
         "parts": {part.key: state[part].to_json() for found in benches for part in found.parts},
-        "told": {word: seen.value for word, seen in seen_facts(state, slow).items()},
+        "told": {word: _tellable(seen.value) for word, seen in seen_facts(state, slow).items()},
     }
+
+
+def _tellable(value: Value | None) -> Json:
+    """Return a value as it can be read again; None for one that is none or beyond what a file may hold."""
+    data = list(value) if isinstance(value, tuple) else value
+    try:
+        read_value(data, "fact")
+    except InputError:
+        return None
+    return data
 
 
 def facts_again(data: Json, words: Iterable[str], seen: Observation, robot: Robot, whole: bool) -> dict[str, SeenFact]:

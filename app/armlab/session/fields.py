@@ -209,9 +209,12 @@ class FieldPart(Part):
                 fresh, before = getattr(new, name), getattr(self, name)
                 values[name] = tuple(fresh[i] if k is None else before[k] for i, k in enumerate(origin))
         try:
-            return new.with_values(values)
+            found = new.with_values(values)
         except InputError:
-            return self.for_robot(robot) if origin else new
+            found = self.for_robot(robot) if origin else new
+        # What looks for changes asks whether it is the same object.
+        every = [each.name for each in dataclasses.fields(found)]
+        return self if all(_same(getattr(found, name), getattr(self, name)) for name in every) else found
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
         """Return the part with some fields set; `UnknownName` or `InputError` when it cannot be."""
@@ -235,7 +238,8 @@ class FieldPart(Part):
     def without_example(self) -> Self:
         """Return the part with no example in place any more, if it is kept as a text which one that is."""
         kept = fields_of(type(self)).get(EXAMPLE)
-        return replace(self, **{EXAMPLE: ""}) if kept is not None and kept.kind == "text" else self
+        named = kept is not None and kept.kind == "text" and getattr(self, EXAMPLE)
+        return replace(self, **{EXAMPLE: ""}) if named else self
 
     def to_json(self) -> Json:
         """Write the fields declared."""
@@ -312,19 +316,23 @@ def setting(state: State, kind: type[FieldPart], values: Mapping[str, Any]) -> S
     others = [name for name in values if not _same(getattr(changed, name), getattr(part, name))]
     if set(others) <= set(part.looks):
         return state.replace(changed) if others else state
-    return put(state, changed if set(others) <= {*part.leave_example, *part.looks} else changed.without_example())
+    return _begun(state, changed if set(others) <= {*part.leave_example, *part.looks} else changed.without_example())
 
 
 def put(state: State, part: FieldPart) -> State:
     """Return the state with a part, and its film, if it is on, at its beginning; raises what `FieldPart.check` does."""
     part.check()
-    if part == state[type(part)]:
-        return state
+    return state if part == state[type(part)] else _begun(state, part)
+
+
+def _begun(state: State, part: FieldPart) -> State:
     films = (each.rewound(part.clip) for each in state) if part.clip else ()
     return state.replace(*films, part)
 
 
 def _same(one: Any, other: Any) -> bool:
+    if one is other:
+        return True
     arrays = isinstance(one, np.ndarray) or isinstance(other, np.ndarray)
     return np.array_equal(one, other) if arrays else bool(one == other)
 

@@ -64,12 +64,14 @@ class Asked(Command):
     ----------
     commands : tuple of Command
         Applied one after the other.
+        Undo and such stand alone.
     refused : callable
-        Called, in the worker's thread, with the reason why not.
+        Called, in the worker's thread, with the reason why not; returns whether it can be said there. Otherwise it is
+        a notice.
     """
 
     commands: tuple[Command, ...]
-    refused: Callable[[str], None]
+    refused: Callable[[str], bool]
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,7 @@ class Session:
             Seconds of any steady clock; strokes with a pause between them are steps of their own.
         """
         before = self.state
-        asked, refused = (command.commands, command.refused) if isinstance(command, Asked) else ((command,), self.tell)
+        asked, refused = (command.commands, command.refused) if isinstance(command, Asked) else ((command,), _nowhere)
         command = asked[0] if len(asked) == 1 else command
         try:
             if isinstance(command, Undo):
@@ -146,12 +148,14 @@ class Session:
             else:
                 self._take(asked, at)
         except ArmlabError as refusal:
-            refused(str(refusal))
+            if not refused(cut(str(refusal))):
+                self.tell(str(refusal))
         except Exception as error:
             # In one line: strangers send commands, too. The trace is for debugging.
-            log.error("%s failed: %s", type(command).__name__, in_one_line(error))
-            log.debug("%s failed", type(command).__name__, exc_info=error)
-            self.tell(f"{type(command).__name__} failed inside the lab; nothing was changed.")
+            name = ", ".join(type(each).__name__ for each in asked)
+            log.error("%s failed: %s", name, in_one_line(error))
+            log.debug("%s failed", name, exc_info=error)
+            self.tell(f"{name} failed inside the lab; nothing was changed.")
         if self.state is before or isinstance(command, (Undo, Redo, StartFresh)):
             self.untaken += 1
 
@@ -191,8 +195,16 @@ class Session:
 
     def tell(self, text: str) -> None:
         """Leave a notice for the student."""
-        text = text if len(text) <= LONGEST_NOTICE else f"{text[: LONGEST_NOTICE - 3]}..."
-        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, text)
+        self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text))
+
+
+def cut(text: str) -> str:
+    """Return a sentence that is not longer than a notice."""
+    return text if len(text) <= LONGEST_NOTICE else f"{text[: LONGEST_NOTICE - 3]}..."
+
+
+def _nowhere(_: str) -> bool:
+    return False
 
 
 def _beginning(token: str, opening: Robot) -> State:

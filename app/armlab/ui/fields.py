@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import json
 import logging
+import threading
+import time
 from collections.abc import Callable
+from dataclasses import dataclass, field
 
 import viser
 
@@ -22,8 +25,36 @@ LONGEST_CELL = 200
 LONGEST_TYPED = 20_000
 """Characters that a field hands on, besides those that read files: the longest table has fewer."""
 
+READ = 8.0
+"""Seconds that a sentence is there at least, while something else goes on beside it."""
+
 LARGEST_NUMBER = 2**53
 """Numbers of messages below it are exact in a page."""
+
+
+@dataclass
+class _Mistake:
+    """What was refused.
+
+    Attributes
+    ----------
+    cell, text, why : str
+    instead : str or None
+        What the field would show without it; None of what is no field.
+    """
+
+    cell: str
+    text: str
+    why: str
+    instead: str | None = None
+    _until: float = field(default_factory=lambda: time.monotonic() + READ)
+    _beside: str | None = None
+
+    def is_over(self, content: str) -> bool:
+        """Whether what stands beside it is not what it was refused beside, and it could be read."""
+        if self._beside is None:
+            self._beside = content
+        return self._beside != content and time.monotonic() > self._until
 
 
 class Fields:
@@ -51,7 +82,8 @@ class Fields:
         self._on_input, self._longest = on_input, longest
         self._revision = self._shown_revision = self._heard = 0
         self._content = ""
-        self._mistake: tuple[str, str, str] | None = None
+        self._mistake: _Mistake | None = None
+        self._lock = threading.Lock()
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
 
     def _receive(self) -> None:
@@ -60,9 +92,10 @@ class Fields:
         except (ValueError, TypeError, RecursionError):
             log.warning("a page that is not ours wrote into a field")
             return
-        self._mistake = None
         self._heard = number if isinstance(number, int) and abs(number) < LARGEST_NUMBER else 0
-        self._revision += 1  # so that the next `show` also replaces a text that was not taken
+        with self._lock:
+            self._mistake = None
+            self._revision += 1  # so that the next `show` also replaces a text that was not taken
         longest = LONGEST_TYPED if self._longest is None else self._longest + 1
         cell, read = _whole(_cut(cell, LONGEST_CELL)), _whole(_cut(text, longest))
         if self._longest is None and isinstance(text, str) and len(text) > longest:
@@ -82,17 +115,27 @@ class Fields:
         return adapter.gui_id(self.channel)
 
     def refuse(self, cell: str, text: str, why: str) -> None:
-        """Show what was typed, marked, and below the fields why not: from the next `show` to the next input."""
-        self._mistake = cell, text, why
+        """Show what was typed, marked, and below the fields why not.
 
-    def refuse_later(self, cell: str, text: str) -> Callable[[str], None]:
-        """Return `refuse` for what was typed just now: nothing once something else was typed; for any thread."""
-        revision = self._revision
+        It stands until the next input. Of a field it goes when another value is to be shown there, and of what is no
+        field when other markup is, if it could be read by then.
+        """
+        self._mistake = _Mistake(cell, text[:LONGEST_TYPED], why)
 
-        def refuse(why: str) -> None:
-            if revision == self._revision:
+    def refuse_later(self, cell: str, text: str) -> Callable[[str], bool]:
+        """Return what refuses what was typed just now, from any thread.
+
+        It returns whether the refusal is shown: not once something else was typed, or the fields are gone.
+        """
+        revision, text = self._revision, text[:LONGEST_TYPED]
+
+        def refuse(why: str) -> bool:
+            with self._lock:
+                if revision != self._revision or adapter.is_removed(self.html):
+                    return False
                 self.refuse(cell, text, why)
                 self._revision += 1  # so that it counts as stale, although it may have been shown meanwhile
+            return True
 
         return refuse
 
@@ -113,9 +156,15 @@ class Fields:
 
     def _refused(self, cell: str, value: str) -> tuple[str, dict[str, str]]:
         """Return what stands in a field, and the marks of what was refused there."""
-        if self._mistake is None or self._mistake[0] != cell:
+        mistake = self._mistake
+        if mistake is None or mistake.cell != cell:
             return value, {}
-        return self._mistake[1], {"aria_invalid": "true", "title": self._mistake[2]}
+        if mistake.instead is None:
+            mistake.instead = value
+        if mistake.instead != value:
+            self._mistake = None
+            return value, {}
+        return mistake.text, {"aria_invalid": "true", "title": mistake.why}
 
     def visible(self, on: bool) -> None:
         """Show or hide the whole."""
@@ -125,8 +174,11 @@ class Fields:
     def show(self, content: str) -> None:
         """Show this markup, which holds the fields."""
         self._shown_revision, self._content = self._revision, content
-        if self._mistake is not None:
-            content += f'<p class="no" role="alert">✕ {escaped(self._mistake[2])}</p>'
+        mistake = self._mistake
+        if mistake is not None and mistake.instead is None and mistake.is_over(content):
+            mistake = self._mistake = None
+        if mistake is not None:
+            content += f'<p class="no" role="alert">✕ {escaped(mistake.why)}</p>'
         # The page numbers what it sends: fields whose text is not in here yet keep it.
         marks = f'data-revision="{self._revision}" data-heard="{self._heard}"'
         adapter.set_content(self.html, f'<div class="{self._class}" {marks}>{content}</div>')

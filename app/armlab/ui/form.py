@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 from armlab.errors import InputError
-from armlab.session.session import Asked, Refuse
+from armlab.session.session import Asked, Refuse, cut
 from armlab.session.state import Command, Post
 from armlab.ui import markup
 from armlab.ui.fields import Fields, OnInput
@@ -152,7 +152,7 @@ class Form:
     def _refused(self, cell: str, text: str, why: str) -> Wish:
         """Say why not, at the field or in a notice."""
         if self._beside:
-            self._fields.refuse(cell, text, why)
+            self._fields.refuse(cell, text, cut(why))
             return None
         return Refuse(why)
 

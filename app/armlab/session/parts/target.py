@@ -19,7 +19,7 @@ from armlab.kin.transforms import as_pose
 from armlab.session.branch_words import NEAR, STILL_NEAR, Branch, branch_of, crossed, followed, near_singularity
 from armlab.session.fields import FieldPart, choice, own
 from armlab.session.parts.joints import Joints
-from armlab.session.state import Command, Json, PartType, State
+from armlab.session.state import Command, PartType, State
 from armlab.session.way_to_solution import another_way
 
 Axes = Literal["world", "tool"]
@@ -56,10 +56,6 @@ class Judged(ik.Verdict):
     """A verdict with what else there is to say about a drag."""
 
     notes: tuple[str, ...] = ()
-
-
-def _read_pose(data: Json) -> NDArray[np.float64] | None:
-    return None if data is None else as_pose(data, "target")
 
 
 @dataclass(frozen=True, eq=False)
