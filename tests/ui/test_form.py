@@ -1,5 +1,6 @@
 """Controls that carry what they do: only what is on the page can be pressed; a refusal stands where it came from."""
 
+import asyncio
 import threading
 from functools import partial
 
@@ -13,7 +14,8 @@ from armlab.session.parts.joints import MoveJoint
 from armlab.session.session import LONGEST_NOTICE, Asked, Session, Undo
 from support.fake_browser import cookie_of
 from support.forms import BareForm, asked
-from support.lab import running_lab
+from support.lab import open_lab, running_lab
+from support.patience import Patience
 from support.student import run, student
 
 MASS, GAIN = Set(Loop, "mass", 0.5), Set(Loop, "gain", 0.5)
@@ -158,26 +160,34 @@ def test_a_refusal_that_has_no_place_any_more_is_a_notice_and_a_long_one_is_cut(
     assert len(told[-1]) <= LONGEST_NOTICE
 
 
-def test_what_was_refused_while_something_else_was_pressed_is_a_notice(url, monkeypatch):
+def test_what_was_refused_while_something_else_was_pressed_is_a_notice(tmp_path, monkeypatch):
     apply, waiting = Session.apply, threading.Event()
 
     def later(self, command, at):
-        waiting.wait(5.0)
+        waiting.wait(60.0)
         apply(self, command, at)
 
-    async def main():
+    async def main(url, counts):
         browser = await student(url)
         await browser.open("loop")
         await browser.until(lambda: 'data-cell="l-gain"' in browser.html())
         monkeypatch.setattr(Session, "apply", later)
+        before, patience = counts.posted, Patience()
         await browser.press("l-gain", "-5")
         await browser.press("kind step")
+        while counts.posted < before + 2 and patience.left():
+            await asyncio.sleep(0.01)
         waiting.set()
         await browser.until(lambda: any("gain: expected" in one for one in browser.notices))
         await browser.until(lambda: "The error dies out" in browser.html())
         await browser.close()
 
-    run(main())
+    lab = open_lab(tmp_path, "planar_2r")
+    try:
+        run(main(f"http://127.0.0.1:{lab.port}/", lab.lab.worker.counts))
+    finally:
+        waiting.set()
+        lab.stop()
 
 
 def test_what_was_refused_goes_when_the_field_is_to_show_something_else(url):
