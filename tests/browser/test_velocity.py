@@ -51,7 +51,7 @@ def test_the_drive_moves_the_arm_and_nonsense_stays(visit):
     lab = at_speeds(visit, "two_points")
     matrix = lab.page.locator(".mat.select").first
     before = matrix.inner_text()
-    lab.press("drive")
+    lab.press("play-speeds")
     lab.until(lambda: matrix.inner_text() != before)
     lab.page.locator(".al-time").wait_for()
     lab.page.locator('.ve-fold[aria-expanded="true"]').wait_for()

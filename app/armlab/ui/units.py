@@ -193,10 +193,17 @@ def units_of(state: State) -> Units:
     return Units(state[Notation])
 
 
-def plain_number(text: str) -> float:
-    """Return a typed number without a unit; `InputError` when it is none."""
-    plain = text.strip().replace("−", "-").replace(",", ".")
+def plain_number(text: str, where: str = "", expected: str = "a number") -> float:
+    """Return a typed number without a unit, or a formula of numbers such as ``sqrt(2)/2``.
+
+    Parameters
+    ----------
+    text : str
+    where, expected : str
+        For the sentence of the `InputError` when it is none.
+    """
     try:
-        return float(plain)
-    except ValueError:
-        raise InputError(f"expected a number, got {text.strip()[:40]!r}") from None
+        return evaluate(text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", "."))
+    except InputError:
+        said = f"{where}: " if where else ""
+        raise InputError(f"{said}expected {expected}, got {text.strip()[:40]!r}") from None

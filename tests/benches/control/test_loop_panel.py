@@ -19,6 +19,7 @@ from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import OpenClip, Seek
 from armlab.session.state import State, apply
+from armlab.ui.playing import clock
 from armlab.ui.units import Units
 from support.forms import asked
 from support.student import run, student
@@ -72,7 +73,7 @@ def test_fields_become_commands_and_nonsense_is_said():
     state = opened()
 
     def typed(cell, text):
-        return asked(lambda form: loop.form_markup(form, state[Loop]) + loop.clock_markup(form, state), cell, text)
+        return asked(lambda form: loop.form_markup(form, state[Loop]) + clock(form, state, "loop", 6.0), cell, text)
 
     def matrix(cell, text):
         return asked(lambda form: exponential.head_markup(form, state[Exponential]), cell, text)

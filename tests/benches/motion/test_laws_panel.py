@@ -11,13 +11,13 @@ from armlab.benches.motion.laws.commands import ChooseLaw, SetQuantity, Stretch
 from armlab.benches.motion.laws.examples import EXAMPLES, ChooseLawExample
 from armlab.benches.motion.laws.state import Laws
 from armlab.benches.motion.laws.ui.form import form_markup
-from armlab.benches.motion.laws.ui.page import clock_markup
 from armlab.benches.motion.laws.ui.plots import LawPlot, grid, race_markup
 from armlab.content.robots import catalogue
 from armlab.errors import InputError
 from armlab.kin.motion import free_law_types
 from armlab.session.parts.timeline import OpenClip, Play, Seek
 from armlab.session.state import State, apply
+from armlab.ui.playing import clock
 from support.forms import BareForm, asked
 from support.student import run, student
 
@@ -138,7 +138,7 @@ def test_the_race_stands_where_the_laws_are():
 
 
 def pressed(state, cell, text=""):
-    return asked(lambda form: clock_markup(form, state), cell, text)
+    return asked(lambda form: clock(form, state, "laws", state[Laws].end), cell, text)
 
 
 def test_play_goes_on_where_the_film_stands():

@@ -201,9 +201,9 @@ def turned(state, cell, text=""):
 
 def test_drive_goes_on_where_it_stands():
     state = opened()
-    assert pressed(state, "drive") == (OpenClip("speeds", play=True),)
-    assert pressed(apply(state, OpenClip("speeds")), "drive") == (Play(True),)
-    assert turned(apply(state, OpenClip("turning")), "play") == (Play(True),)
+    assert pressed(state, "play-speeds") == (OpenClip("speeds", play=True),)
+    assert pressed(apply(state, OpenClip("speeds")), "play-speeds") == (Play(True),)
+    assert turned(apply(state, OpenClip("turning")), "play-turning") == (Play(True),)
 
 
 def test_what_is_switched_is_turned_round():
@@ -253,7 +253,7 @@ def test_the_page_of_speeds(url):
         slider = next(c for c in browser.controls.values() if c["props"].get("label", "").startswith("q\u0307₂"))
         await browser.set_value(slider, 60.0)
         await says(browser, "|ω| <b>60.0 °/s</b>")
-        await browser.press("drive")
+        await browser.press("play-speeds")
         await says(browser, "❚❚ Pause")
         await browser.close()
 
@@ -272,7 +272,7 @@ def test_the_page_of_turning(url):
         await says(browser, "✕ Singular")
         await browser.press("shown laws")
         await says(browser, "Same integral, other orientation")
-        await browser.press("play")
+        await browser.press("play-turning")
         await says(browser, "❚❚ Pause")
         await browser.close()
 

@@ -17,8 +17,6 @@ from armlab.benches.control.exponential.state import (
     bounds,
 )
 from armlab.benches.control.exponential.ui.plane import EIGEN, plane
-from armlab.content.arithmetic import evaluate
-from armlab.errors import InputError
 from armlab.session.amounts import amount
 from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE, GREY, css
@@ -28,6 +26,7 @@ from armlab.ui.format import capitalised, dot, escaped, mathml, number, readable
 from armlab.ui.matrices import copy_buttons
 from armlab.ui.plot import Curve, Plot
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.units import plain_number
 from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
@@ -116,7 +115,9 @@ def head_markup(form: Form, part: Exponential) -> str:
     values |= {f"a{i + 1}{j + 1}": part.A[i][j] for i in (0, 1) for j in (0, 1)}
 
     def cell(key: str) -> str:
-        return form.field(key, readable(values[key], 4), ENTRIES[key], lambda text: SetEntry(key, _read(key, text)))
+        return form.field(
+            key, readable(values[key], 4), ENTRIES[key], lambda text: SetEntry(key, plain_number(text, ENTRIES[key]))
+        )
 
     matrix = "".join(f"<tr><td>{cell(f'a{i}1')}</td><td>{cell(f'a{i}2')}</td></tr>" for i in (1, 2))
     start = "".join(f"<tr><td>{cell(key)}</td></tr>" for key in ("x1", "x2"))
@@ -127,13 +128,6 @@ def head_markup(form: Form, part: Exponential) -> str:
         f'<span>x(0) =</span><table class="mat">{start}</table>'
         f"<label><span>until</span>{cell('end')}<i>s</i></label></div>"
     )
-
-
-def _read(key: str, text: str) -> float:
-    try:
-        return evaluate(text.strip().replace("−", "-").replace(",", "."))
-    except InputError:
-        raise InputError(f"{ENTRIES[key]}: expected a number, got {text.strip()[:40]!r}") from None
 
 
 def results_markup(part: Exponential) -> str:

@@ -10,19 +10,18 @@ import numpy as np
 from armlab.benches.control.loop.examples import EXAMPLES, ChooseLoopExample
 from armlab.benches.control.loop.state import CLIP_KEY, KINDS, Loop, present_time
 from armlab.benches.control.loop.ui.pictures import ERROR, REACHED, WISH, bode, diagram
-from armlab.content.arithmetic import evaluate
-from armlab.errors import InputError
 from armlab.session.amounts import amount
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
-from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
-from armlab.session.state import Command, Post, State
+from armlab.session.parts.timeline import Timeline
+from armlab.session.state import Post, State
 from armlab.ui.colours import GREY
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import escaped, mathml, number, pairs
 from armlab.ui.markup import row
 from armlab.ui.option_form import option_form
+from armlab.ui.playing import clock
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
@@ -42,7 +41,7 @@ FOLLOWS, FAILS = 0.05, 0.5
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make example, diagram, numbers, plots and the frequency response."""
     units = units_of(state)
-    head, drawn, form, clock = gui.form(post), gui.html(), gui.form(post), gui.form(post)
+    head, drawn, form, timing = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
     gui.heading(f"Frequency response {mathml(RESPONSE)}")
     response = gui.html()
@@ -52,7 +51,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         head.show(_head(head, part))
         drawn.show(diagram(part, present_time(state)))
         form.show(form_markup(form, part))
-        clock.show(clock_markup(clock, state))
+        timing.show(clock(timing, state, CLIP_KEY, part.end))
         plots.show(state)
         verdict.show(_verdict(part, units))
         response.show(bode(part, units) + _numbers(part, units))
@@ -105,27 +104,6 @@ def form_markup(form: Form, part: Loop) -> str:
     kinds = form.chips("kind", KINDS, part.kind, hint, partial(Set, Loop, "kind"))
     given = option_form(form, "l-", part.fields, part.values, partial(Set, Loop))
     return f'{row("Wanted", kinds, wide=True)}<div class="options loop-form">{given}</div>'
-
-
-def clock_markup(form: Form, state: State) -> str:
-    """Return the button and the field of the time."""
-    on, end = state[Timeline].clip == CLIP_KEY, state[Loop].end
-    if on and state[Timeline].playing:
-        play = form.button("pause-loop", "❚❚ Pause", Play(False), "main")
-    else:
-        play = form.button("play-loop", "▶ Play", Play(True) if on else OpenClip(CLIP_KEY, play=True), "main")
-    time = form.field("time", amount(present_time(state)), "Time in seconds", lambda text: _to_time(text, end, on))
-    return f'<div class="bar kit-clock">{play}<label>t = {time} <i>of {amount(end, "s")}</i></label></div>'
-
-
-def _to_time(text: str, end: float, on: bool) -> tuple[Command, ...]:
-    try:
-        time = evaluate(text.strip().replace("−", "-").replace(",", "."))
-    except InputError:
-        raise InputError(f"t: expected seconds, got {text.strip()[:40]!r}") from None
-    if not 0.0 <= time <= end:
-        raise InputError(f"t: expected 0 to {amount(end, 's')}, got {amount(time)}")
-    return (Seek(time),) if on else (OpenClip(CLIP_KEY), Seek(time))
 
 
 def _verdict(part: Loop, units: Units) -> str:

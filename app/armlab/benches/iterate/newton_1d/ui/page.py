@@ -6,15 +6,15 @@ from armlab.benches.iterate.newton_1d.clip import STEP, Place, place_of
 from armlab.benches.iterate.newton_1d.state import CLIP_KEY, ChooseEquation, Newton1D, TypeEquation, solution
 from armlab.benches.iterate.runs.one_equation import Solved
 from armlab.benches.iterate.runs.ui.tangents import picture
-from armlab.content.arithmetic import evaluate
-from armlab.errors import InputError
 from armlab.kin.ik.iterate import EXAMPLES
 from armlab.session.fields import Set
-from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import escaped, number, scientific
+from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.units import plain_number
 from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
@@ -42,28 +42,16 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _number(text: str) -> float:
-    try:
-        return evaluate(text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", "."))
-    except InputError:
-        raise InputError(f"x₀: expected a number, got {text.strip()[:40]!r}") from None
-
-
 def _problem(form: Form, state: State) -> str:
     part, found = state[Newton1D], state.derived(solution)
     titles = {**({"": "your own"} if part.text else {}), **{each.key: each.title for each in EXAMPLES}}
     chooser = form.select("equation", "Equation", titles, "" if part.text else part.example, ChooseEquation)
-    playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
-    play = (
-        form.button("pause-tangents", "❚❚ Pause", Play(False), "main")
-        if playing
-        else form.button("play-tangents", "▶ Play", OpenClip(CLIP_KEY, play=True), "main")
-    )
+    play = play_button(form, state, CLIP_KEY, "tangents")
     kind = KINDS.get(found.status, "no")
     slope = '<p class="dim">f′ by central difference.</p>' if found.differenced else ""
     typed = form.field("f", part.text, "Function of x", TypeEquation)
     start = form.field(
-        "x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: Set(Newton1D, "x0", _number(text))
+        "x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: Set(Newton1D, "x0", plain_number(text, "x₀"))
     )
     return (
         f'<div class="eq small" title="Notes 4.106-4.110; printed there without x_n">&emsp;{FORMULA}</div>'

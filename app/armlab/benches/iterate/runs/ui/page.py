@@ -17,10 +17,11 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
+from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import plain_number, units_of
 from armlab.ui.widgets import Gui
@@ -66,12 +67,7 @@ def _wanted(state: State, text: str) -> ChooseTask:
 def problem_markup(form: Form, state: State) -> str:
     """Return example, start, target, task vector and limits."""
     part = state[Iterations]
-    playing = state[Timeline].clip == CLIP_KEY and state[Timeline].playing
-    play = (
-        form.button("pause-steps", "❚❚ Pause", Play(False), "main")
-        if playing
-        else form.button("play-steps", "▶ Play", OpenClip(CLIP_KEY, play=True), "main")
-    )
+    play = play_button(form, state, CLIP_KEY, "steps")
     return (
         examples(form, EXAMPLES, part.example, ChooseExample)
         + f'<div class="bar">{play}<span class="dim">{_present(state)}</span></div>'

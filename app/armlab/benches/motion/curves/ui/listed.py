@@ -21,7 +21,7 @@ from armlab.benches.motion.curves.commands import (
 from armlab.benches.motion.curves.knots import MOST_KNOTS
 from armlab.benches.motion.curves.made import Drawn, Made, free_options, kinds, why_not
 from armlab.benches.motion.curves.state import MOST_CURVES, UNITS, Curves
-from armlab.benches.motion.curves.ui.words import COLOURS, figures, read, read_rows, typed_number, unit
+from armlab.benches.motion.curves.ui.words import COLOURS, figures, read_rows, typed_number, unit
 from armlab.errors import InputError
 from armlab.kin.field import Field, seen_fields
 from armlab.kin.motion.law_types import free_law_types
@@ -31,6 +31,7 @@ from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, capitalised, dot, escaped, lowered
 from armlab.ui.option_form import Scale, option_form, unit_text
+from armlab.ui.units import plain_number
 
 
 def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], None]) -> str:
@@ -62,7 +63,7 @@ def _cell(form: Form, part: Curves, k: int, name: str, value: float, label: str)
     """Return the cell of t or q of a knot."""
 
     def typed(text: str) -> SetKnot:
-        return SetKnot(k, name, read(text, f"knot {k + 1}, {name}"))
+        return SetKnot(k, name, plain_number(text, f"knot {k + 1}, {name}"))
 
     below = f"{name} {k + 1}" if k + 1 < len(part.knots) else ""
     field = form.field(f"{name} {k}", typed_number(value), label, typed, below)
@@ -179,7 +180,7 @@ def limits_markup(form: Form, part: Curves) -> str:
 
 def _limit(form: Form, part: Curves, key: Limit, symbol: str, order: int, words: str) -> str:
     def typed(text: str) -> SetLimit:
-        return SetLimit(key, read(text, key) if text.strip() else None)
+        return SetLimit(key, plain_number(text, key) if text.strip() else None)
 
     value = getattr(part, key)
     cell = form.field(key, "" if value is None else typed_number(value), f"{words}; empty for no limit", typed)

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 
-from armlab.content.arithmetic import evaluate
-from armlab.errors import InputError
 from armlab.ui.colours import JOINTS, Rgb
 from armlab.ui.format import MINUS, number, scientific
+from armlab.ui.units import plain_number
 
 COLOURS: tuple[Rgb, ...] = JOINTS[:3]
 """Of the curves."""
@@ -36,19 +35,11 @@ def typed_number(value: float) -> str:
     return f"{value:.7g}".replace("-", MINUS)
 
 
-def read(text: str, where: str) -> float:
-    """Return a typed number; `InputError` that says where when it is none."""
-    try:
-        return evaluate(text.strip().lower().replace("−", "-").replace("π", "pi").replace(",", "."))
-    except InputError:
-        raise InputError(f"{where}: expected a number, got {text.strip()[:40]!r}") from None
-
-
 def read_rows(text: str) -> tuple[tuple[float, ...], ...]:
     """Return typed knots, ``t q`` in each line or between semicolons; `InputError` names the knot."""
     rows = [row for row in text.replace(";", "\n").splitlines() if row.strip()]
     return tuple(
-        tuple(read(cell, f"knot {k}") for cell in row.replace(", ", " ").replace("\t", " ").split())
+        tuple(plain_number(cell, f"knot {k}") for cell in row.replace(", ", " ").replace("\t", " ").split())
         for k, row in enumerate(rows, start=1)
     )
 

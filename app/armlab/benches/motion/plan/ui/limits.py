@@ -7,7 +7,6 @@ from typing import Literal
 from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitJoint, LimitTool, UseShare
 from armlab.benches.motion.plan.state import Plan, last_planned
 from armlab.benches.motion.plan.words import rounded_up
-from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Form, Typed
@@ -23,16 +22,16 @@ def time_markup(form: Form, state: State) -> str:
     jerk = "" if part.jerk_time is None else readable(part.jerk_time, 4)
 
     def velocities(text: str) -> UseShare:
-        return UseShare(velocity=_number(text, "share of the velocities") / 100.0)
+        return UseShare(velocity=plain_number(text, "share of the velocities") / 100.0)
 
     def accelerations(text: str) -> UseShare:
-        return UseShare(acceleration=_number(text, "share of the accelerations") / 100.0)
+        return UseShare(acceleration=plain_number(text, "share of the accelerations") / 100.0)
 
     def tool(text: str) -> LimitTool:
         return LimitTool(units.read(text, False, "tool speed") if text.strip() else None)
 
     def build_up(text: str) -> LimitJerk:
-        return LimitJerk(_number(text, "jerk time") if text.strip() else None)
+        return LimitJerk(plain_number(text, "jerk time") if text.strip() else None)
 
     of_v, of_a = readable(100.0 * v, 2), readable(100.0 * a, 2)
     speeds, built = f"{units.length_unit}/s", "Time to build up the full acceleration, j = a / t; empty: any jerk"
@@ -57,7 +56,7 @@ def _duration(form: Form, state: State) -> str:
     given = ""
     if part.duration is not None:
         shown = readable(part.duration, 3)
-        typed = form.field("duration", shown, "Duration", lambda text: LastFor(_number(text, "duration")))
+        typed = form.field("duration", shown, "Duration", lambda text: LastFor(plain_number(text, "duration")))
         given = f'<label class="option">{typed}<i>s</i></label>'
         if plan is not None and plan.motion is not None:
             k = part.duration / plan.fastest
@@ -93,10 +92,3 @@ def _limit(
         return LimitJoint(i, of, units.read(text, turns, f"limit of joint {i + 1}"))
 
     return form.field(cell, readable(value / units.factor(turns), 3), f"Limit of {of} of joint {i + 1}", typed)
-
-
-def _number(text: str, name: str) -> float:
-    try:
-        return plain_number(text)
-    except InputError as refusal:
-        raise InputError(f"{name}: {refusal}") from None

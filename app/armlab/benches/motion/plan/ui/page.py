@@ -19,11 +19,12 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
-from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, escaped
+from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
@@ -52,12 +53,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 def head_markup(form: Form, state: State) -> str:
     """Return the choice of an example, what plays, what else can be drawn, and what the plan is worth."""
     chooser = examples(form, EXAMPLES, state[Plan].example, TakeExample)
-    timeline, runs = state[Timeline], planned(state) or last_planned(state)
-    if timeline.clip == CLIP_KEY and timeline.playing:
-        play = form.button("pause-motion", "❚❚ Pause", Play(False), "main")
-    else:
-        off = runs is None or runs.motion is None
-        play = form.button("play-motion", "▶ Play", OpenClip(CLIP_KEY, play=True), "main", off=off)
+    runs = planned(state) or last_planned(state)
+    play = play_button(form, state, CLIP_KEY, "motion", off=runs is None or runs.motion is None)
     return f'{chooser}<div class="bar">{play}{_shown(form, state)}</div>{_held(state)}{_verdict(state)}'
 
 

@@ -19,16 +19,16 @@ from armlab.benches.motion.space_curve.examples import EXAMPLES, ChooseExample
 from armlab.benches.motion.space_curve.laid import FORMULA, kinds
 from armlab.benches.motion.space_curve.stage import stage_of
 from armlab.benches.motion.space_curve.state import CLIP_KEY, MOST_POINTS, SpaceCurve, curve_of
-from armlab.benches.motion.space_curve.ui.words import corrected, read
+from armlab.benches.motion.space_curve.ui.words import corrected
 from armlab.kin.motion import free_law_types
 from armlab.session.fields import Set
-from armlab.session.parts.timeline import OpenClip, Play, Timeline
 from armlab.session.state import State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import escaped, trimmed
 from armlab.ui.option_form import Scale, option_form
-from armlab.ui.units import Units, units_of
+from armlab.ui.playing import play_button
+from armlab.ui.units import Units, plain_number, units_of
 
 VIEWS = {"curve": "Curve", "turn": "Orientation"}
 
@@ -48,10 +48,7 @@ def head(form: Form, state: State) -> str:
     part = state[SpaceCurve]
     view = form.chips("shown", VIEWS, part.shown, "What is shown", _looking)
     chooser = examples(form, EXAMPLES, part.example, ChooseExample)
-    if state[Timeline].clip == CLIP_KEY and state[Timeline].playing:
-        play = form.button("pause-curve", "❚❚ Pause", Play(False), "main")
-    else:
-        play = form.button("play-curve", "▶ Play", OpenClip(CLIP_KEY, play=True), "main")
+    play = play_button(form, state, CLIP_KEY, "curve")
     return f'{chooser}<div class="bar">{play}<span class="sc-view">{view}</span></div>'
 
 
@@ -124,7 +121,7 @@ def law_form(form: Form, state: State) -> str:
     titles = {key: kind.title for key, kind in free_law_types().items()}
     chooser = form.select("law", "Timing law", titles, part.law.key, ChooseLaw)
     seconds, hint = trimmed(part.duration, 4), "Duration in seconds"
-    duration = form.field("T", seconds, hint, lambda text: Set(SpaceCurve, "duration", read(text, "T")))
+    duration = form.field("T", seconds, hint, lambda text: Set(SpaceCurve, "duration", plain_number(text, "T")))
     found = state.derived(curve_of)
     own = ""
     if part.shown == "curve" and found.given.duration is not None:

@@ -14,7 +14,6 @@ from armlab.benches.motion.space_curve.ui.words import (
     lengths,
     per_metre,
     plain,
-    read,
     said,
     vectors,
 )
@@ -25,7 +24,7 @@ from armlab.kin.paths.overfly import Overfly
 from armlab.session.state import State
 from armlab.ui.form import Form
 from armlab.ui.format import escaped, mathml, number, pairs
-from armlab.ui.units import Units, units_of
+from armlab.ui.units import Units, plain_number, units_of
 
 KAPPA = r"\kappa=\frac{|p′\times p″|}{|p′|^3}"
 TAU = r"\tau=\frac{p′\cdot(p″\times p‴)}{|p′\times p″|^2}"
@@ -64,7 +63,7 @@ def _place(form: Form, now: Moment, found: Laid, units: Units) -> str:
         cell = form.field("sigma", gone, "Distance gone", lambda text: GoTo(units.read(text, False, "σ") / whole))
         place = f"<label>At σ = {cell} <small>of {units.length(whole)}</small></label>"
     else:
-        cell = form.field("s", number(now.s, 3), "Parameter s, from 0 to 1", lambda text: GoTo(read(text, "s")))
+        cell = form.field("s", number(now.s, 3), "Parameter s, from 0 to 1", lambda text: GoTo(plain_number(text, "s")))
         place = f"<label>At s = {cell}</label>"
     return f'<h3 class="sc-at">{place}<small class="sc-t">t = {number(now.t, 2)} s</small></h3>'
 

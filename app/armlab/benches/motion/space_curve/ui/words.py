@@ -7,9 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import InputError
 from armlab.ui.format import escaped, number, scientific
-from armlab.ui.units import Units, plain_number
+from armlab.ui.units import Units
 from armlab.ui.verdicts import SIGNS
 
 Row = tuple[str, str, Sequence[str]]
@@ -64,11 +63,3 @@ def corrected(text: str) -> str:
 def per_metre(value: float) -> str:
     """Return a curvature or a torsion with its unit."""
     return f"{number(value, 4)} 1/m"
-
-
-def read(text: str, where: str) -> float:
-    """Return a typed number; `InputError` that says where when it is none."""
-    try:
-        return plain_number(text)
-    except InputError as refusal:
-        raise InputError(f"{where}: {refusal}") from None

@@ -20,8 +20,6 @@ from armlab.benches.velocity.microscope.ui.words import (
     sigma_bars,
     table,
 )
-from armlab.content.arithmetic import evaluate
-from armlab.errors import InputError
 from armlab.kin.field import Field
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
@@ -30,7 +28,7 @@ from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import escaped, readable
 from armlab.ui.plugin import Panel, Points, Show
-from armlab.ui.units import Units, units_of
+from armlab.ui.units import Units, plain_number, units_of
 from armlab.ui.widgets import Gui
 
 AIMS = {
@@ -105,7 +103,7 @@ def wish_markup(form: Form, look: Look, units: Units) -> str:
         field = form.field(f"v {i}", units.entry(value, turns), name, partial(_component, i, name, turns, units))
         typed.append(f'<label class="option"><span>{_lowered(name)}</span>{field}<i>{units.unit(turns)}/s</i></label>')
     size = form.field(
-        "speed", readable(part.size, 4), "Size of the velocity", lambda text: SetSpeed(_number("size", text))
+        "speed", readable(part.size, 4), "Size of the velocity", lambda text: SetSpeed(plain_number(text, "size"))
     )
     title = f"Size of the velocity. {scales_words(look)}".strip()
     return (
@@ -147,7 +145,7 @@ def damping_markup(form: Form, look: Look) -> str:
             f"d {key}",
             readable(values[key], 4),
             kind.title,
-            lambda text: SetDamping(key, _number(kind.symbol, text)),
+            lambda text: SetDamping(key, plain_number(text, kind.symbol)),
         )
         symbol, unit = _lowered(kind.symbol), damping_unit(look, kind.unit)
         return f'<label class="option" title="{escaped(kind.title)}"><span>{symbol}</span>{typed}<i>{unit}</i></label>'
@@ -157,13 +155,6 @@ def damping_markup(form: Form, look: Look) -> str:
     squared = damping_unit(look, "sigma²")
     here = f"λ(σ) is {readable(used, 4)}{f' {squared}' if squared else ''} here"
     return f'<div class="options ms-damping">{typed}<span class="dim">{here}</span></div>'
-
-
-def _number(where: str, text: str) -> float:
-    try:
-        return evaluate(text.strip().replace("−", "-").replace(",", "."))
-    except InputError:
-        raise InputError(f"{where}: expected a number, got {text.strip()[:40]!r}") from None
 
 
 def _around(state: State) -> Points:

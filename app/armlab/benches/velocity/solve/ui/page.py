@@ -26,13 +26,14 @@ from armlab.benches.velocity.solve.ui.words import (
     verdict,
 )
 from armlab.session.parts.joints import Joints
-from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, readable
 from armlab.ui.markup import row
 from armlab.ui.matrices import WIDE, copy_buttons
+from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -191,10 +192,7 @@ class _SelfMotion:
             found = "none; these speeds leave the tool in place to first order only." if looked_for(state) else "…"
             return f'<p class="dim">Self-motion: {found}</p>'
         hint = "Move the arm along and back; the tool stays"
-        if state[Timeline].clip == CLIP_KEY and state[Timeline].playing:
-            press = self._play.button("pause-self", "❚❚ Pause", Play(False), "chip", hint)
-        else:
-            press = self._play.button("play-self", "▶ Play", OpenClip(CLIP_KEY, play=True), "chip", hint)
+        press = play_button(self._play, state, CLIP_KEY, "self", kind="chip", hint=hint)
         way = begun(state)
         kind = "closed" if way is not None and way[1].closed else "from end to end"
         return f'<div class="bar">{press}<span class="dim">Self-motion, {kind}: the tool stays.</span></div>'

@@ -32,12 +32,13 @@ from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.selection import Selection
-from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number
 from armlab.ui.matrices import MatrixView
+from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.scene.swept import SWITCH as SWEPT
 from armlab.ui.units import units_of
@@ -89,15 +90,11 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 def head_markup(form: Form, state: State) -> str:
     """Return the examples, what plays, and what is drawn."""
-    timeline = state[Timeline]
     chooser = examples(form, EXAMPLES, state[Velocity].example, ChooseVelocityExample)
     both = form.chip("all", "all", SetAllSpeeds(True), "Each with its usual speed")
     both += form.chip("none", "none", SetAllSpeeds(False), "q̇ = 0")
-    on, hint = timeline.clip == CLIP_KEY, "Move the joints with these speeds, until one is at a limit"
-    if on and timeline.playing:
-        play = form.button("pause", "❚❚ Pause", Play(False), "main", hint)
-    else:
-        play = form.button("drive", "▶ Drive", Play(True) if on else OpenClip(CLIP_KEY, play=True), "main", hint)
+    hint = "Move the joints with these speeds, until one is at a limit"
+    play = play_button(form, state, CLIP_KEY, "speeds", "Drive", hint=hint)
     last = first_at_limit(state)
     told = "All joints stand still." if last is None else _until(last, time_left(state))
     return (

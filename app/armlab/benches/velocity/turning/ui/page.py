@@ -24,12 +24,13 @@ from armlab.kin.velocity.rates import rate_determinant
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Selection
-from armlab.session.parts.timeline import OpenClip, Play, Timeline
+from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number
 from armlab.ui.matrices import MatrixView
+from armlab.ui.playing import play_button
 from armlab.ui.plot import Curve, Plot
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.units import units_of
@@ -100,12 +101,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 def clock_markup(form: Form, state: State) -> str:
     """Return what plays, and the time of what is shown."""
-    timeline, hint = state[Timeline], "The body beside the arm turns"
-    on = timeline.clip == CLIP_KEY
-    if on and timeline.playing:
-        play = form.button("pause", "❚❚ Pause", Play(False), "main", hint)
-    else:
-        play = form.button("play", "▶ Turn", Play(True) if on else OpenClip(CLIP_KEY, play=True), "main", hint)
+    play = play_button(form, state, CLIP_KEY, "turning", "Turn", hint="The body beside the arm turns")
     time = laws_time(state) if state[Turning].shown == "laws" else film_time(state)
     return f'<div class="bar">{play}<span class="dim">t = {number(time, 2)} s</span></div>'
 

@@ -1,0 +1,59 @@
+"""The button of a page that plays its film, and the field of its time."""
+
+from __future__ import annotations
+
+from armlab.errors import InputError
+from armlab.session.amounts import amount
+from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
+from armlab.session.state import Command, State
+from armlab.ui.form import Form
+from armlab.ui.units import plain_number
+
+
+def play_button(
+    form: Form,
+    state: State,
+    clip: str,
+    name: str,
+    word: str = "Play",
+    kind: str = "main",
+    hint: str = "",
+    off: bool = False,
+) -> str:
+    """Return the button that plays a film, pauses it, or goes on where it was paused.
+
+    Parameters
+    ----------
+    form : Form
+    state : State
+    clip : str
+        Key of the film.
+    name : str
+        Its cells are ``play-name`` and ``pause-name``.
+    word, kind, hint : str
+        What stands on it, its class, and what is said of it.
+    off : bool
+        Whether there is nothing to play.
+    """
+    timeline = state[Timeline]
+    on = timeline.clip == clip
+    if on and timeline.playing:
+        return form.button(f"pause-{name}", "❚❚ Pause", Play(False), kind, hint)
+    action = Play(True) if on else OpenClip(clip, play=True)
+    return form.button(f"play-{name}", f"▶ {word}", action, kind, hint, off=off)
+
+
+def clock(form: Form, state: State, clip: str, end: float) -> str:
+    """Return the button of a film that takes ``end`` seconds, and the field of its time; cells go by the clip."""
+    on = state[Timeline].clip == clip
+    now = state[Timeline].time if on else 0.0
+    typed = form.field("time", amount(now), "Time in seconds", lambda text: _to_time(text, clip, end, on))
+    play = play_button(form, state, clip, clip)
+    return f'<div class="bar kit-clock">{play}<label>t = {typed} <i>of {amount(end, "s")}</i></label></div>'
+
+
+def _to_time(text: str, clip: str, end: float, on: bool) -> tuple[Command, ...]:
+    time = plain_number(text, "t", "seconds")
+    if not 0.0 <= time <= end:
+        raise InputError(f"t: expected 0 to {amount(end, 's')}, got {amount(time)}")
+    return (Seek(time),) if on else (OpenClip(clip), Seek(time))

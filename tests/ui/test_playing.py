@@ -1,0 +1,59 @@
+"""What plays a film on its page: from its start, or on from where it was paused; and the field of its time."""
+
+import pytest
+
+from armlab.content.robots import catalogue
+from armlab.errors import InputError
+from armlab.session.parts.timeline import OpenClip, Seek, Timeline
+from armlab.session.state import State, apply
+from armlab.ui.playing import clock, play_button
+from support.forms import BareForm, asked
+
+START = State.initial(catalogue()["planar_2r"])
+END = 6.0
+
+
+def does(state, *commands):
+    for command in commands:
+        state = apply(state, command)
+    return state
+
+
+def press(state, cell, text=""):
+    return asked(lambda form: clock(form, state, "loop", END), cell, text)
+
+
+def test_a_film_that_is_not_on_is_put_on_and_played():
+    assert press(START, "play-loop") == (OpenClip("loop", play=True),)
+    assert press(does(START, OpenClip("sweep")), "play-loop") == (OpenClip("loop", play=True),)
+
+
+def test_a_film_that_plays_is_paused_and_goes_on_where_it_stood():
+    playing = does(START, OpenClip("loop", play=True), Seek(2.0))
+    assert press(playing, "play-loop") == ()
+    paused = does(playing, *press(playing, "pause-loop"))
+    assert (paused[Timeline].playing, paused[Timeline].time) == (False, 2.0)
+    on = does(paused, *press(paused, "play-loop"))
+    assert (on[Timeline].playing, on[Timeline].time) == (True, 2.0)
+
+
+def test_at_its_end_it_begins_again():
+    ended = does(START, OpenClip("loop"), Seek(END))
+    assert does(ended, *press(ended, "play-loop"))[Timeline].time == 0.0
+
+
+def test_what_cannot_be_played_cannot_be_pressed():
+    assert asked(lambda form: play_button(form, START, "loop", "it", off=True), "play-it") == ()
+    assert "▶ Go" in play_button(BareForm(), START, "loop", "it", "Go")
+
+
+def test_a_time_that_is_typed_is_gone_to_and_nonsense_is_said():
+    assert press(START, "time", "1.5") == (OpenClip("loop"), Seek(1.5))
+    assert press(does(START, OpenClip("loop")), "time", "3/2") == (Seek(1.5),)
+    for text, says in (
+        ("9", "t: expected 0 to 6 s, got 9"),
+        ("-1", "t: expected 0 to 6 s"),
+        ("x", "t: expected seconds, got 'x'"),
+    ):
+        with pytest.raises(InputError, match=says):
+            press(START, "time", text)
