@@ -12,6 +12,7 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.session import LONGEST_NOTICE, Asked, Session, Undo
+from armlab.ui.fields import SEEN
 from support.fake_browser import cookie_of
 from support.forms import BareForm, asked
 from support.lab import open_lab, running_lab
@@ -201,8 +202,14 @@ def test_what_was_refused_goes_when_the_field_is_to_show_something_else(url):
         assert "✕ gain: expected" not in browser.html()
         await browser.press("l-gain", "-6")
         await browser.until(lambda: "✕ gain: expected" in browser.html())
-        await browser.press("l-mass", "3")
+        await browser.press("l-mass", "3")  # as a person does who has typed and goes on: it was not seen yet
+        await browser.until(lambda: 'value="3"' in browser.html())
+        assert "✕ gain: expected" in browser.html()
+        assert 'value="-6"' in browser.html()
+        await asyncio.sleep(SEEN)
+        await browser.press("l-mass", "4")
         await browser.until(lambda: "✕ gain: expected" not in browser.html())
+        assert 'value="100"' in browser.html()
         await browser.close()
 
     run(main())

@@ -25,8 +25,9 @@ LONGEST_CELL = 200
 LONGEST_TYPED = 20_000
 """Characters that a field hands on, besides those that read files: the longest table has fewer."""
 
-READ = 8.0
-"""Seconds that a sentence is there at least, while something else goes on beside it."""
+SEEN, READ = 1.0, 8.0
+"""Seconds that a sentence is there at least: whatever else is pressed, as on the way out of a field, and while
+something else goes on beside it."""
 
 LARGEST_NUMBER = 2**53
 """Numbers of messages below it are exact in a page."""
@@ -47,14 +48,18 @@ class _Mistake:
     text: str
     why: str
     instead: str | None = None
-    _until: float = field(default_factory=lambda: time.monotonic() + READ)
+    _made: float = field(default_factory=time.monotonic)
     _beside: str | None = None
+
+    def stood(self, seconds: float) -> bool:
+        """Whether it has been there for so long."""
+        return time.monotonic() - self._made > seconds
 
     def is_over(self, content: str) -> bool:
         """Whether what stands beside it is not what it was refused beside, and it could be read."""
         if self._beside is None:
             self._beside = content
-        return self._beside != content and time.monotonic() > self._until
+        return self._beside != content and self.stood(READ)
 
 
 class Fields:
@@ -94,7 +99,8 @@ class Fields:
             return
         self._heard = number if isinstance(number, int) and abs(number) < LARGEST_NUMBER else 0
         with self._lock:
-            self._mistake = None
+            if self._mistake is not None and (self._mistake.cell == cell or self._mistake.stood(SEEN)):
+                self._mistake = None
             self._revision += 1  # so that the next `show` also replaces a text that was not taken
         longest = LONGEST_TYPED if self._longest is None else self._longest + 1
         cell, read = _whole(_cut(cell, LONGEST_CELL)), _whole(_cut(text, longest))
@@ -117,8 +123,8 @@ class Fields:
     def refuse(self, cell: str, text: str, why: str) -> None:
         """Show what was typed, marked, and below the fields why not.
 
-        It stands until the next input. Of a field it goes when another value is to be shown there, and of what is no
-        field when other markup is, if it could be read by then.
+        It stands until the next input, except for one that follows at once elsewhere. Of a field it goes when another
+        value is to be shown there, and of what is no field when other markup is, if it could be read by then.
         """
         self._mistake = _Mistake(cell, text[:LONGEST_TYPED], why)
 
