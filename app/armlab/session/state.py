@@ -27,6 +27,9 @@ class Part:
     kept_by_undo: ClassVar[bool] = False
     """Whether an undo leaves the part as it is: what is being looked at is not work that is taken back."""
 
+    saved: ClassVar[bool] = True
+    """Whether files and links hold the part; one that is of the moment only is not looked for there either."""
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part as it is when an arm has just been chosen."""
@@ -127,6 +130,11 @@ class State:
     def __iter__(self) -> Iterator[Part]:
         return iter(self._parts.values())
 
+    def holds_the_same(self, other: State) -> bool:
+        """Return whether a file of another state would be a file of this one."""
+        mine, others = self._parts, other._parts
+        return mine.keys() == others.keys() and all(others[kind] is mine[kind] for kind in mine if kind.saved)
+
     def replace(self, *parts: Part) -> State:
         """Return a state with these parts instead of the present ones of their types."""
         return State(self._parts | {type(part): part for part in parts}, self.at)
@@ -158,15 +166,16 @@ class State:
         self._derived = {}
 
     def to_json(self) -> Json:
-        """Return the whole state written down, part by part."""
-        return {part.key: part.to_json() for part in self}
+        """Return the whole state written down, part by part, without what is not saved."""
+        return {part.key: part.to_json() for part in self if part.saved}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> State:
         """Return a state read back; a part that is missing is as it opens with this arm."""
         parts: dict[type[Part], Part] = {}
         for kind in part_types():
-            parts[kind] = kind.from_json(data[kind.key], robot) if kind.key in data else kind.initial(robot)
+            there = kind.saved and kind.key in data
+            parts[kind] = kind.from_json(data[kind.key], robot) if there else kind.initial(robot)
         return cls(parts)
 
 
