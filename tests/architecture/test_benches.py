@@ -116,7 +116,7 @@ def test_what_lies_in_a_bench_is_found_and_nothing_twice():
     assert len(list((PACKAGE / "benches").glob("*/*/ui/scene*.py"))) < len(layers())
     assert len(list((PACKAGE / "benches").glob("*/*/job*.py"))) == len(jobs())
     assert len(list((PACKAGE / "benches").glob("*/*/clip*.py"))) == len(clips())
-    assert len(list((PACKAGE / "benches").glob("*/*/bench.py"))) == len(benches())
+    assert len(list((PACKAGE / "benches").glob("*/*/examples.py"))) == len(benches())
 
 
 WITHOUT = """

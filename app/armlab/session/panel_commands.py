@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from armlab.errors import UnknownName
+from armlab.registry import known_name
 from armlab.session.pages import FIRST, pages, tabs
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
@@ -67,8 +67,7 @@ class OpenPanel(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the panel open; the same state when it is hidden."""
-        if self.panel not in pages():
-            raise UnknownName("panel", self.panel, pages())
+        known_name("panel", self.panel, pages())
         hidden = self.panel in hidden_panels(state)
         return state if hidden else state.replace(state[Panels].opening(self.panel, self.window))
 

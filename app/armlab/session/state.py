@@ -214,8 +214,11 @@ class Command:
 
     @property
     def stroke(self) -> object:
-        """Commands in a row with the same stroke are one step of undo; None is always a step of its own."""
-        return None
+        """Commands in a row with the same stroke are one step of undo; None is always a step of its own.
+
+        A whole move of a slider is one step.
+        """
+        return self.channel if self.rests else None
 
 
 Post = Callable[[Command], None]

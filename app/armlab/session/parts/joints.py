@@ -105,11 +105,6 @@ class MoveJoint(Command):
         """Sliders of different joints do not replace each other."""
         return type(self), self.joint
 
-    @property
-    def stroke(self) -> object:
-        """One slide is one step."""
-        return self.channel
-
     def apply(self, state: State) -> State:
         """Return the state with the joint at the value, or at its limit."""
         joints = state[Joints]
