@@ -146,7 +146,7 @@ def test_what_is_told_of_a_window_that_has_gone_changes_nothing():
 
 
 def test_an_unknown_panel_is_refused_with_a_proposal():
-    with pytest.raises(UnknownName, match="panel: unknown name 'flim'.*did you mean 'film'"):
+    with pytest.raises(UnknownName, match=r"panel: unknown name 'flim'.*did you mean 'film'"):
         apply(State.initial(PUMA), OpenPanel("flim"))
 
 
