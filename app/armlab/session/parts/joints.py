@@ -71,6 +71,10 @@ class Joints(Part):
         values.setflags(write=False)
         return self if np.array_equal(values, self.q) else replace(self, q=values)
 
+    def freed_at(self, q: ArrayLike) -> Self:
+        """Return the part with no joint held, at these joint values moved inside the limits."""
+        return replace(self, locked=(False,) * self.arm.n).moved_to(q)
+
     @cached_property
     def tool_pose(self) -> NDArray[np.floating]:
         """The tool in the world, (4, 4)."""

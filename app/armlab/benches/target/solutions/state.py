@@ -223,9 +223,7 @@ class TakePreset(Command):
         robot = catalogue()[key]
         if robot is not state[RobotPart].robot:
             state = state.with_robot(robot)
-        joints = state[Joints]
-        free = replace(joints, locked=(False,) * robot.arm.n)
-        return state.replace(free.moved_to(robot.poses[pose]), state[Target].on_tool())
+        return state.replace(state[Joints].freed_at(robot.poses[pose]), state[Target].on_tool())
 
 
 def _inside(found: Found, row: Row) -> NDArray[np.float64]:

@@ -113,10 +113,9 @@ class ChooseMicroscopeExample(Command):
         q = state[RobotPart].robot.home.copy()
         for joint, degrees in example.degrees.items():
             q[joint - 1] = math.radians(degrees)
-        free = replace(state[Joints], locked=(False,) * state[Joints].arm.n)
         fresh = Microscope.initial(state[RobotPart].robot)
         part = replace(fresh, aim=example.aim, method=example.method, example=example.key)
-        return state.replace(free.moved_to(q), part)
+        return state.replace(state[Joints].freed_at(q), part)
 
 
 BENCH = Bench("microscope", 70, EXAMPLES, ChooseMicroscopeExample)

@@ -142,12 +142,10 @@ class ChooseSolveExample(Command):
         """Return the state with the example in place."""
         example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
-        robot = state[RobotPart].robot
-        arm = robot.arm
+        arm = state[RobotPart].robot.arm
         q = [math.radians(value) if arm.revolute[i] else value for i, value in enumerate(example.q)]
-        joints = replace(state[Joints], locked=(False,) * arm.n).moved_to(q)
         part = replace(state[Solve], arm=arm, twist=example.twist, rows=example.rows, start=None, example=example.key)
-        return state.replace(joints, part)
+        return state.replace(state[Joints].freed_at(q), part)
 
 
 BENCH = Bench("solve", 62, EXAMPLES, ChooseSolveExample)

@@ -126,11 +126,10 @@ class ChooseVelocityExample(Command):
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         robot = state[RobotPart].robot
-        joints = replace(state[Joints], locked=(False,) * robot.arm.n).moved_to(example.q)
         qdot = tuple(within(robot.arm, i, speed) for i, speed in enumerate(example.qdot))
         start = {"marks": frozenset(("v",)), **example.sets}
         part = replace(Velocity.initial(robot), **start, qdot=qdot, example=self.key)
-        return state.replace(joints, part)
+        return state.replace(state[Joints].freed_at(example.q), part)
 
 
 BENCH = Bench("velocity", 60, EXAMPLES, ChooseVelocityExample)

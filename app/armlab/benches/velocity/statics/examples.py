@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import ClassVar
 
 from armlab.benches.velocity.statics.state import ZERO, Axes, Statics, Triple
@@ -146,10 +146,8 @@ class ChooseExample(Command):
         """Return the state with the example in place."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
-        robot = state[RobotPart].robot
-        free = replace(state[Joints], locked=(False,) * robot.arm.n)
-        moved = free.moved_to(example.q or robot.home)
-        return state.replace(moved, example.part())
+        q = example.q or state[RobotPart].robot.home
+        return state.replace(state[Joints].freed_at(q), example.part())
 
 
 BENCH = Bench("statics", 70, EXAMPLES, ChooseExample)
