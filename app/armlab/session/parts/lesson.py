@@ -270,8 +270,8 @@ def observed(state: State) -> Observation:
 def _panel_seen(state: State) -> str:
     """Return the panel that the check of the shown step asks for when it is open; otherwise the one last opened."""
     part = state[LessonPart]
-    opened = state[Panels].open(part.hidden)
-    asked = part.step.check.panels if part.step is not None and part.step.check is not None else ()
+    opened, step = state[Panels].open(part.hidden), part.step
+    asked = () if step is None or step.check is None else step.check.panels
     return next((panel for panel in (*asked, *opened) if panel in opened), "")
 
 
