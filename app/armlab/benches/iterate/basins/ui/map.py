@@ -20,7 +20,7 @@ from armlab.ui.colours import css
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form, Picked
 from armlab.ui.format import capitalised, dot, number, trimmed
-from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.html import Inside, Markup, joined, styles, tag
 from armlab.ui.png import as_address
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
@@ -172,7 +172,7 @@ def places(state: State) -> Markup | None:
         rules.append(
             f".al .ba-map .ba-{name}{{--x:{100.0 * x:.2f}%;--y:{100.0 * y:.2f}%;display:{'block' if seen else 'none'}}}"
         )
-    return tag("style", rules)
+    return styles(rules)
 
 
 def here(state: State) -> str:
