@@ -163,9 +163,8 @@ class TableStage:
         marked = None if verdict is None else self._mark(i, field, verdict)
         asked = (i, field) == (self._row, self._field) and not trainer.done
         right = None if verdict is None else verdict.ok
-        return tag(
-            classes("td", asked=asked, ok=right is True, no=right is False), tag("div.var", variable, inside, marked)
-        )
+        kind = classes("td", asked=asked, ok=right is True, no=right is False)
+        return tag(kind, tag("div.var", variable, inside, marked))
 
     def _mark(self, i: int, field: str, verdict: CellVerdict) -> Markup:
         sign = "✓" if verdict.ok else "✕"
