@@ -99,6 +99,11 @@ def row(label: Inside, inside: Inside, wide: bool = False, cells: bool = False, 
     return tag(classes("div.row", wide=wide), tag("span", old(label)), around, title=hint or None)
 
 
+def progress_bar(done: float) -> Markup:
+    """Return a bar that is filled so far; the words beside it say the same, so that it is not read aloud."""
+    return tag("div.progress", style=f"--part:{100.0 * done:.0f}%")
+
+
 def verdict_box(kind: str, head: Inside, *inside: Inside, sign: str | None = None, role: str | None = None) -> Markup:
     """Return a coloured card with a heading after the sign of its kind, a key of `SIGNS`, or another sign."""
     sign = SIGNS[kind] if sign is None else sign

@@ -42,7 +42,7 @@ from armlab.session.state import Command, Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, trimmed
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.markup import row, verdict_box
+from armlab.ui.markup import progress_bar, row, verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, plain_number, units_of
@@ -207,9 +207,8 @@ def _action(form: Form, state: State) -> Inside:
     part = state[Basins]
     if part.drawing is not None:
         done = part.map.done if part.map is not None and part.map.question is part.drawing else 0.0
-        bar = tag("div.progress", style=f"--part:{100.0 * done:.0f}%")
         press = form.chip("cancel", "Cancel", CancelBasins(), "Stop drawing; what there is stays")
-        return tag("div.bar", press, tag("span.dim", f"Drawing: {100.0 * done:.0f} %")), bar
+        return tag("div.bar", press, tag("span.dim", f"Drawing: {100.0 * done:.0f} %")), progress_bar(done)
     why = refusal(state)
     press = form.button("draw", "Draw", DrawBasins(), "main", off=bool(why))
     if why:

@@ -29,7 +29,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.markup import SIGNS, row
+from armlab.ui.markup import SIGNS, progress_bar, row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui, Html
@@ -197,9 +197,7 @@ class _Proof:
         if proof is None:
             return None
         if not proof.done:
-            part = 100.0 * proof.starts / STARTS
-            bar = tag("div.progress", style=f"--part:{part:.0f}%", role="progressbar")
-            return bar, tag("p.dim", proof.sentence)
+            return progress_bar(proof.starts / STARTS), tag("p.dim", proof.sentence)
         agrees = not proof.others or (proof.solutions.completeness == "infinite" and not proof.of_families)
         kind, arm = "ok" if agrees else "warn", state[Joints].arm
         others = [(tag("br"), self._values(arm, q)) for q in ([] if agrees else proof.others[:3])]
