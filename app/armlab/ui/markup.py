@@ -41,9 +41,18 @@ def button(
     **more : str
         Further attributes, with ``_`` for ``-``.
     """
-    named = _said(class_=kind, title=hint, aria_label=label, **more)
+    named = _said(title=hint, aria_label=label, **more)
     state = None if pressed is None else str(pressed).lower()
-    return tag("button", old(inside), data_chan=channel, data_cell=cell, **named, aria_pressed=state, disabled=off)
+    return tag(
+        "button",
+        old(inside),
+        class_=kind or None,
+        data_chan=channel,
+        data_cell=cell,
+        **named,
+        aria_pressed=state,
+        disabled=off,
+    )
 
 
 def chip(channel: str, cell: str, text: str, hint: str = "", pressed: bool | None = None, off: bool = False) -> Markup:
