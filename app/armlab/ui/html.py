@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from markupsafe import Markup, escape
 
-__all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "tag"]
+__all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "style", "tag"]
 
 Inside = str | Iterable["Inside"] | None
 """What stands in an element: a text, which is escaped; markup; several of these one after the other; or nothing."""
@@ -59,6 +59,17 @@ def joined(*inside: Inside, between: str = "") -> Markup:
     if between:
         return _new(Markup, escape(between).join([_text(each) for each in _flat(inside)]))
     return _new(Markup, _text(inside))
+
+
+def style(rules: str) -> Markup:
+    """Return a style sheet, which a browser reads as it stands; one in which an element could begin or end is refused.
+
+    >>> print(style(".al p > b { left: 5% }"))
+    <style>.al p > b { left: 5% }</style>
+    """
+    if "<" in rules:
+        raise ValueError(f"style sheet: expected rules without '<', got {rules[:80]!r}")
+    return _new(Markup, f"<style>{rules}</style>")
 
 
 def classes(kind: str, **more: bool) -> str:
