@@ -8,10 +8,20 @@ from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import dot, subscript
-from armlab.ui.html import Markup, tag
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import Units
 
 _SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
+
+
+def head_row(*names: Inside) -> Markup:
+    """Return the first line of a table: the names of its columns, empty for one without."""
+    return tag("tr", [tag("th", name) for name in names])
+
+
+def value_row(name: Inside, *values: Inside) -> Markup:
+    """Return a line of a table: its name, and what stands in the columns after it."""
+    return tag("tr", tag("th", name), [tag("td", value) for value in values])
 
 
 def dh_table(arm: Arm, units: Units) -> Markup:
