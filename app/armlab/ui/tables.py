@@ -14,14 +14,14 @@ from armlab.ui.units import Units
 _SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
 
 
-def head_row(*names: Inside) -> Markup:
-    """Return the first line of a table: the names of its columns, empty for one without."""
+def head_line(*names: Inside) -> Markup:
+    """Return the line of a table that names its columns."""
     return tag("tr", [tag("th", name) for name in names])
 
 
-def value_row(name: Inside, *values: Inside) -> Markup:
-    """Return a line of a table: its name, and what stands in the columns after it."""
-    return tag("tr", tag("th", name), [tag("td", value) for value in values])
+def line(*cells: Inside, name: Inside = None) -> Markup:
+    """Return a line of a table, after its name if it has one."""
+    return tag("tr", None if name is None else tag("th", name), [tag("td", cell) for cell in cells])
 
 
 def dh_table(arm: Arm, units: Units) -> Markup:

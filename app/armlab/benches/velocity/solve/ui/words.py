@@ -14,7 +14,7 @@ from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
 from armlab.ui.format import dot, mathml, number, pairs, scientific, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import verdict_box
-from armlab.ui.tables import head_row, value_row
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
@@ -165,8 +165,8 @@ def reached_markup(found: Found, units: Units) -> Markup:
     rows = []
     for k, (name, turning) in enumerate(names):
         cells = [units.text(float(values[k]), turning) for values in (found.v, answer.reached, answer.lost)]
-        rows.append(value_row(markup_of(name), *cells, f"{units.unit(turning)}/s"))
-    return tag("table.so-table", head_row(None, "v", "reached", "lost", None), rows)
+        rows.append(line(*cells, f"{units.unit(turning)}/s", name=markup_of(name)))
+    return tag("table.so-table", head_line(None, "v", "reached", "lost", None), rows)
 
 
 # -- singular or not -------------------------------------------------------------------------------------------------
@@ -274,8 +274,8 @@ def _minors(found: Found, symbolic: bool) -> Markup | None:
         formulas = {minor.joints: mathml(minor.latex) for minor in found.formula.minors}
     lines = []
     for minor in shown:
-        value = f"{small(minor.value)}{_power(_metres(found, minor.chosen))}"
-        lines.append(value_row(", ".join(map(str, minor.chosen)), formulas.get(minor.chosen), value))
+        name, value = ", ".join(map(str, minor.chosen)), f"{small(minor.value)}{_power(_metres(found, minor.chosen))}"
+        lines.append(line(formulas.get(minor.chosen), value, name=name))
     more = f", the {MOST_LISTED} largest" if tests.count > MOST_LISTED else ""
     aside = f"{tests.count} choices of {what}{more}; singular where all are 0 (5.92–5.98)"
     return joined(tag("h3", "Minors ", tag("small", aside)), tag("table.so-table.so-minors", lines))

@@ -25,7 +25,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, subscript, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.symbols import with_indices
-from armlab.ui.tables import head_row, value_row
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
 Floats = NDArray[np.float64]
@@ -53,10 +53,10 @@ def sum_markup(state: State) -> Markup:
     lines = []
     for i in range(arm.n):
         name = dot(css(joint_colour(i))), f"{dotted(arm, i, units)} {subscript('J', i + 1)}"
-        lines.append(value_row(name, *_six(moving.parts[:, i], units)))
+        lines.append(line(*_six(moving.parts[:, i], units), name=name))
     total = tag("tr.ve-sum", tag("th", "Σ = J q̇"), [tag("td", value) for value in _six(moving.twist, units)])
     aside = tag("small", f"{units.length_unit}/s, {units.angle_unit}/s; world axes")
-    return joined(tag("h3", "Parts and their sum ", aside), tag("table.ve-table", head_row(None, *ROWS), lines, total))
+    return joined(tag("h3", "Parts and their sum ", aside), tag("table.ve-table", head_line(None, *ROWS), lines, total))
 
 
 def size_markup(state: State) -> Markup:
@@ -82,10 +82,10 @@ def points_markup(form: Form, state: State) -> Markup:
     hint = "Link i moves with joints 1 to i"
     chooser = form.select("link", "Link", links, str(part.link), lambda key: LookAtLink(int(key)), hint)
     typed = [
-        value_row(f"point {which + 1}", *[_coordinate(form, part, which, k, units) for k in range(3)])
+        line(*[_coordinate(form, part, which, k, units) for k in range(3)], name=f"point {which + 1}")
         for which in range(2)
     ]
-    heads = head_row(None, *[f"{axis}, {units.length_unit}" for axis in "xyz"])
+    heads = head_line(None, *[f"{axis}, {units.length_unit}" for axis in "xyz"])
     found = state.derived(two_points_of)
     rows = (
         ("v₁", found.v1, False),
@@ -94,12 +94,12 @@ def points_markup(form: Form, state: State) -> Markup:
         ("ω × r₁₂", found.across, False),
         ("v₂ = v₁ + ω × r₁₂", found.v2, False),
     )
-    lines = [value_row(name, *_three(vector, kind, units)) for name, vector, kind in rows]
+    lines = [line(*_three(vector, kind, units), name=name) for name, vector, kind in rows]
     along = float(found.across @ found.lever)
     return joined(
         tag("div.kit-head", tag("span.dim", "In the frame of"), chooser),
         tag("table.kit-points.ve-points", heads, typed),
-        tag("table.ve-table.ve-three", head_row(None, "x", "y", "z", None), lines),
+        tag("table.ve-table.ve-three", head_line(None, "x", "y", "z", None), lines),
         tag("p.dim", f"World axes. (ω × r₁₂)·r₁₂ = {number(along, 3)} m²/s: across the line. {OMEGA}"),
     )
 
@@ -126,9 +126,9 @@ def higher_markup(state: State) -> Markup:
     """Return acceleration and jerk of the tool while the joint speeds stay what they are."""
     units, found = units_of(state), state.derived(higher_of)
     named = ("ṙ = J q̇", found.twist), ("r̈ = J̇ q̇", found.acceleration), ("jerk = J̈ q̇", found.jerk)
-    rows = [value_row(name, *_six(vector, units)) for name, vector in named]
+    rows = [line(*_six(vector, units), name=name) for name, vector in named]
     return joined(
-        tag("table.ve-table", head_row(None, *"xyzxyz"), rows),
+        tag("table.ve-table", head_line(None, *"xyzxyz"), rows),
         tag("p.dim", _bends(found, units)),
         tag("div.eq.small", mathml(FORMULA), title="Notes 5.67-5.69"),
         tag("p.dim", JERK),

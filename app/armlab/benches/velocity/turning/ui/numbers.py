@@ -27,7 +27,7 @@ from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, mathml, matrix, number, pairs, scientific
 from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import row, verdict_box
-from armlab.ui.tables import head_row
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
 Floats = NDArray[np.float64]
@@ -75,7 +75,7 @@ def form_markup(form: Form, state: State) -> Markup:
     name = NAMES.get((part.axes, part.fixed), "")
     told = tag("p.dim", f"{capitalised(name)}.") if name else None
     symbols = enumerate(angle_symbols(part.axes, part.fixed))
-    heads = head_row(None, *[(dot(css(joint_colour(k))), mathml(symbol)) for k, symbol in symbols])
+    heads = head_line(None, *[(dot(css(joint_colour(k))), mathml(symbol)) for k, symbol in symbols])
     angles = [_field(form, "angles", k, part.angles[k], units) for k in range(3)]
     rates = [_field(form, "rates", k, part.rates[k], units) for k in range(3)]
     first = tag("tr", tag("th", f"φ, {units.angle_unit}"), angles)
@@ -195,12 +195,11 @@ def small_markup() -> Markup:
     lines = []
     for each in commuting():
         ratio = number(each.from_sum / each.size**2, 2)
-        cells = f"{each.size:g}", scientific(each.apart, 2), scientific(each.from_sum, 2), ratio
-        lines.append(tag("tr", [tag("td", cell) for cell in cells]))
+        lines.append(line(f"{each.size:g}", scientific(each.apart, 2), scientific(each.from_sum, 2), ratio))
     said = "Largest difference of an entry, of turns by dφ about x, y and z. A tenth of dφ leaves a hundredth."
     return joined(
         tag("h3", "Small turns commute ", tag("small", "5.22–5.27")),
-        tag("table.kit-table", head_row("dφ, rad", "two orders", "from I + S(dφ)", "/ dφ²"), lines),
+        tag("table.kit-table", head_line("dφ, rad", "two orders", "from I + S(dφ)", "/ dφ²"), lines),
         tag("p.dim", f"{said} {ORDERS}"),
     )
 
