@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from markupsafe import Markup, escape
 
-__all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "style", "tag"]
+__all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "styles", "tag"]
 
 Inside = str | Iterable["Inside"] | None
 """What stands in an element: a text, which is escaped; markup; several of these one after the other; or nothing."""
@@ -61,15 +61,12 @@ def joined(*inside: Inside, between: str = "") -> Markup:
     return _new(Markup, _text(inside))
 
 
-def style(rules: str) -> Markup:
-    """Return a style sheet, which a browser reads as it stands; one in which an element could begin or end is refused.
-
-    >>> print(style(".al p > b { left: 5% }"))
-    <style>.al p > b { left: 5% }</style>
-    """
-    if "<" in rules:
-        raise ValueError(f"style sheet: expected rules without '<', got {rules[:80]!r}")
-    return _new(Markup, f"<style>{rules}</style>")
+def styles(rules: Iterable[str]) -> Markup:
+    """Return rules of a style sheet in an element, where nothing is escaped: `ValueError` for one that could end it."""
+    text = "".join(rules)
+    if "<" in text:
+        raise ValueError(f"expected rules of a style sheet, got {text!r}")
+    return _new(Markup, f"<style>{text}</style>")
 
 
 def classes(kind: str, **more: bool) -> str:

@@ -16,7 +16,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Marks
 from armlab.ui.format import number, trimmed
-from armlab.ui.html import Inside, Markup, classes, joined, style, tag
+from armlab.ui.html import Inside, Markup, classes, joined, styles, tag
 from armlab.ui.svg import drawing, shape
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
@@ -239,4 +239,4 @@ def marks_style(state: State, found: Square, answer: Flat) -> Markup:
     across, up = (SIDE * answer.answer.qdot / span).tolist()
     length, turn = min(math.hypot(across, up), LONGEST * SIDE), math.degrees(math.atan2(up, across))
     seen = "block" if length > SHORTEST else "none"
-    return style(f".al .so-map{{--x:{x:.2f}%;--y:{y:.2f}%;--len:{length:.1f}px;--turn:{-turn:.2f}deg;--way:{seen}}}")
+    return styles([f".al .so-map{{--x:{x:.2f}%;--y:{y:.2f}%;--len:{length:.1f}px;--turn:{-turn:.2f}deg;--way:{seen}}}"])

@@ -13,7 +13,7 @@ from armlab.benches.velocity.solve.state import Solve
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Marks
-from armlab.ui.html import Markup, style, tag
+from armlab.ui.html import Markup, styles, tag
 from armlab.ui.svg import drawing
 
 Array = NDArray[np.float64]
@@ -105,9 +105,11 @@ def torus_style(state: State, answer: Flat) -> Markup:
     across, down = ((ahead - (x, y)) / 1e-4).tolist()
     length, turn = min(math.hypot(across, down), LONGEST), math.degrees(math.atan2(down, across))
     way = "block" if length > SHORTEST else "none"
-    return style(
-        f".al .so-ring{{--x:{100.0 * x / WIDE:.2f}%;--y:{100.0 * (1.0 - y / HIGH):.2f}%;--len:{length:.1f}px;"
-        f"--turn:{turn:.2f}deg;--way:{way};--fade:{1.0 if seen else 0.45:g}}}"
+    return styles(
+        [
+            f".al .so-ring{{--x:{100.0 * x / WIDE:.2f}%;--y:{100.0 * (1.0 - y / HIGH):.2f}%;--len:{length:.1f}px;"
+            f"--turn:{turn:.2f}deg;--way:{way};--fade:{1.0 if seen else 0.45:g}}}"
+        ]
     )
 
 

@@ -9,7 +9,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
-from armlab.ui.html import Markup, style
+from armlab.ui.html import Markup, styles
 from armlab.ui.units import Units
 from armlab.ui.widgets import Control, Gui
 
@@ -65,4 +65,4 @@ class SpeedSliders:
                 f"label[for='{key}']::before{{content:'';display:inline-block;width:9px;height:9px;border-radius:50%;"
                 f"margin-right:7px;background:{colour}}}div:has(>p>label[for='{key}']){{width:5.6em!important}}"
             )
-        return style("".join(rules))
+        return styles(rules)
