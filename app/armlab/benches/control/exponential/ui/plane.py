@@ -103,8 +103,10 @@ def _eigenvectors(part: Exponential, view: _View) -> list[Markup]:
     for i, (dx, dy) in enumerate(vectors.T):
         ends = (view.at(side * reach * np.array([dx, dy])) for side in (-1.0, 1.0))
         (x1, y1), (x2, y2) = ends
-        way, dashes = f"M{x1:.1f} {y1:.1f}L{x2:.1f} {y2:.1f}", {"stroke_width": 1.4, "stroke_dasharray": "5 3"}
-        lines.append(shape("path", clip_path="url(#exp-clip)", d=way, stroke=css(EIGEN[i]), **dashes))
+        way, clip = f"M{x1:.1f} {y1:.1f}L{x2:.1f} {y2:.1f}", "url(#exp-clip)"
+        lines.append(
+            shape("path", d=way, clip_path=clip, stroke=css(EIGEN[i]), stroke_width=1.4, stroke_dasharray="5 3")
+        )
     return lines
 
 

@@ -100,7 +100,8 @@ def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row
     for i in range(arm.n):
         revolute = bool(arm.revolute[i])
         name = "peak q̇", tag("sub", str(i + 1)), f", {units.unit(revolute)}/s"
-        rows.append((name, [_cell(each, lambda f, i=i, r=revolute: _peak(f.speeds[i], r, units)) for each in figures]))
+        fastest = [None if each is None else each.speeds[i] for each in figures]
+        rows.append((name, ["…" if peak is None else _peak(peak, revolute, units) for peak in fastest]))
     if arm.task.position:
         unit = units.length_unit
         rows.append(

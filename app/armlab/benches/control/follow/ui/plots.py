@@ -106,8 +106,8 @@ class Plots:
             self._each["error"].append(JointPlot(gui, arm, units, turns, quantity))
         unit = units.length_unit
         curves = [Curve(f"the run, {unit}", RUN_COLOURS[0]), Curve(f"predicted, {unit}", RUN_COLOURS[1], dash=(5, 4))]
-        title = "Error of the position, and ", mathml(PREDICTED), f", {unit}"
-        self._prediction = Plot(gui, title, "t, s", curves, "prediction", height=HEIGHT)
+        both = "Error of the position, and ", mathml(PREDICTED), f", {unit}"
+        self._prediction = Plot(gui, both, "t, s", curves, "prediction", height=HEIGHT)
 
     def _fastest(self, turns: bool) -> Callable[[Any], Array]:
         joints, factor = self._arm.revolute == turns, self._units.factor(turns)

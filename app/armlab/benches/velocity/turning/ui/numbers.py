@@ -78,9 +78,8 @@ def form_markup(form: Form, state: State) -> Markup:
     heads = head_line(None, *[(dot(css(joint_colour(k))), mathml(symbol)) for k, symbol in symbols])
     angles = [_field(form, "angles", k, part.angles[k], units) for k in range(3)]
     rates = [_field(form, "rates", k, part.rates[k], units) for k in range(3)]
-    first = tag("tr", tag("th", f"φ, {units.angle_unit}"), angles)
-    second = tag("tr", tag("th", f"φ̇, {units.angle_unit}/s"), rates)
-    table = tag("table.kit-points.ve-points", heads, first, second)
+    rows = line(*angles, name=f"φ, {units.angle_unit}"), line(*rates, name=f"φ̇, {units.angle_unit}/s")
+    table = tag("table.kit-points.ve-points", heads, rows)
     return joined(tag("div.kit-head", chooser, about), told, table, tag("div.bar", take))
 
 
@@ -90,7 +89,7 @@ def _field(form: Form, what: str, k: int, value: float, units: Units) -> Markup:
     def taken(text: str) -> SetTurning:
         return SetTurning(what, k, units.read(text, True, where))
 
-    return tag("td", form.field(f"{what} {k}", units.entry(value, True), capitalised(where), taken))
+    return form.field(f"{what} {k}", units.entry(value, True), capitalised(where), taken)
 
 
 def columns_of(state: State) -> tuple[Markup, ...]:
