@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.benches.control.exponential.state import Exponential
+from armlab.ui import svg
 from armlab.ui.colours import BLUE, GREY, ORANGE, VERMILLION, css
 from armlab.ui.format import number
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.svg import drawing, shape
 from armlab.ui.ticks import ticks
 
 WIDTH, HEIGHT = 320, 200
@@ -53,7 +53,7 @@ def plane(part: Exponential) -> Markup:
     done = np.vstack([curve.x[curve.t < part.t], here])
     start, end = (view.at(point) for point in (curve.x[0], here))
     seen = tag("rect", x=LEFT, y=0, width=WIDTH - LEFT, height=HEIGHT - BOTTOM)
-    return drawing(
+    return svg.drawing(
         "exp-plane",
         WIDTH,
         HEIGHT,
@@ -73,14 +73,14 @@ def _axes(view: _View) -> list[Markup]:
     for value in ticks(*view.x):
         x, _ = view.at(np.array([value, 0.0]))
         anchor = "end" if x > WIDTH - 14 else "middle"
-        lines.append(tag("path.grid", d=f"M{x:.1f} 0V{HEIGHT - BOTTOM}"))
-        lines.append(shape("text.tick", _tick(value), x=x, y=HEIGHT - 4, text_anchor=anchor))
+        lines.append(svg.path("grid", f"M{x:.1f} 0V{HEIGHT - BOTTOM}"))
+        lines.append(svg.text("tick", x, HEIGHT - 4, _tick(value), anchor))
     for value in ticks(*view.y):
         _, y = view.at(np.array([0.0, value]))
-        lines.append(tag("path.grid", d=f"M{LEFT} {y:.1f}H{WIDTH}"))
+        lines.append(svg.path("grid", f"M{LEFT} {y:.1f}H{WIDTH}"))
         if y > 18.0:
-            lines.append(shape("text.tick", _tick(value), x=LEFT - 4, y=y + 3.5, text_anchor="end"))
-    return [*lines, tag("text", "x₂", x=2, y=11), tag("text", "x₁", x=2, y=HEIGHT - 4)]
+            lines.append(svg.text("tick", LEFT - 4, y + 3.5, _tick(value), "end"))
+    return [*lines, svg.text("", 2, 11, "x₂"), svg.text("", 2, HEIGHT - 4, "x₁")]
 
 
 def _tick(value: float) -> str:
@@ -105,18 +105,18 @@ def _eigenvectors(part: Exponential, view: _View) -> list[Markup]:
         (x1, y1), (x2, y2) = ends
         way, clip = f"M{x1:.1f} {y1:.1f}L{x2:.1f} {y2:.1f}", "url(#exp-clip)"
         lines.append(
-            shape("path", d=way, clip_path=clip, stroke=css(EIGEN[i]), stroke_width=1.4, stroke_dasharray="5 3")
+            svg.shape("path", d=way, clip_path=clip, stroke=css(EIGEN[i]), stroke_width=1.4, stroke_dasharray="5 3")
         )
     return lines
 
 
 def _line(view: _View, points: Array, colour: str, width: float, opacity: float) -> Markup:
     text = " ".join(f"{x:.1f},{y:.1f}" for x, y in map(view.at, points))
-    return shape("polyline", points=text, fill="none", stroke=colour, stroke_width=width, opacity=opacity)
+    return svg.shape("polyline", points=text, fill="none", stroke=colour, stroke_width=width, opacity=opacity)
 
 
 def _name(x: float, y: float, text: str, colour: str, radius: float) -> Inside:
     side, at = ("end", x - 7) if x > WIDTH - 40 else ("start", x + 7)
     above = y - 6 if y > 16 else y + 14
-    name = shape("text", text, x=at, y=above, text_anchor=side) if text else None
-    return shape("circle", cx=x, cy=y, r=radius, fill=colour), name
+    name = svg.text("", at, above, text, side) if text else None
+    return svg.shape("circle", cx=x, cy=y, r=radius, fill=colour), name

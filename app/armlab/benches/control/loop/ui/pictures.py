@@ -9,10 +9,10 @@ import numpy as np
 
 from armlab.benches.control.loop.state import Loop
 from armlab.session.amounts import amount
+from armlab.ui import svg
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, VERMILLION, Rgb, css
 from armlab.ui.format import number, trimmed
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.svg import drawing, shape
 from armlab.ui.units import Units
 
 WISH, REACHED, ERROR, FORCE = BLUE, GREEN, VERMILLION, ORANGE
@@ -49,22 +49,22 @@ def diagram(part: Loop, t: float) -> Markup:
     names = [
         (
             tag("text.name", name, x=x, y=11, text_anchor=anchor, fill=css(colour)),
-            tag("text", f"{trimmed(value, DECIMALS)} {unit}", x=x, y=25, text_anchor=anchor),
+            svg.text("", x, 25, f"{trimmed(value, DECIMALS)} {unit}", anchor),
         )
         for x, anchor, name, value, unit, colour in signals
     ]
-    return drawing(
+    return svg.drawing(
         "loop-diagram",
         WIDTH,
         BACK + 4,
         "Block diagram: the error times K is the force, which the mass integrates to the velocity",
         [_arrow(a, b) for a, b in ((2, 60), (80, 116), (144, 186), (220, 238), (264, WIDTH - 2))],
-        tag("path.wire", d=f"M292 {LINE}V{BACK}H70V{LINE + 11}"),
-        tag("path.tip", d=f"M70 {LINE + 9}l-3.5 7h7z"),
-        shape("circle.tip", cx=292, cy=LINE, r=2.2),
-        tag("circle.sum", cx=70, cy=LINE, r=9),
-        tag("text", "+", x=52, y=LINE - 4),
-        tag("text", "−", x=77, y=LINE + 20),
+        svg.path("wire", f"M292 {LINE}V{BACK}H70V{LINE + 11}"),
+        svg.path("tip", f"M70 {LINE + 9}l-3.5 7h7z"),
+        svg.circle("tip", 292, LINE, 2.2),
+        svg.circle("sum", 70, LINE, 9),
+        svg.text("", 52, LINE - 4, "+"),
+        svg.text("", 77, LINE + 20, "−"),
         [_box(x, wide, text) for x, wide, text in ((116, 28, "K"), (186, 34, "1/M"), (238, 26, "∫"))],
         names,
     )
@@ -72,11 +72,11 @@ def diagram(part: Loop, t: float) -> Markup:
 
 def _box(x: int, wide: int, text: str) -> Inside:
     around = tag("rect.box", x=x, y=LINE - 13, width=wide, height=26, rx=3)
-    return around, shape("text.name", text, x=x + wide // 2, y=LINE + 4.5, text_anchor="middle")
+    return around, svg.text("name", x + wide / 2, LINE + 4.5, text, "middle")
 
 
 def _arrow(start: int, end: int) -> Inside:
-    return tag("path.wire", d=f"M{start} {LINE}H{end - 4}"), tag("path.tip", d=f"M{end} {LINE}l-7 -3.5v7z")
+    return svg.path("wire", f"M{start} {LINE}H{end - 4}"), svg.path("tip", f"M{end} {LINE}l-7 -3.5v7z")
 
 
 def bode(part: Loop, units: Units) -> Markup:
@@ -85,7 +85,7 @@ def bode(part: Loop, units: Units) -> Markup:
     omega = np.logspace(scale.low, scale.high, POINTS)
     gains = 20.0 * np.log10(part.loop.closed_gain(omega))
     phases = np.degrees(part.loop.phase(omega))
-    return drawing(
+    return svg.drawing(
         "loop-bode",
         WIDTH,
         BODE_HIGH,
@@ -128,11 +128,11 @@ def _grid(scale: _Scale, units: Units) -> Inside:
     for power in range(scale.low, scale.high + 1):
         x = scale.x(10.0**power)
         for top, high in ((GAIN_TOP, GAIN_HIGH), (PHASE_TOP, PHASE_HIGH)):
-            lines.append(tag("path.grid", d=f"M{x:.1f} {top}v{high}"))
+            lines.append(svg.path("grid", f"M{x:.1f} {top}v{high}"))
         if (power - scale.low) % every == 0:
             text = number(10.0**power, max(0, -power)) if -3 <= power <= 4 else f"10^{power}".replace("-", "−")
             anchor = "end" if x > WIDTH - 20 else "middle"
-            lines.append(_tick(text, x, PHASE_TOP + PHASE_HIGH + 13, anchor))
+            lines.append(svg.text("tick", x, PHASE_TOP + PHASE_HIGH + 13, text, anchor))
     step = 20 if scale.deepest <= 80 else 40
     lines += [_level(scale.gain_y(-db), number(-float(db), 0)) for db in range(0, round(scale.deepest) + 1, step)]
     lines += [
@@ -140,28 +140,24 @@ def _grid(scale: _Scale, units: Units) -> Inside:
         for degrees in (0.0, -45.0, -90.0)
     ]
     x = scale.x(10.0**scale.cutoff)
-    lines.append(tag("path.cut", d=f"M{x:.1f} {GAIN_TOP}V{PHASE_TOP + PHASE_HIGH}"))
+    lines.append(svg.path("cut", f"M{x:.1f} {GAIN_TOP}V{PHASE_TOP + PHASE_HIGH}"))
     side, at = ("end", x - 3) if x > WIDTH - 60 else ("start", x + 3)
-    lines.append(_tick("K/M", at, PHASE_TOP - 8, side))
-    lines.append(_tick("dB", 2, PHASE_TOP - 8))
-    lines.append(_tick(units.angle_unit, 2, BODE_HIGH - 5))
-    lines.append(_tick("ω, rad/s", LEFT, PHASE_TOP - 8))
+    lines.append(svg.text("tick", at, PHASE_TOP - 8, "K/M", side))
+    lines.append(svg.text("tick", 2, PHASE_TOP - 8, "dB"))
+    lines.append(svg.text("tick", 2, BODE_HIGH - 5, units.angle_unit))
+    lines.append(svg.text("tick", LEFT, PHASE_TOP - 8, "ω, rad/s"))
     return lines
 
 
-def _tick(text: str, x: float, y: float, anchor: str | None = None) -> Markup:
-    return shape("text.tick", text, x=x, y=y, text_anchor=anchor)
-
-
 def _level(y: float, text: str) -> Inside:
-    return tag("path.grid", d=f"M{LEFT} {y:.1f}H{WIDTH - RIGHT}"), _tick(text, LEFT - 4, y + 3.5, "end")
+    return svg.path("grid", f"M{LEFT} {y:.1f}H{WIDTH - RIGHT}"), svg.text("tick", LEFT - 4, y + 3.5, text, "end")
 
 
 def _asymptotes(scale: _Scale) -> Markup:
     """Return 0 dB up to the cutoff, and 20 dB a decade down from there."""
     x, end = scale.x(10.0**scale.cutoff), scale.x(10.0**scale.high)
     down = scale.gain_y(-20.0 * (scale.high - scale.cutoff))
-    return tag("path.cut", d=f"M{LEFT} {GAIN_TOP}H{x:.1f}L{end:.1f} {down:.1f}")
+    return svg.path("cut", f"M{LEFT} {GAIN_TOP}H{x:.1f}L{end:.1f} {down:.1f}")
 
 
 def _curve(
@@ -172,7 +168,7 @@ def _curve(
     colour: str,
 ) -> Markup:
     points = " ".join(f"{x(at):.1f},{y(value):.1f}" for at, value in zip(omega.tolist(), values.tolist(), strict=True))
-    return shape("polyline", points=points, fill="none", stroke=colour, stroke_width=1.8)
+    return svg.shape("polyline", points=points, fill="none", stroke=colour, stroke_width=1.8)
 
 
 def _mark(part: Loop, scale: _Scale) -> Markup:
@@ -181,4 +177,4 @@ def _mark(part: Loop, scale: _Scale) -> Markup:
     gain = scale.gain_y(20.0 * math.log10(float(part.loop.closed_gain(part.omega))))
     phase = scale.phase_y(math.degrees(float(part.loop.phase(part.omega))))
     line = tag("path.here", d=f"M{x:.1f} {GAIN_TOP}V{PHASE_TOP + PHASE_HIGH}", stroke=css(WISH))
-    return joined(line, [shape("circle.here", cx=x, cy=y, r=4, fill=css(WISH)) for y in (gain, phase)])
+    return joined(line, [svg.shape("circle.here", cx=x, cy=y, r=4, fill=css(WISH)) for y in (gain, phase)])

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from armlab.benches.velocity.ellipsoid.state import Manipulability, VelocityBlock
 from armlab.benches.velocity.ellipsoid.state_circle import Mapped, MarkSpeeds, UnitCircle, mapped
 from armlab.session.state import Post, State
+from armlab.ui import svg
 from armlab.ui.format import mathml, number
 from armlab.ui.html import Inside, Markup, joined, tag
-from armlab.ui.svg import drawing, shape
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
@@ -88,21 +88,18 @@ def _picture(curve: Array, columns: Array, mark: Array, reach: float, names: Seq
 
     path = " ".join(f"{x:.1f},{y:.1f}" for x, y in map(at, curve))
     x, y = at(mark)
-    return drawing(
+    middle = at(np.zeros(2))
+    return svg.drawing(
         "",
         SIDE,
         SIDE,
         said,
-        _line((0, half), (SIDE, half)),
-        _line((half, 0), (half, SIDE)),
-        shape("text", names[0], x=SIDE - 2, y=half - 3, text_anchor="end"),
-        shape("text", names[1], x=half + 3, y=9),
+        svg.shape("line", x1=0, y1=half, x2=SIDE, y2=half),
+        svg.shape("line", x1=half, y1=0, x2=half, y2=SIDE),
+        svg.text("", SIDE - 2, half - 3, names[0], "end"),
+        svg.text("", half + 3, 9, names[1]),
         tag("polygon.curve", points=path),
-        [_line(at(np.zeros(2)), at(columns[:, i]), f"line.{kind}") for i, kind in enumerate(("one", "two"))],
-        _line((half, half), (x, y), "line.mark"),
-        shape("circle.mark", cx=x, cy=y, r=4),
+        [svg.line(kind, *middle, *at(columns[:, i])) for i, kind in enumerate(("one", "two"))],
+        svg.line("mark", *middle, x, y),
+        svg.circle("mark", x, y, 4),
     )
-
-
-def _line(start: tuple[float, float], end: tuple[float, float], kind: str = "line") -> Markup:
-    return shape(kind, x1=start[0], y1=start[1], x2=end[0], y2=end[1])

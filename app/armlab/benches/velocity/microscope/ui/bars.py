@@ -5,9 +5,9 @@ from __future__ import annotations
 from armlab.benches.velocity.microscope.look import Look
 from armlab.benches.velocity.microscope.ui.words import NAMES, joint_speed
 from armlab.kin.control.side_by_side import Compared
+from armlab.ui import svg
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.html import Markup, tag
-from armlab.ui.svg import drawing, shape
 from armlab.ui.units import Units
 
 WIDTH, HEIGHT = 320, 124
@@ -31,12 +31,12 @@ def bars(look: Look, units: Units) -> Markup:
     """Return the bars as SVG; what is cut ends in a point, and what has no answer says so."""
     answers, full = look.answers, scale_of(look.answers)
     middle, half = TOP + (HEIGHT - TOP - BOTTOM) / 2.0, (HEIGHT - TOP - BOTTOM) / 2.0
-    shapes = [tag("path.axis", d=f"M0 {middle}H{WIDTH}")]
+    shapes = [svg.path("axis", f"M0 {middle}H{WIDTH}")]
     group = WIDTH / len(answers)
     for i, answer in enumerate(answers):
         left = i * group
         centre = left + group / 2.0
-        shapes.append(shape("text", NAMES[answer.key], x=centre, y=HEIGHT - 4, text_anchor="middle"))
+        shapes.append(svg.text("", centre, HEIGHT - 4, NAMES[answer.key], "middle"))
         if answer.step.qdot is None:
             shapes += _none(centre, middle)
             continue
@@ -46,7 +46,7 @@ def bars(look: Look, units: Units) -> Markup:
             x = left + (1.0 - FILLED) / 2.0 * group + j * wide
             title = f"{units.variable(j, bool(look.part.arm.revolute[j]))}: {joint_speed(look, j, speed, units)}"
             shapes.append(_bar(x, wide, middle, half, speed / full, j, title))
-    return drawing("ms-bars", WIDTH, HEIGHT, "Joint speeds of each method", shapes)
+    return svg.drawing("ms-bars", WIDTH, HEIGHT, "Joint speeds of each method", shapes)
 
 
 def scale_of(answers: tuple[Compared, ...]) -> float:
@@ -63,7 +63,7 @@ def _bar(x: float, wide: float, middle: float, half: float, part: float, j: int,
     high = half * min(abs(part), 1.0)
     y = middle - high if part > 0.0 else middle
     colour, thick = css(joint_colour(j)), max(wide - 1.2, 1.0)
-    bar, point = shape("rect", x=x, y=y, width=thick, height=max(high, 0.6), fill=colour), None
+    bar, point = svg.shape("rect", x=x, y=y, width=thick, height=max(high, 0.6), fill=colour), None
     if cut:
         tip, base = (y - 6.0, y) if part > 0.0 else (y + high + 6.0, y + high)
         corners = f"M{x:.1f} {base:.1f}L{x + thick / 2.0:.1f} {tip:.1f}L{x + thick:.1f} {base:.1f}z"
@@ -73,6 +73,6 @@ def _bar(x: float, wide: float, middle: float, half: float, part: float, j: int,
 
 def _none(centre: float, middle: float) -> list[Markup]:
     return [
-        shape("text.none", word, x=centre, y=middle - 10.0 + 13.0 * k, text_anchor="middle")
+        svg.text("none", centre, middle - 10.0 + 13.0 * k, word, "middle")
         for k, word in enumerate(("does", "not", "exist"))
     ]

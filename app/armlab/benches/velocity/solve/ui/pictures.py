@@ -14,10 +14,10 @@ from armlab.benches.velocity.solve.ui.words import dotted, speed_text
 from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui import svg
 from armlab.ui.form import Marks
 from armlab.ui.format import number, trimmed
 from armlab.ui.html import Inside, Markup, classes, joined, styles, tag
-from armlab.ui.svg import drawing, shape
 from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
@@ -65,30 +65,26 @@ def lines_svg(state: State, found: Flat, units: Units) -> Markup:
         return 0.5 * WIDE + scale * float(point[0]), 0.5 * HIGH - scale * float(point[1])
 
     middle = WIDE / 2, HIGH / 2
-    parts = [_line("axis", (0, HIGH / 2), (WIDE, HIGH / 2)), _line("axis", (WIDE / 2, 0), (WIDE / 2, HIGH))]
+    parts = [svg.line("axis", 0, HIGH / 2, WIDE, HIGH / 2), svg.line("axis", WIDE / 2, 0, WIDE / 2, HIGH)]
     for k in (0, 1):
         ends = _ends(found.J[k], float(found.v[k]), half)
         if ends is not None:
-            parts.append(_line(f"row{k + 1}", at(ends[0]), at(ends[1])))
+            parts.append(svg.line(f"row{k + 1}", *at(ends[0]), *at(ends[1])))
     x, y = at(found.answer.qdot)
     shown = "answer" if found.answer.verdict != "none" else "nearest"
     first, second = (dotted(k, arm, units) for k in pair)
-    return drawing(
+    return svg.drawing(
         "so-lines",
         WIDE,
         HIGH,
         "The two equations of J q̇ = v as lines",
         parts,
-        _line("shortest", middle, (x, y)),
-        shape(f"circle.{shown}", cx=x, cy=y, r=5),
-        shape("text", first, x=WIDE - 4, y=HIGH / 2 - 5, text_anchor="end"),
-        shape("text", second, x=WIDE / 2 + 6, y=12),
+        svg.line("shortest", *middle, x, y),
+        svg.circle(shown, x, y, 5),
+        svg.text("", WIDE - 4, HIGH / 2 - 5, first, "end"),
+        svg.text("", WIDE / 2 + 6, 12, second),
         _scale_mark(half, scale, state, units),
     )
-
-
-def _line(kind: str, start: tuple[float, float], end: tuple[float, float]) -> Markup:
-    return shape(f"line.{kind}", x1=start[0], y1=start[1], x2=end[0], y2=end[1])
 
 
 def _window(found: Flat) -> float:
@@ -118,7 +114,7 @@ def _scale_mark(half: float, scale: float, state: State, units: Units) -> Markup
     else:
         text = f"{trimmed(length / units.factor(kind), 3)} {units.unit(kind)}/s"
     y = HIGH - 8
-    return joined(_line("rule", (6, y), (6 + length * scale, y)), shape("text", text, x=6, y=y - 5))
+    return joined(svg.line("rule", 6, y, 6 + length * scale, y), svg.text("", 6, y - 5, text))
 
 
 def lines_words(state: State, found: Flat, units: Units) -> Markup:
@@ -188,20 +184,20 @@ def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> Marku
     height = 130.0
     base, below = height - 14.0, height - 3.0
     parts = [
-        _line("axis", (0, base), (WIDE, base)),
-        _line("zero", (WIDE / 2, 4), (WIDE / 2, base)),
-        tag("path.curve", d=_path(*at_all(curve, most, top, height))),
+        svg.line("axis", 0, base, WIDE, base),
+        svg.line("zero", WIDE / 2, 4, WIDE / 2, base),
+        svg.path("curve", _path(*at_all(curve, most, top, height))),
     ]
     if math.isfinite(here[1]):
         x, y = 0.5 * WIDE + 0.47 * WIDE * here[0] / most, base - (height - 22.0) * min(here[1] / top, 1.02)
-        parts.append(shape("circle.answer", cx=x, cy=y, r=4.5))
+        parts.append(svg.circle("answer", x, y, 4.5))
     parts += [
-        shape("text", f"det J: {trimmed(most, 3)} m²", x=WIDE - 3, y=below, text_anchor="end"),
-        shape("text", f"−{trimmed(most, 3)}", x=3, y=below),
-        shape("text", "0", x=WIDE / 2, y=below, text_anchor="middle"),
-        shape("text", speed_text(top, True, units), x=3, y=12),
+        svg.text("", WIDE - 3, below, f"det J: {trimmed(most, 3)} m²", "end"),
+        svg.text("", 3, below, f"−{trimmed(most, 3)}"),
+        svg.text("", WIDE / 2, below, "0", "middle"),
+        svg.text("", 3, 12, speed_text(top, True, units)),
     ]
-    return drawing("so-norm", WIDE, height, "Size of the joint speeds against det J", parts)
+    return svg.drawing("so-norm", WIDE, height, "Size of the joint speeds against det J", parts)
 
 
 # -- the square ------------------------------------------------------------------------------------------------------
@@ -223,7 +219,7 @@ def square_markup(place: Marks, state: State, found: Square, units: Units) -> Ma
             text = number(value, 0 if units.in_degrees or not turns else 2)
             ticks.append(tag(classes("i", up=side == 1), text, style=f"--at:{100.0 * part:.0f}%"))
     names = [f"{units.variable(k, bool(arm.revolute[k]))}, {units.unit(bool(arm.revolute[k]))}" for k in pair]
-    seen = drawing("so-torus", SIDE, SIDE, "Where det J is zero", tag("path.singular", d=pieces))
+    seen = svg.drawing("so-torus", SIDE, SIDE, "Where det J is zero", svg.path("singular", pieces))
     plane = tag("div.so-map", seen, ticks, tag("b.so-way"), tag("b.so-here"), title=HINT, **place)
     return tag("div.so-square", tag("span.up", names[1]), plane, tag("span", names[0]))
 

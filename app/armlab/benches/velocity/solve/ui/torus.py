@@ -12,9 +12,9 @@ from armlab.benches.velocity.solve.pictures import Flat, Square
 from armlab.benches.velocity.solve.state import Solve
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui import svg
 from armlab.ui.form import Marks
 from armlab.ui.html import Markup, styles, tag
-from armlab.ui.svg import drawing
 
 Array = NDArray[np.float64]
 
@@ -83,15 +83,15 @@ def _mesh() -> tuple[str, str]:
 def torus_markup(place: Marks, found: Square) -> Markup:
     """Return the torus with the singular set; `place` of a form makes it be pressed."""
     front, behind = _mesh()
-    seen = drawing(
+    seen = svg.drawing(
         "",
         WIDE,
         HIGH,
         "The torus of both joint angles",
-        tag("path.behind", d=behind),
-        tag("path.mesh", d=front),
-        tag("path.singular.far", d=path(found.singular, False)),
-        tag("path.singular", d=path(found.singular, True)),
+        svg.path("behind", behind),
+        svg.path("mesh", front),
+        svg.path("singular.far", path(found.singular, False)),
+        svg.path("singular", path(found.singular, True)),
     )
     return tag("div.so-ring", seen, tag("b.so-way"), tag("b.so-here"), title=HINT, **place)
 
