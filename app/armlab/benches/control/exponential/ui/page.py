@@ -38,16 +38,16 @@ SYSTEM, EXPONENTIAL = r"\dot x=Ax,\quad x(t)=e^{At}x(0)", "e^{At}"
 SERIES, PRODUCT, PRINTED = r"\sum_k\frac{(At)^k}{k!}", r"T\,e^{\Lambda t}\,T^{-1}", r"T^{-1}e^{\Lambda t}\,T"
 
 DECIMALS, WIDEST = 4, 1e4
-"""Of entries, and from where on they have a power of ten."""
+"""Decimals of an entry, and the size from which it is written with a power of ten."""
 
 FLOOR, LOWEST = 1e-17, -17.5
-"""Errors that are smaller are drawn here, for the logarithm of 0 is not a number; and the lower end of the plot."""
+"""Smaller errors are drawn as the first, because 0 has no logarithm; the plot ends at the second, a logarithm."""
 
 FEWEST = 12
-"""Terms that are in the plot at least."""
+"""Least number of terms in the plot."""
 
 STEPS = 500
-"""Of the slider of t."""
+"""Number of steps of the slider of t."""
 
 SEEN = 5e-4
 """A difference of the printed formula below this is shown as none."""
@@ -88,7 +88,7 @@ class _ErrorPlot(Plot):
         self._part: Exponential | None = None
 
     def show_part(self, part: Exponential) -> None:
-        """Show the curves when they are others, and where the present number of terms is."""
+        """Show the curves if they have changed, and mark the present number of terms."""
         if part != self._part:
             self._part = part
             self._draw(part)

@@ -17,10 +17,10 @@ from armlab.ui.ticks import ticks
 WIDTH, HEIGHT = 320, 200
 LEFT, BOTTOM = 30, 16
 MARGIN = 0.08
-"""Beside the curve, in parts of what it spans."""
+"""Room on each side of the curve, as a part of what it spans."""
 
 EIGEN = (ORANGE, GREY)
-"""Of the lines along the first and the second eigenvector."""
+"""Colours of the lines along the first and the second eigenvector."""
 
 SAME = 1e-6
 """Sine of the angle between eigenvectors below which they are drawn as one."""

@@ -22,10 +22,10 @@ from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
 SMALL = 5e-3
-"""In the unit on screen; what is smaller than that and not nothing has a power of ten."""
+"""In the unit on screen: smaller numbers are written with a power of ten."""
 
 ROUNDING = 1e-9
-"""m or rad, and a second: what is smaller comes of rounding, not of the law."""
+"""In m or rad, also per second: smaller numbers come from rounding, not from the law."""
 
 ZERO = tag("span.zero", "0")
 
@@ -33,7 +33,7 @@ Row = tuple[Inside, list[Inside]]
 
 
 def runs_markup(form: Form, state: State) -> Markup:
-    """Return all runs, a name for the selected one, and a button for one more."""
+    """Return the list of runs, and the button that adds one."""
     part = state[Control]
     full = len(part.runs) == MOST_RUNS
     rows = [_run(form, part, i, run) for i, run in enumerate(part.runs)]
@@ -142,7 +142,7 @@ def _cell(figures: Figures | None, text: Callable[[Figures], Inside]) -> Inside:
 
 
 def _peak(peak: Peak, revolute: bool, units: Units) -> Inside:
-    """Return a largest value, and below it when."""
+    """Return a largest value with its time below it."""
     text = small(peak.value, revolute, units)
     return text if text == ZERO else (text, tag("small", f"{number(peak.time, 2)} s"))
 

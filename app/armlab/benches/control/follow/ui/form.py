@@ -37,7 +37,7 @@ PERCENT = (Scale("%", 0.01),)
 
 
 def scales_of(key: str, units: Units) -> Sequence[Scale]:
-    """Return what stands on screen for the unit ``q`` of a value of a run."""
+    """Return the unit on screen of a value of a run whose unit is ``q``."""
     if key in ("speed", "radius", "slide_limit"):
         return (Scale(units.length_unit, units.factor(False)),)
     if key == "limit":
@@ -46,7 +46,7 @@ def scales_of(key: str, units: Units) -> Sequence[Scale]:
 
 
 def reference_markup(form: Form, state: State) -> Markup:
-    """Return what is followed, and from where."""
+    """Return the controls of the reference, of its start and of the initial error."""
     run, units = state[Control].run, units_of(state)
     chooser = form.select("ref", "Reference", REFERENCES, run.reference, ChooseReference, "What the tool is to follow")
     level = "z" not in state[Joints].arm.task.position
@@ -90,7 +90,7 @@ def law_markup(form: Form, state: State) -> Markup:
 
 
 def plant_markup(form: Form, state: State) -> Markup:
-    """Return what is not ideal about the arm."""
+    """Return the fields for what is not ideal about the arm."""
     run, units, arm = state[Control].run, units_of(state), state[Joints].arm
     motors = tuple(
         each for each in MOTORS if each.key == "saturation" or bool((arm.revolute == (each.key == "limit")).any())

@@ -63,7 +63,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
 
 def clock_markup(form: Form, state: State) -> Markup:
-    """Return play and push."""
+    """Return the buttons that play and push, and the time."""
     part, units, on = state[Control], units_of(state), state[Timeline].clip == CLIP_KEY
     now = "…" if not fresh(state) else f"t = {number(time_of(state), 2)} s" if on else ""
     return tag("div.bar.ct-clock", _play(form, state), tag("span.dim", now), tag("span", _push(form, part, units)))

@@ -63,7 +63,7 @@ class JointPlot(Plot):
 
 
 class Plots:
-    """All plots, of which one view is seen."""
+    """All plots; those of one view are visible."""
 
     def __init__(self, gui: Gui, state: State) -> None:
         arm, units = state[Joints].arm, units_of(state)
@@ -114,11 +114,11 @@ class Plots:
         return _of(lambda run: np.abs(run.qdot[:, joints]).max(axis=1) / factor)
 
     def look_at(self, view: str) -> None:
-        """See other plots from the next `show` on."""
+        """Make the plots of another view visible from the next `show` on."""
         self._view, self._shown = view, object()
 
     def show(self, state: State) -> None:
-        """Show the curves of a state when they are others; the cursor follows the run that is on."""
+        """Show the curves of a state if they have changed; the cursor follows the run that plays."""
         part = state[Control]
         shown = (tuple(part.outcomes.get(run.colour) for run in part.runs), part.selected, self._view)
         if shown != self._shown:

@@ -35,7 +35,7 @@ GAIN, PHASE, ERROR_GAIN = r"|W(j\omega)|", r"W(j\omega)", r"|1-W(j\omega)|"
 
 
 FOLLOWS, FAILS = 0.05, 0.5
-"""Parts of the wish below which the lasting error is small, and from which the loop is said not to follow."""
+"""Lasting error over the wish: small below the first; from the second on the loop does not follow."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -72,7 +72,7 @@ class _Plots:
         self._shown: Loop | None = None
 
     def show(self, state: State) -> None:
-        """Show the curves when they are others, and the cursor while the film is on."""
+        """Show the curves if they have changed, and the cursor while the film is open."""
         part = state[Loop]
         if part != self._shown:
             self._shown = part
@@ -98,7 +98,7 @@ def _head(form: Form, part: Loop) -> Markup:
 
 
 def form_markup(form: Form, part: Loop) -> Markup:
-    """Return what is wanted, and the numbers of the loop."""
+    """Return the choice of the wanted velocity, and the fields of the loop."""
     hint = "What velocity is wanted from t = 0 on"
     kinds = form.chips("kind", KINDS, part.kind, hint, partial(Set, Loop, "kind"))
     given = option_form(form, "l-", part.fields, part.values, partial(Set, Loop))

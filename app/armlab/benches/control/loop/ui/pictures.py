@@ -16,14 +16,14 @@ from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.units import Units
 
 WISH, REACHED, ERROR, FORCE = BLUE, GREEN, VERMILLION, ORANGE
-"""Of the wanted velocity, the velocity, their difference, and the force; also in the plots."""
+"""Colours of the wanted velocity, the velocity, their difference, and the force; also in the plots."""
 
 WIDTH = 320
 LINE, BACK = 44, 80
 """Heights of the forward and of the feedback line of the diagram, pixels."""
 
 LEFT, RIGHT = 36, 8
-"""Of what numbers take beside the frequency response, pixels."""
+"""Room for numbers on both sides of the frequency response, pixels."""
 
 GAIN_TOP, GAIN_HIGH, PHASE_TOP, PHASE_HIGH = 8, 84, 112, 62
 BODE_HIGH = 192

@@ -20,7 +20,7 @@ from armlab.ui.widgets import Gui
 Array = NDArray[np.float64]
 
 SIDE, MARGIN = 150.0, 20.0
-"""Of a picture and of its margin, in its own units, which are about pixels."""
+"""Side of a picture and width of its margin, in units of the picture, which are about pixels."""
 
 MAP = r"v=J\dot{q}"
 
@@ -48,7 +48,7 @@ class Pictures:
         return self._units.value(state[UnitCircle].angle % (2.0 * math.pi), True)
 
     def show(self, state: State) -> None:
-        """Draw both."""
+        """Draw both pictures."""
         found = state.derived(mapped)
         if found is None:
             return

@@ -78,13 +78,13 @@ def half_axis(name: str, direction: str, size: str, share: float) -> Markup:
 
 
 def name_of_w(block: VelocityBlock) -> Markup:
-    """Return what w is of."""
+    """Return the name of w, with the rows of J that it is of."""
     scaled = "" if block.speeds is None else ", scaled by limits"
     return joined(mathml("w"), f" of {block.key}{scaled}")
 
 
 def volume(block: VelocityBlock) -> str:
-    """Return the formula by which w is computed, in LaTeX: scaled and transposed as it is."""
+    """Return the formula by which w of this block is computed, in LaTeX."""
     J = rf"J_{{{LETTERS[block.key]}}}"
     n, joints = block.arm.n, ""
     if block.speeds is not None:

@@ -21,7 +21,7 @@ FILLED = 0.82
 """Part of its width that a group takes."""
 
 LEAST = 1e-9
-"""Scaled joint speed below which all bars are nothing."""
+"""Scaled joint speed below which all of them count as zero."""
 
 UNBOUNDED = ("inverse", "pinv")
 """Methods whose speeds have no bound beside a singularity: they do not choose the scale."""

@@ -28,7 +28,7 @@ NAMES = {
     "dls_constant": "DLS λ",
     "dls_variable": "DLS λ(σ)",
 }
-"""Of the methods, where there is little room."""
+"""Short names of the methods."""
 
 SQUARED = {"m": "m²", "": ""}
 
@@ -36,10 +36,10 @@ POOR = 0.1
 """Inverse condition below which a configuration is called close to a singularity."""
 
 HUGE = 1e5
-"""Numbers from here on have a power of ten."""
+"""Numbers from here on are written with a power of ten."""
 
 ROUND = 1e-9
-"""Radians or metres below which a distance is none."""
+"""Radians or metres below which a distance counts as zero."""
 
 
 def components(task: Task) -> list[tuple[str, bool]]:

@@ -39,7 +39,7 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 STEPS = 200
-"""Of the slider along a self-motion."""
+"""Number of steps of the slider along a self-motion."""
 
 REST = 0.4
 """Seconds without a motion after which the page finds out where on its self-motion the arm is."""
@@ -50,7 +50,7 @@ FOLDS = {"spaces": "Four subspaces", "svd": "U, Σ, V", "penrose": "Penrose cond
 
 
 class SolvePage:
-    """The page."""
+    """The page Solve."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._units = units_of(state)
@@ -106,7 +106,7 @@ def _component(k: int, name: str, turning: bool, units: Units, text: str) -> Set
 
 
 def svd_markup(solved: Found) -> Markup:
-    """Return the decomposition as matrices."""
+    """Return U, Σ and V."""
     spaces = solved.spaces
     sigma: NDArray[np.float64] = np.zeros(solved.J.shape)
     np.fill_diagonal(sigma, spaces.sigma)

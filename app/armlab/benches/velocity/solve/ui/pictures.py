@@ -24,10 +24,10 @@ from armlab.ui.units import Units
 Array = NDArray[np.float64]
 
 WIDE, HIGH = 296, 216
-"""Of a drawing, pixels."""
+"""Width and height of a drawing, pixels."""
 
 SIDE = 250
-"""Of the square."""
+"""Side of the square, pixels."""
 
 FARTHEST = 8.0
 """The two lines are shown to so many times their distance from the origin at most."""
@@ -88,7 +88,7 @@ def lines_svg(state: State, found: Flat, units: Units) -> Markup:
 
 
 def _window(found: Flat) -> float:
-    """Return half the height of the picture in joint speeds, of a series so that it does not creep."""
+    """Return half the height of the picture in joint speeds, a round number so that it seldom changes."""
     sizes = np.linalg.norm(found.J, axis=1)
     far = max((abs(float(v)) / float(s) for v, s in zip(found.v, sizes, strict=True) if s > 1e-12), default=0.0)
     wanted = 1.35 * float(np.abs(found.answer.qdot).max(initial=0.0))
@@ -118,7 +118,7 @@ def _scale_mark(half: float, scale: float, state: State, units: Units) -> Markup
 
 
 def lines_words(state: State, found: Flat, units: Units) -> Markup:
-    """Return what the two lines do."""
+    """Return both equations, and whether their lines meet or are parallel."""
     arm, pair = state[Joints].arm, state[Solve].pair
     sizes = np.linalg.norm(found.J, axis=1)
     names = [with_indices(f"v_{letter}") for letter in found.letters]

@@ -21,18 +21,18 @@ Array = NDArray[np.float64]
 HINT = "Press where the two joints are to go"
 
 WIDE, HIGH = 284, 208
-"""Of the drawing, pixels."""
+"""Width and height of the drawing, pixels."""
 
 LARGE, SMALL = 1.0, 0.45
 """Radii: the first angle goes around the large circle, the second around the small one, from the outer edge upwards."""
 
 TILT = math.radians(38.0)
-"""From which height it is seen."""
+"""Angle above the plane of the large circle from which it is seen."""
 
 SCALE = 0.5 * (WIDE - 12) / (LARGE + SMALL)
 
 MERIDIANS, PARALLELS, PIECES = 24, 12, 72
-"""Circles either way, and pieces of each."""
+"""Number of circles either way, and of straight pieces of each."""
 
 NEAR, TOGETHER = 12.0, 4.0
 """Pixels from a press within which the torus is looked for, and from the nearest within which the front counts."""

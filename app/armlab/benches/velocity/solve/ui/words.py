@@ -23,13 +23,13 @@ NEAR = 0.02
 """Smallest singular value over the largest below which a configuration is called nearly singular."""
 
 MOST_LISTED = 8
-"""Minors and null vectors that are written out."""
+"""Most minors, or null vectors, that are written out."""
 
 OVER = 1.0 + 1e-9
-"""Of its limit, above which a joint speed is marked."""
+"""Part of its limit above which a joint speed is marked."""
 
 PENROSE = (r"J J^\# J-J", r"J^\# J J^\#-J^\#", r"(J J^\#)^T-J J^\#", r"(J^\# J)^T-J^\# J")
-"""The four conditions: what is 0 of a pseudo-inverse."""
+"""The four conditions: each of these is 0 for a pseudo-inverse."""
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 

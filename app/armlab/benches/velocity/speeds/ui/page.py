@@ -46,7 +46,7 @@ from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 MARGIN = 1.2
-"""Of an arrow with its label, in lengths of the arrow."""
+"""Length of an arrow with its label, in lengths of the arrow."""
 
 AXES = {"world": "world", "base": "base", "tool": "tool"}
 

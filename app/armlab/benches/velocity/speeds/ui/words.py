@@ -20,7 +20,7 @@ IN = {"world": "the world", "base": "frame 0", "tool": "the tool"}
 
 
 def in_words(state: State, moving: Moving) -> Markup:
-    """Return a sentence or two on what is lit."""
+    """Return a sentence or two on what is selected."""
     arm, units, selected = state[Joints].arm, units_of(state), state[Selection].of(MATRIX)
     row, column = selected.row, selected.column
     said: Inside = None

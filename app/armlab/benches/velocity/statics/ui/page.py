@@ -99,7 +99,7 @@ def _component(kind: str, axis: int, unit: str, text: str) -> SetComponent:
 
 
 def _around(state: State) -> Points:
-    """Return the ends of the arrows of force and moment, about."""
+    """Return about where the arrows of force and moment end."""
     part, joints = state[Statics], state[Joints]
     tool = np.asarray(joints.tool_pose)
     wrench, reach = part.wrench(tool), SHOWN * 2.0 * joints.arm.length_scale

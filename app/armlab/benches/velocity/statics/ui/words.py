@@ -32,7 +32,7 @@ ALONG = 0.9995
 """Component of a unit vector above which it is called an axis of the world."""
 
 SAME_WORK = 1e-9
-"""Of the larger work: below it both sides are equal but for rounding."""
+"""Difference over the larger work below which both sides are equal but for rounding."""
 
 MILLI = 1e3
 
@@ -40,7 +40,7 @@ LAW, TOOL_WORK, JOINT_WORK = r"\tau=J^TF", r"F^T(J\,\delta q)", r"\tau^T\delta q
 
 
 def torques_markup(state: State) -> Markup:
-    """Return the torques with bars, about what the whole wrench can need at most."""
+    """Return the torques with bars, relative to the most that the whole wrench can need."""
     found, arm = state.derived(balance), state[Joints].arm
     part = state[Statics]
     full = part.full_torque(arm)

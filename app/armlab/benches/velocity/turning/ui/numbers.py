@@ -204,7 +204,7 @@ def small_markup() -> Markup:
 
 
 def views_markup(form: Form, state: State) -> Markup:
-    """Return what is looked at."""
+    """Return the choice of what is shown."""
     views = {"angles": "φ, φ̇ and ω", "laws": "Two time laws of ω"}
     show = partial(Set, Turning, "shown")
     return row("Look at", form.chips("shown", views, state[Turning].shown, "What is shown", show))
