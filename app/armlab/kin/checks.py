@@ -1,4 +1,4 @@
-"""Turn what a caller gives into numbers, or say what is wrong with it."""
+"""Conversion of arguments to arrays and numbers; wrong ones are refused with a sentence."""
 
 from __future__ import annotations
 

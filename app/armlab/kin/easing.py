@@ -1,4 +1,4 @@
-"""How what moves on screen begins and ends."""
+"""Easing of movements on the screen: how they start and stop."""
 
 from __future__ import annotations
 

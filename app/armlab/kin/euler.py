@@ -32,7 +32,7 @@ NAMES: Mapping[tuple[str, bool], str] = MappingProxyType(
         ("zyz", False): "Euler angles of most robotics books, and of a spherical wrist",
     }
 )
-"""What the usual ones are called, by sequence and whether the axes are fixed."""
+"""Usual names of the angles, by sequence and whether the axes are fixed."""
 
 SINGULAR_SINE = 1e-7
 """Below this sine (proper Euler) or cosine (Tait-Bryan) of the middle angle a rotation counts as singular: first and
@@ -121,7 +121,7 @@ def euler_angles(R: ArrayLike, axes: str, *, fixed: bool = False) -> EulerSoluti
 def _principal(
     R: NDArray[np.float64], axes: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Return first, middle, third angle about moving axes, each (...), and where they are not unique."""
+    """Return the first, middle and third angle about moving axes, each (...), and where they are not unique."""
     i, j, k = (_LETTERS.index(letter) for letter in axes)
     other = 3 - i - j
     sign = _parity(i, j)
@@ -141,7 +141,7 @@ def _principal(
 
 
 def _defined_combination(axes: str, middle: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Return 1 or -1: at a singularity the third axis is this times the first one."""
+    """Return 1 or -1: at a singularity the third axis is this factor times the first one."""
     i, j, k = (_LETTERS.index(letter) for letter in axes)
     if i == k:
         return np.where(middle < math.pi / 2, 1, -1)
@@ -160,7 +160,7 @@ def _wrapped(angles: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _checked(axes: str) -> str:
-    """Return the sequence in lower case; `UnknownName` when it is none."""
+    """Return the sequence in lower case; `UnknownName` when there is no such sequence."""
     if not isinstance(axes, str) or axes.lower() not in SEQUENCES:
         raise UnknownName("axes", axes, SEQUENCES)
     return axes.lower()

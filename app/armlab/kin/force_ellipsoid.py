@@ -32,7 +32,7 @@ class ForceEllipsoid:
 
     @property
     def axes(self) -> Array:
-        """Columns u_i, (m, m): those of the velocity ellipsoid, in the same order."""
+        """Axes u_i of the velocity ellipsoid as columns, (m, m), in the same order."""
         return self.velocity.axes
 
     @property
@@ -50,7 +50,7 @@ class ForceEllipsoid:
 
     @property
     def free(self) -> tuple[int, ...]:
-        """The axes, 0-based, along which a force needs no torque."""
+        """Indices, 0-based, of the axes along which a force needs no torque."""
         return tuple(range(self.velocity.rank, len(self.velocity.sigma)))
 
     @property

@@ -28,10 +28,10 @@ ORDER: dict[Convention, tuple[Symbol, Symbol, Symbol, Symbol]] = {
     "standard": ("theta", "d", "a", "alpha"),
     "modified": ("alpha", "a", "theta", "d"),
 }
-"""The moves of a row, in the order they are made about the axes of the moving frame."""
+"""Moves of a row, in their order about the axes of the moving frame."""
 
 MOVES = 4
-"""Moves of a row."""
+"""Number of moves of a row."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The text of ``print(arm)``: the table in degrees and metres, with limits, base, tool and task."""
+"""The output of ``print(arm)``: the table in degrees and metres, with limits, base, tool and task."""
 
 from __future__ import annotations
 

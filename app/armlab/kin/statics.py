@@ -228,7 +228,7 @@ def _matrix(J: ArrayLike) -> Array:
 
 
 def _settled(columns: Array) -> Array:
-    """Return read-only columns whose largest components are positive, without negative zeros."""
+    """Return read-only columns with positive largest components and without negative zeros."""
     largest = np.abs(columns).argmax(axis=0) if columns.size else np.zeros(columns.shape[1], dtype=int)
     signs = np.sign(columns[largest, np.arange(columns.shape[1])])
     settled = columns * np.where(signs == 0.0, 1.0, signs) + 0.0

@@ -1,4 +1,4 @@
-"""The curve the tool point traces when one joint alone moves and the others stay: a circle arc or a straight line."""
+"""The curve of the tool point when one joint alone moves: a circular arc or a straight line."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.checks import as_floats
 Floats = NDArray[np.float64]
 
 NO_RADIUS = 1e-9
-"""A tool point nearer to an axis than this part of the reach does not move when the joint turns."""
+"""Distance of the tool point from an axis, relative to the reach, below which the joint does not move it."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""What every control law works with: the arm as the controller knows it, and joint speeds for a task velocity."""
+"""The controller of a simulated arm: the arm as it knows it, and joint speeds for a task velocity."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ from armlab.kin.field import positive_bounds
 Floats = NDArray[np.float64]
 
 MOST_WRONG = 0.5
-"""Largest part by which links may be longer or shorter than the controller believes."""
+"""Largest relative error of the lengths of the links."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Push:
 
 @dataclass(frozen=True)
 class Plant:
-    """What is not ideal; make one with `plant`.
+    """Deviations of the arm from the ideal; make them with `plant`.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What several inverses of the differential kinematics make of the same velocity of the tool, side by side."""
+"""Several inverses of the differential kinematics, compared for the same velocity of the tool."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ METHODS = ("transpose", "inverse", "pinv", "dls_constant", "dls_variable")
 """Keys of the methods that are compared unless others are asked for."""
 
 STILL = 1e-12
-"""A velocity reached below this part of the wanted one has no direction."""
+"""Fraction of the wanted velocity: a reached velocity below it has no direction."""
 
 
 class Compared(NamedTuple):

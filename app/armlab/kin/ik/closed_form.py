@@ -1,4 +1,4 @@
-"""What a closed form is: a reason why an arm has one, and all joint values it leads to for a pose."""
+"""Closed forms: the reason why one applies to an arm, and all joint values it gives for a pose."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from armlab.plugins import discover
 Vector = NDArray[np.float64]
 
 SAMPLES = 8
-"""Representatives of an angle that may be chosen freely: every 45 degrees."""
+"""Number of representatives of an angle that may be chosen freely: every 45 degrees."""
 
 FREE_ANGLES = tuple((k - SAMPLES // 2 + 1) * 2.0 * np.pi / SAMPLES for k in range(SAMPLES))
 
 
 @dataclass(frozen=True)
 class Found:
-    """What a closed form gives.
+    """The result of a closed form.
 
     Attributes
     ----------
@@ -97,13 +97,13 @@ class ClosedForm:
 
 @cache
 def closed_forms() -> dict[str, ClosedForm]:
-    """Return all closed forms by key, the special before the general."""
+    """Return all closed forms by key, special ones before general ones."""
     return discover(_folder, "CLOSED", ClosedForm)
 
 
 @lru_cache(maxsize=64)
 def closed_form_of(arm: Arm) -> tuple[ClosedForm, str] | None:
-    """Return the closed form of an arm and the sentence why it has it; None when it has none that is known here."""
+    """Return the closed form of an arm and the sentence why it applies; None when none is known here."""
     for form in closed_forms().values():
         reason = form.fits(arm)
         if reason is not None:

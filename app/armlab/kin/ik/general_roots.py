@@ -20,14 +20,14 @@ from numpy.typing import NDArray
 from armlab.kin.ik.general_loop import Complex, Floats
 
 FARTHEST = 1e-8
-"""Roots with |exp(i t)| below this, or above its inverse, are the spurious ones or as good as at infinity."""
+"""Smallest |exp(i t)|: roots below it, or above its inverse, are spurious or practically at infinity."""
 
 PHASES = 0.3 + np.pi / 3.0 * np.arange(6)
-"""Values of phi to choose from: half a turn away from it, where x is infinite, should be no root."""
+"""Values of phi to choose from: half a turn away, where x is infinite, there should be no root."""
 
 _HALF = np.array([[1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [0.0, 2.0, 0.0]])
 _MONOMIALS = np.kron(_HALF, _HALF)
-"""(1, c, s) times 1 + x^2 as polynomials in x = tan(./2), for one and for two angles."""
+"""Coefficients of (1, c, s), times 1 + x^2, as polynomials in x = tan(./2), for one angle and for two."""
 
 
 def matrices(middle: Floats, hidden: int) -> Floats:
@@ -75,7 +75,7 @@ def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
 
 
 def _inverses(A: Floats) -> Floats:
-    """Return inverses (..., 12, 12); where one matrix is exactly singular, all are moved by some roundings."""
+    """Return inverses (..., 12, 12); when one matrix is exactly singular, all are changed by some roundings."""
     try:
         return np.asarray(np.linalg.inv(A))
     except np.linalg.LinAlgError:

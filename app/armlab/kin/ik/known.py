@@ -1,4 +1,4 @@
-"""What the list of all solutions says when a search failed: a solution after all, or the proof that there is none."""
+"""Use of all solutions when a search has failed: a solution after all, or the proof that there is none."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 
 class Known(NamedTuple):
-    """What is known.
+    """The conclusion about a target.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ def known_solution(
 
 
 def _can_tell(arm: Arm, held: int) -> bool:
-    """Return whether there is a solver that can find all solutions when so many joints are held."""
+    """Return whether some solver can find all solutions with this number of held joints."""
     if arm.n - held > arm.task.m or known_structure(arm).free > held:
         return False
     general = arm.n == 6 and bool(arm.revolute.all()) and arm.task.key == "pose"
@@ -89,7 +89,7 @@ def _can_tell(arm: Arm, held: int) -> bool:
 
 
 def _nearest(arm: Arm, q: Floats, near: Floats) -> Floats:
-    """Return the row nearest to given values, in radians and length scales, of all its whole turns the nearest."""
+    """Return the row nearest to given values, with the nearest whole turns; distance in radians and length scales."""
     rows = np.array([wrapped(row.tolist(), near, arm.revolute, arm.limits) for row in q])
     return np.asarray(rows[int(np.argmin(_sizes(arm, rows - near)))])
 

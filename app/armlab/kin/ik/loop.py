@@ -18,26 +18,27 @@ from armlab.kin.ik.problem import Errors, Linearised, Problem
 from armlab.kin.ik.rest import AT, way_down
 
 TOLERANCE = 1e-8
-"""Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. Asking for less inside the
-loop costs solutions near singularities, where the last digits converge slowly."""
+"""Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. A smaller one would lose
+solutions near singularities, where the last digits converge slowly."""
 
 CLOSE = 1e-8
-"""Squared scaled error from which one step of a method that converges quadratically arrives."""
+"""Squared scaled error below which one step of a quadratically converging method is enough."""
 
 STILL = 1e-9
-"""Gain, relative to the squared error, below which a step is not worth taking: the arm then rests exactly where it is,
-however often the same target comes again."""
+"""Decrease of the error, relative to its square, below which a step is not taken: the arm then stays exactly where it
+is when the same target comes again."""
 
 SLIP = 0.1
-"""Largest change of a joint in the first step off a balance, in scaled units: enough for the slope to take over."""
+"""Largest change of a joint, in scaled units, in the first step away from a balance: enough for the slope to take
+over."""
 
 MAX_STEP = 1.5
-"""Largest change of a joint in one step, in scaled units (radians); keeps the linearisation meaningful."""
+"""Largest change of a joint in one step, in scaled units (radians), for which the linearisation is meaningful."""
 
 
 @dataclass(frozen=True)
 class Descent:
-    """How a descent ended.
+    """The end of a descent.
 
     Attributes
     ----------
@@ -54,12 +55,12 @@ class Descent:
 
     @property
     def converged(self) -> bool:
-        """Whether nothing is left to improve: see `arrived`."""
+        """Whether the descent has arrived; see `arrived`."""
         return arrived(self.errors)
 
 
 def arrived(errors: Errors) -> bool:
-    """Return whether the scaled error is within `TOLERANCE` and, which is more for a very long arm, reached."""
+    """Return whether the scaled error is within `TOLERANCE` and the target is reached: stricter for a very long arm."""
     return errors.scaled2 <= TOLERANCE**2 and errors.reached
 
 

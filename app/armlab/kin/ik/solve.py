@@ -30,23 +30,23 @@ from armlab.kin.ik.weights import Weights, checked_weights
 from armlab.kin.transforms import as_pose
 
 SEARCHES = 100
-"""Starts before giving up."""
+"""Largest number of starts."""
 
 STEPS_INSIDE = 20
-"""Steps of the method inside limits; what is not reached by then probably cannot be."""
+"""Steps of the method inside limits; a target not reached by then probably cannot be reached."""
 
 STEPS_CLOSEST = 100
-"""Steps of Newton's method towards the closest configuration after that; it needs five to ten."""
+"""Largest number of Newton steps towards the closest configuration after that; five to ten are usual."""
 
 BALANCES = 4
-"""Descents of that kind at most, each after slipping off a balance; what is left then waits for the next call."""
+"""Largest number of descents of that kind, each after leaving a balance; the rest waits for the next call."""
 
 NEARLY = 1e-3
-"""Scaled error from which arms with joints to spare look along the valley and ask for the list, too: of a stretched arm
-the last steps of a descent reduce it by less and less."""
+"""Scaled error above which arms with joints to spare look along the valley and use the list of all solutions, too: for
+a stretched arm the last steps of a descent gain less and less."""
 
 SURELY = 1e-9
-"""Part of its distance by which a target must be beyond the reach for a search to be pointless, not only rounding."""
+"""Part of its distance by which a target must lie beyond the reach, rounding excluded, for a search to be pointless."""
 
 
 @dataclass(frozen=True, eq=False)

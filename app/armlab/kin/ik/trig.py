@@ -1,4 +1,4 @@
-"""The trigonometric equations that closed forms end in, with all their special cases."""
+"""The trigonometric equations at the end of closed forms, with all their special cases."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ import math
 from dataclasses import dataclass
 
 ZERO = 1e-11
-"""Relative to the size of the terms: coefficients below it vanish."""
+"""Size, relative to the terms, below which a coefficient counts as zero."""
 
 NEARLY = 1e-3
-"""Relative to the size of the terms: c may exceed sqrt(a² + b²) by as much and still give the angle between the two
-that have just vanished. The target is then out of reach by so little that the angle is worth a look: forward kinematics
-decides."""
+"""Excess of c over sqrt(a² + b²), relative to the size of the terms, up to which the angle between the two solutions
+that have just vanished is still given. The target is then out of reach by so little that forward kinematics has to
+decide."""
 
 DOUBLE = 1e-14
-"""Relative size of a² + b² − c² below which two solutions count as one: they are then 1e-7 rad apart and rounding
-decides about their being real."""
+"""Size of a² + b² − c², relative to its terms, below which two solutions count as one: they are then 1e-7 rad apart,
+and rounding decides whether they are real."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""How fast a timing law may be on a path, from the limits of the joints (section 6.1.1 of the notes)."""
+"""Bounds on a timing law on a path, from the limits of the joints (section 6.1.1 of the notes)."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from armlab.kin.motion.path import Path
 Floats = NDArray[np.float64]
 
 BALANCED = math.sqrt(0.5)
-"""Of the largest speed with any room left for an acceleration: then half of each joint's limit goes to the bend of the
-path and half to speeding up."""
+"""Fraction of the largest speed that leaves any acceleration: half of each joint's limit is then used by the curvature
+of the path and half for speeding up."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,22 +61,22 @@ class LawBounds:
 
     @property
     def possible(self) -> bool:
-        """Whether a law can use V and A: A is positive."""
+        """Whether a law can use V and A, which requires that A is positive."""
         return self.A > 0.0
 
     @property
     def jerk(self) -> float:
-        """A bound of the third derivative of s with M_v alone: it shapes a law, and keeps no limit by itself."""
+        """A bound of the third derivative of s with M_v alone: it shapes a law but does not ensure the limit."""
         moving = self.M_v > 0.0
         return float((self.limits.jerk[moving] / self.M_v[moving]).min())
 
     @property
     def usable(self) -> LawBounds:
-        """Itself where a law can use it, and otherwise with V lowered."""
+        """The bounds as a law can use them, with V lowered if necessary."""
         return self if self.possible else self.lowered()
 
     def lowered(self) -> LawBounds:
-        """Return the bounds with V lowered so that some A is left: to sqrt(1/2) of V_bend, if that is less than V."""
+        """Return the bounds with V lowered to sqrt(1/2) of V_bend, if that is less, so that some A is left."""
         return _bounds(self, min(self.V, BALANCED * self.V_bend))
 
 

@@ -1,4 +1,4 @@
-"""Polynomials piece by piece, with vector coefficients: what most paths and laws are made of."""
+"""Piecewise polynomials with vector coefficients, of which most paths and laws are made."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 SAMPLES_A_PIECE = 40
-"""With so many sorted samples a piece, piece after piece is faster than gathering the coefficients of each sample."""
+"""Number of sorted samples in a piece from which evaluating piece by piece is the faster way."""
 
 SHORTEST = 1e-13
-"""Of the whole: a piece so short is rounding of one that is not there."""
+"""Length of a piece, relative to the whole, below which it is only rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class Piecewise:
 
     @staticmethod
     def _whole(u: Floats, coefficients: Floats) -> Floats:
-        """Return one polynomial; of a constant only a view, which a batch need not fill."""
+        """Return values of one polynomial; of a constant only a view, without a copy for each sample."""
         if len(coefficients) == 1:
             return np.broadcast_to(coefficients[0], (len(u), coefficients.shape[1]))
         return np.asarray((coefficients.T @ _powers(u, 0, len(coefficients) - 1)).T)
@@ -101,7 +101,7 @@ class Piecewise:
         return self._derived[order]
 
     def local(self, unit: float) -> Piecewise:
-        """Return the same function of ``x * unit``: knots stretched, coefficients scaled."""
+        """Return the same function of ``x * unit``: knots multiplied, coefficients scaled."""
         scales = unit ** -np.arange(self.degree + 1.0)
         return Piecewise(self.knots * unit, self.coefficients * scales[:, None])
 

@@ -1,4 +1,4 @@
-"""A path run through by a law: as fast as limits allow, or in a given time that keeps them."""
+"""A path with a timing law: as fast as limits allow, or in a given time that keeps them."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def run_along(
 def _stretched(
     kind: LawType, path: Path, limits: Limits | Arm | None, duration: float, options: dict[str, Any]
 ) -> Trajectory:
-    """Return a law that depends on the path, slowed down to a duration."""
+    """Return the trajectory with a law that depends on the path, slowed down to a duration."""
     if limits is None:
         raise InputError(f"limits: {kind.title} takes its shape from them; give Limits(...) or an arm")
     law = kind.along(path, limits, **options)

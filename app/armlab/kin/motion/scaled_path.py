@@ -1,4 +1,4 @@
-"""A path laid in other units of its coordinates: lengths in it then need no radian and metre in one sum."""
+"""A path in other units of its coordinates, so that lengths along it need not add radians and metres."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A tool that moves and turns: a path for a point of it, an orientation, one parameter."""
+"""The motion of a tool: a path of its tool point and an orientation over one parameter."""
 
 from __future__ import annotations
 

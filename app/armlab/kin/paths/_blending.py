@@ -106,7 +106,7 @@ def _times_the_line(share: float) -> str:
 
 
 def for_each(value: Any, where: str, count: int, each: str) -> Floats:
-    """Return one number for each of ``count``; one number alone stands for all. `InputError` otherwise."""
+    """Return one number for each of ``count``; a single number stands for all. `InputError` otherwise."""
     values = np.atleast_1d(np.asarray(value, dtype=float))
     if values.size not in (1, count):
         raise InputError(f"{where}: expected one number, or {count}: one for each {each}; got {values.size}")

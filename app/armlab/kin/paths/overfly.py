@@ -1,4 +1,4 @@
-"""Lines at constant speeds with the corners flown over: parabolic blends of constant acceleration."""
+"""Lines at constant speeds with rounded corners: parabolic blends of constant acceleration."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.kin.paths._blending import SHAPE, blended, check_room, for_each
 Floats = NDArray[np.float64]
 
 SHARE = 0.25
-"""Distance d1, of the shorter neighbouring line, when nothing is given."""
+"""Default distance d1, relative to the shorter neighbouring line."""
 
 QUARTIC = "The acceleration is zero at both ends of each blend, and 1.5 times that of a parabola in its middle."
 PARABOLA = (
@@ -54,7 +54,7 @@ class Overfly(PolynomialPath):
         self.accelerations = np.diff(v, axis=0) / times[:, None]
 
     def remarks_in(self, unit: str, size: float) -> tuple[str, ...]:
-        """Return the remarks, with the largest jump of a parabolic blend in numbers."""
+        """Return the remarks, with the largest jump of a parabolic blend as a number."""
         jump = float(np.linalg.norm(self.accelerations, axis=1).max())
         # Three digits, and never with an exponent that a length would not have.
         known = PARABOLA.format(jump=f" by up to {float(f'{jump / size:.3g}'):g} {unit}/s²")

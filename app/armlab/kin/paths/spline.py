@@ -1,4 +1,4 @@
-"""The cubic spline through timed waypoints: continuous up to the acceleration, and calm between them."""
+"""The cubic spline through timed waypoints: continuous up to the acceleration, with little oscillation."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 VELOCITIES, ACCELERATIONS, BOTH = (
     (("ends", kinds),) for kinds in (("clamped", "both"), ("natural", "both"), ("both",))
 )
-"""Kinds of ends with which something can be given."""
+"""Conditions for options at the ends: the kinds of ends with which each can be given."""
 
 
 class Spline(PolynomialPath):
@@ -48,7 +48,7 @@ class Spline(PolynomialPath):
 
     @property
     def equations(self) -> int:
-        """How many conditions, and coefficients, it has: 4 for each cubic."""
+        """Number of conditions, which is that of the coefficients: 4 for each cubic."""
         return 4 * (len(self.times) - 1)
 
 
@@ -79,7 +79,7 @@ def make(knots: Floats, options: dict[str, Any]) -> Spline:
 
 
 def _refuse_unused(options: dict[str, Any], ends: str) -> None:
-    """Raise `InputError` when something is given that this kind of spline cannot keep."""
+    """Raise `InputError` when something is given that this kind of ends cannot satisfy."""
     for field in PATH.fields:
         given_up = field.only and field.only[0][0] == "ends" and not field.usable(options)
         if given_up and options[field.key] is not None:

@@ -15,18 +15,18 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 NOTHING = 1e-12
-"""Of the largest coefficient of a step: a band with one below it does not depend on that unknown, but for rounding."""
+"""Coefficient, relative to the largest in a step, below which a band does not depend on that unknown."""
 
 
 ROUNDING = 1e-13
-"""Relative height above the top at which two lines count as meeting there."""
+"""Height above the top, relative, up to which two lines count as meeting there."""
 
 HUGE = 1e60
-"""Larger than any squared speed."""
+"""Value larger than any squared speed."""
 
 RUSH = 1e4
-"""Times the median of the largest squared speeds: where the path itself stands still, s may become as fast as one
-likes. Beyond this, a hundred times its usual speed, it would gain less than a hundredth of the time."""
+"""Factor of the median of the largest squared speeds: where the path stands still, s may become arbitrarily fast.
+Beyond a hundred times its usual speed it would gain less than a hundredth of the time."""
 
 
 class Bands(NamedTuple):
@@ -50,7 +50,7 @@ class Controllable(NamedTuple):
 
 
 def solved_for(one: Floats, other: Floats) -> tuple[Floats, Floats]:
-    """Return e and f (N, R) with -e + f v <= u <= e + f v for bands |one u + other v| <= 1; infinite e without u."""
+    """Return e and f (N, R) with -e + f v <= u <= e + f v for bands |one u + other v| <= 1; e is infinite without u."""
     size = np.maximum(np.abs(one), np.abs(other)).max(axis=1, keepdims=True, initial=0.0)
     known = np.abs(one) > NOTHING * size
     safe = np.where(known, one, 1.0)

@@ -1,4 +1,4 @@
-"""Which joint speeds give a wanted velocity: none, one or infinitely many; the shortest, and what it reaches."""
+"""The joint speeds for a wanted velocity: none, one or infinitely many; the shortest, and the velocity it reaches."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 Verdict = Literal["none", "one", "many"]
 
 REACHED = 1e-9
-"""A velocity is reached when what is missing, scaled, is not above this times the wanted one."""
+"""Missing velocity, scaled and relative to the wanted one, up to which it counts as reached."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ def answer(
 
 
 def answer_in(spaces: Subspaces, J: ArrayLike, v: ArrayLike) -> Answer:
-    """Return the same with the subspaces of J already known."""
+    """Return the answer from subspaces of J that are already known."""
     matrix = np.asarray(J, dtype=np.float64)
     wanted = finite_floats(v, "v", (len(matrix),), f"{len(matrix)} finite numbers")
     qdot = spaces.inverse @ wanted

@@ -1,4 +1,4 @@
-"""Whether a Jacobian is singular, by every test of the course, and which of its columns have become dependent."""
+"""Singularity of a Jacobian by every test of the course, and the columns that have become dependent."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from armlab.kin.ellipsoid import RANK_TOLERANCE
 Array = NDArray[np.float64]
 
 MOST_MINORS = 1000
-"""Minors that are computed at most; twelve joints and six rows have 924."""
+"""Largest number of minors that are computed; twelve joints and six rows have 924."""
 
 LARGEST_SET = 4
-"""Columns of a set that is tried for dependence."""
+"""Largest number of columns that are tried for dependence."""
 
 PART = 1e-6
-"""A coefficient of a dependence below this times the largest counts as zero."""
+"""Coefficient of a dependence, relative to the largest, below which it counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,7 +199,7 @@ def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Depend
 
 
 def _by_elimination(matrix: Array, floor: float) -> tuple[Dependence, ...]:
-    """Return a basis of the null space with many zeros: the reduced row echelon form, with pivots as they are large."""
+    """Return a basis of the null space with many zeros: the reduced row echelon form, with the largest pivots."""
     _, sigma, V_T = np.linalg.svd(matrix)
     rows = V_T[int(np.sum(sigma > floor)) :].copy()
     for i in range(len(rows)):
@@ -217,7 +217,7 @@ def _by_elimination(matrix: Array, floor: float) -> tuple[Dependence, ...]:
 
 
 def _dependence(columns: Array, floor: float) -> Array | None:
-    """Return the factors of a sum that is zero, all of them of some size; None where there is none."""
+    """Return the coefficients of a vanishing sum, none of them small; None when there is none."""
     _, sigma, V_T = np.linalg.svd(columns)
     if sigma[-1] > floor:
         return None

@@ -28,7 +28,7 @@ class HalfPlane(Sheet):
     """
 
     def met(self, q: Singles) -> Met:
-        """Return what configurations make when joint 1 brings the tool point into the half plane."""
+        """Return positions and directions of the tool of configurations when joint 1 turns it into the half plane."""
         joint = self.joint
         q[:, 0] = 0.0
         T = np.asarray(self.arm.fk(q), dtype=np.float64)
@@ -48,7 +48,7 @@ class HalfPlane(Sheet):
         return Met(q[kept], coordinates[kept, :2], axis[kept])
 
     def places(self, points: ArrayLike) -> Floats:
-        """Return (u, v) of points in the world, wherever joint 1 has carried them."""
+        """Return (u, v) of points in the world, for any value of joint 1."""
         return self.joint.split(points)[..., :2]
 
     def points(self, places: ArrayLike) -> Floats:
@@ -57,11 +57,11 @@ class HalfPlane(Sheet):
         return self.joint.join(np.concatenate([given, np.full((*given.shape[:-1], 1), self.s)], axis=-1))
 
     def lowest(self, low: Floats) -> Floats:
-        """Begin at the axis at the earliest."""
+        """Return the corner of a picture, which does not begin before the axis."""
         return np.array([max(low[0], 0.0), low[1]]) if self.joint.revolute else low
 
     def _frame(self, T: Floats) -> Floats:
-        """Return the axes in which directions are written, columns: those of joint 1, or about the tool's fixed z."""
+        """Return the axes of directions, as columns: those of joint 1, or about the tool's fixed z."""
         axes, z = self.joint.axes, T[0, :3, 2]
         if not self.bins.circle or (self.joint.revolute and abs(z @ axes[:, 2]) > 1.0 - FULL_TURN):
             return axes

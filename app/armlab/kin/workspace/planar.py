@@ -35,10 +35,10 @@ Interval = tuple[float, float]
 Signs = tuple[int, ...]
 
 EDGE = 1e-12
-"""Of the sum of the links: radii that differ by less are one."""
+"""Difference of radii, relative to the sum of the links, below which they are equal."""
 
 NO_LINK = 1e-9
-"""Of the sum of the links: what is shorter is no link."""
+"""Length, relative to the sum of the links, below which a link counts as missing."""
 
 
 @dataclass(frozen=True)
@@ -211,7 +211,7 @@ def lengths_of(arm: Arm) -> tuple[float, ...] | None:
 
 
 def turns_fully(arm: Arm) -> bool:
-    """Return whether the limits of every joint leave it a whole turn."""
+    """Return whether the limits of every joint allow a whole turn."""
     return bool(np.all(arm.limits[:, 1] - arm.limits[:, 0] >= math.tau - FULL_TURN))
 
 
@@ -252,7 +252,7 @@ def _angle(r: Floats, c: float, d: Floats) -> Floats:
 
 
 def _rounded(length: float, links: Sequence[float]) -> float:
-    """Return a length, and zero for what is not positive or zero up to rounding."""
+    """Return a length; zero when it is negative, or zero up to rounding."""
     return length if length > EDGE * sum(links) else 0.0
 
 

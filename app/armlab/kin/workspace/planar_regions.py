@@ -24,7 +24,7 @@ from armlab.kin.workspace.planar import (
 Kind = Literal["boundary", "edge", "dexterous", "partial", "crossing", "two", "origin"]
 
 ACROSS = 2001
-"""Radii of a ring at which its orientations are measured, for the least and the most of them."""
+"""Number of radii of a ring at which the range of orientations is measured."""
 
 NAMES: dict[Kind, str] = {
     "boundary": "boundary ∂WS₁",
@@ -71,12 +71,12 @@ class Region:
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """The name of the region."""
         return NAMES[self.kind]
 
     @property
     def says(self) -> str:
-        """All of it in words."""
+        """The description of the region."""
         return f"{self.orientations} {self.solutions}"
 
 
@@ -102,7 +102,7 @@ def regions(lengths: tuple[float, ...]) -> tuple[Region, ...]:
 
 
 def region_at(lengths: Sequence[float], r: float) -> Region | None:
-    """Return the region of a radius in metres; None outside WS1."""
+    """Return the region that contains a radius in metres; None outside WS1."""
     links = tuple(map(float, lengths))
     edge = EDGE * sum(links)
     found = regions(links)
@@ -151,7 +151,7 @@ def _ring(space: PlanarWorkspace, low: float, high: float) -> Region:
 
 
 def _ranges(lengths: Sequence[float], r: float) -> int:
-    """Return in how many ranges of the whole circle the tool's angles lie: psi and -psi meet at 0 or at pi."""
+    """Return the number of intervals of the tool's angles: psi and -psi meet at 0 or at pi."""
     low, high = tool_angles(lengths, r)
     return 1 if low <= 0.0 or high >= math.pi else 2
 

@@ -30,7 +30,7 @@ Indices = NDArray[np.intp]
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """What an arm reaches, as a section.
+    """The workspace of an arm as a section, over which joint 1 moves it.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class Section:
 
     @property
     def joint(self) -> FirstJoint:
-        """Coordinates u, v, s and what joint 1 does."""
+        """Joint 1 with its coordinates u, v, s."""
         return self.grid.joint
 
     @property
@@ -81,12 +81,12 @@ class Section:
         return self.grid.step
 
     def at(self, i: Indices, j: Indices) -> Floats:
-        """Return the configurations (k, n) that fill some filled cells, by their row (k,) and column (k,)."""
+        """Return the configurations (k, n) of filled cells, given by row (k,) and column (k,)."""
         return np.asarray(self.configurations[self.row[i, j]])
 
     @cached_property
     def covered(self) -> Floats:
-        """How much of s is covered at each cell, (Nu, Nv), rad where joint 1 turns and m where it slides."""
+        """Covered range of s at each cell, (Nu, Nv), rad when joint 1 is revolute and m when prismatic."""
         if self.arcs is None:
             return np.where(self.filled, 2.0 * np.pi, 0.0)
         rows, columns = self.filled.shape
@@ -96,12 +96,12 @@ class Section:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """Where it ends."""
+        """The boundary of the section."""
         return Boundary(self.grid, self.outline, self.arcs, self.filled)
 
     @property
     def contours(self) -> tuple[Floats, ...]:
-        """Closed polylines (k, 2) round what is reached in (u, v), metres; of a planar arm there and back along u."""
+        """Closed polylines (k, 2) around the reached part in (u, v), metres; of a planar arm there and back along u."""
         return self.boundary.contours
 
     def holds(self, points: ArrayLike) -> Bools:

@@ -1,4 +1,4 @@
-"""Surfaces on which the tool point is looked at: what is sampled on them, and where they lie."""
+"""Surfaces on which the tool point is shown, and the samples on them."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 
 CHUNK = 8_192
-"""Configurations of one piece of work."""
+"""Configurations in one piece of work."""
 
 EXTENT, MARGIN = 32_768, 0.03
-"""Configurations that tell how large a picture has to be, and what is added to it on either side."""
+"""Number of configurations that determine the size of a picture, and the margin on either side."""
 
 FLAT = 1e-5
-"""Of the wider side: what is narrower than this is one cell wide."""
+"""Width, relative to the wider side, below which a picture is one cell wide."""
 
 
 class Met(NamedTuple):
@@ -85,7 +85,7 @@ class Sheet(ABC):
 
     @abstractmethod
     def met(self, q: Singles) -> Met:
-        """Return what configurations (k, n) make; they may be written to."""
+        """Return positions and directions of the tool at configurations (k, n), an array that may be overwritten."""
 
     @abstractmethod
     def places(self, points: ArrayLike) -> Floats:
@@ -97,10 +97,10 @@ class Sheet(ABC):
 
     @abstractmethod
     def lowest(self, low: Floats) -> Floats:
-        """Return the corner of a picture that would begin at ``low`` (2,)."""
+        """Return the corner of a picture that begins at ``low`` (2,)."""
 
     def grid(self, cells: int) -> Approaches:
-        """Return an empty grid for what can be reached, ``cells`` along its longer side."""
+        """Return an empty grid over everything reachable, ``cells`` along its longer side."""
         low, high = within(self.arm)
         q = low + (high - low) * np.random.default_rng(0).random((EXTENT, self.arm.n), dtype=np.float32)
         places = self.places(self.arm.position(q))

@@ -1,4 +1,4 @@
-"""Maps over the surface an arm is looked at on: orientations that were met, and numbers of solutions."""
+"""Maps on the surface in which an arm is shown: orientations that were met, and numbers of solutions."""
 
 from __future__ import annotations
 
@@ -123,4 +123,4 @@ def count_maps(sheet: Sheet, R: ArrayLike, cells: int) -> Iterator[SheetMap]:
 
 
 _SOLVES = 8
-"""Inverse kinematics solved in one piece of work."""
+"""Number of inverse kinematics problems solved in one piece of work."""

@@ -1,4 +1,4 @@
-"""How many solutions of the inverse kinematics there are at points, the tool turned in one way at all of them."""
+"""Numbers of solutions of the inverse kinematics at points, with one orientation of the tool for all."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.kin.ik.solve_all import solve_all
 
 
 class Count(NamedTuple):
-    """How many solutions a pose has.
+    """The number of solutions of a pose.
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ def counts(arm: Arm, points: ArrayLike, R: ArrayLike) -> Iterator[Count]:
 
 
 def count_of(found: IkSolutions) -> Count:
-    """Return how many solutions were found."""
+    """Return the number of solutions."""
     inside = int(found.within_limits.sum())
     if found.completeness == "infinite":
         return Count(math.inf, math.inf if inside else 0.0, True)

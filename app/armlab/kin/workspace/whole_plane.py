@@ -1,4 +1,4 @@
-"""The plane a planar arm moves in, seen from above: random configurations, as they are."""
+"""The plane of a planar arm, seen from above, with unchanged random configurations."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class WholePlane(Sheet):
         return axes if self.joint.revolute else np.column_stack([axes[:, 2], axes[:, 0], axes[:, 1]])
 
     def met(self, q: Singles) -> Met:
-        """Return where configurations have the tool point, and how the tool is turned in the plane."""
+        """Return positions and directions of the tool in the plane, at configurations."""
         T = np.asarray(self.arm.fk(q), dtype=np.float64)
         return Met(q, self.places(T[:, :3, 3]), T[:, :3, 0 if self.bins.circle else 2] @ self.across)
 
@@ -40,5 +40,5 @@ class WholePlane(Sheet):
         return np.asarray(self.joint.origin + given @ self.across[:, :2].T + self.s * self.across[:, 2])
 
     def lowest(self, low: Floats) -> Floats:
-        """Begin where it begins."""
+        """Return the corner of a picture: where the picture begins."""
         return low

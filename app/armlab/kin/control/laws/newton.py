@@ -23,7 +23,7 @@ from armlab.kin.control.scaled_task import Floats
 from armlab.kin.field import Field
 
 CLOSE = 1e-12
-"""Scaled error below which nothing is left to do."""
+"""Scaled error below which the target counts as reached."""
 
 
 def command(controller: Controller, q: Floats, aim: Aim, options: Mapping[str, Any]) -> Told:

@@ -1,4 +1,4 @@
-"""What an iterative method is: a rule for one step. Loop, limits, stopping and words are shared.
+"""Iterative methods: each is a rule for one step; loop, limits, stopping and wording are shared.
 
 A rule for NumPy arrays, many configurations at once, that may look at singular values, has named parameters and may
 remember. The compiled methods behind a drag are another kind of rule: see `armlab.kin.ik.method`.
@@ -51,7 +51,7 @@ class Parameter:
 
 
 class Move(NamedTuple):
-    """What a method proposes for B configurations with k free joints.
+    """The step that a method proposes for B configurations with k free joints.
 
     Attributes
     ----------
@@ -159,7 +159,7 @@ def damped_step(point: Point, damping: Floats) -> Floats:
 
 
 def inverse_step(point: Point, cutoff: float = 0.0) -> Floats:
-    """Return J# e, (B, k), singular values not above ``cutoff`` times the largest taken as zero."""
+    """Return J# e, (B, k); singular values up to ``cutoff`` times the largest are taken as zero."""
     kept = point.sigma > cutoff * point.sigma_max[:, None]
     return _spread(point, np.where(kept, 1.0 / np.where(kept, point.sigma, 1.0), 0.0))
 

@@ -1,4 +1,4 @@
-"""The full record of an iteration: what a film of it shows."""
+"""The full record of an iteration, from which its film is made."""
 
 from __future__ import annotations
 
