@@ -44,7 +44,7 @@ class BenchWord:
     text: str = ""
 
     def wrong(self, key: str, problem: str) -> LessonError:
-        """Return the error for one of its arguments, or for itself with an empty key."""
+        """Return the error for one of its arguments, or for the whole command when the key is empty."""
         path = f"{self.path}.{key}" if key else self.path
         where = ".".join(filter(None, (self.block, path)))
         return LessonError(self.file, where, problem, line_of(self.text, path) or 1)
@@ -60,7 +60,7 @@ def is_word(text: str) -> bool:
 
 
 def read_word(entry: Fields) -> BenchWord:
-    """Take the word in ``command`` and all that stands with it, its arguments."""
+    """Take the word in ``command``; all other keys beside it are its arguments."""
     given = {key: entry.value(key) for key in entry.keys if key != "command"}
     block, dot, path = entry.where.rpartition(".do[")
     path = f"do[{path}" if dot else entry.where
@@ -68,7 +68,7 @@ def read_word(entry: Fields) -> BenchWord:
 
 
 def placed(actions: tuple[T, ...], text: str) -> tuple[T, ...]:
-    """Return actions whose words know the TOML they stand in, for the lines of their mistakes."""
+    """Return actions whose words know the TOML in which they stand, so that mistakes are reported with their lines."""
     return tuple(replace(each, text=text) if isinstance(each, BenchWord) else each for each in actions)
 
 

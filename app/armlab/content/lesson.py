@@ -1,4 +1,4 @@
-"""What a lesson is: its arm and how it stands at first, and the steps."""
+"""Lessons: the arm, its initial state, and the steps."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.content.question import Question
 from armlab.content.robots import Camera, Robot
 
 LOCKS = ("robot", "table", "joints", "target")
-"""What a lesson can lock: the choice of another arm, the DH table, the joints, the handle of the target."""
+"""Parts that a lesson can lock: the choice of another arm, the DH table, the joints, the handle of the target."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""What solutions of lessons do to benches and to the plan of a motion, as lesson files write it."""
+"""Actions of solutions on benches and on the plan of a motion, as they are written in lesson files."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class SetMoveKind:
 
 @dataclass(frozen=True)
 class SetDuration:
-    """Give the motion so many seconds; None: as fast as allowed."""
+    """Set the duration of the motion in seconds; None for as fast as allowed."""
 
     seconds: float | None
 
@@ -159,4 +159,4 @@ READERS: dict[str, Callable[[Fields, Robot], MotionAction]] = {
     "duration": _set_duration,
     "limits": _set_limits,
 }
-"""By the kind that lesson files write."""
+"""Readers of the actions, by their kind in lesson files."""

@@ -1,4 +1,4 @@
-"""What the check of a lesson may look at, and how it is kept as evidence."""
+"""The data that checks of lessons use, and their form as evidence."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from armlab.kin.dh import CONVENTIONS, FIELDS, Convention
 from armlab.kin.task import task_named
 
 BEYOND = 1e-6
-"""Radians or metres by which a joint value in evidence may be outside of the limits, from rounding."""
+"""Largest excess of a joint value in evidence over its limits, radians or metres, that is rounding."""
 
 SAME_TABLE = 1e-12
-"""Metres and radians by which two tables may differ and still be the same: files hold angles in degrees."""
+"""Largest difference, in m and rad, of tables that are the same: files contain angles in degrees."""
 
 _KEYS = ("q", "arm", "target", "seconds", "switches", "panel", "films")
 
@@ -71,12 +71,12 @@ class Observation:
 
     @classmethod
     def of(cls, arm: Arm, q: ArrayLike, **more: Any) -> Observation:
-        """Return what is seen of an arm at q, shape (n,); the other fields by their names."""
+        """Return the observation of an arm at q, shape (n,), with other fields by name."""
         values = np.array(q, dtype=np.float64)
         return cls(arm, values, np.array(arm.fk(values), dtype=np.float64), **more)
 
     def to_json(self) -> dict[str, Any]:
-        """Return it as plain data. The pose of the tool is left out: it follows from arm and joint values."""
+        """Return the observation as plain data. The tool pose is left out, as it follows from arm and joint values."""
         motion = {} if self.motion is None else {"motion": self.motion.to_json()}
         return {
             "q": self.q.tolist(),
@@ -141,7 +141,7 @@ def _written(arm: Arm) -> dict[str, Any]:
 
 
 def _arm(data: object, robot: Robot) -> Arm:
-    """Return the robot's arm where the data has its table, else an arm made of the data."""
+    """Return the robot's arm when the data have its table, else an arm made from the data."""
     fields = evidence.mapping(data, "observation.arm", tuple(_written(robot.arm)))
     rows = fields["rows"]
     if not isinstance(rows, list) or not 1 <= len(rows) <= MAX_JOINTS:

@@ -1,4 +1,4 @@
-"""What a person looks for: numbers of the notes and words, however they are written, also with a slip."""
+"""Queries to the index: numbers of the notes and words in any notation, also with one slip."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SKIPPED = frozenset(
     ["a", "an", "and", "as", "at", "by", "do", "for", "from", "how", "i", "in", "is", "it", "its", "my"]
 )
 SKIPPED |= frozenset(["of", "on", "or", "the", "to", "what", "with"])
-"""Words that say nothing beside others."""
+"""Words without meaning for a query."""
 
 _GREEK = {
     letter: f" {unicodedata.name(letter).rpartition(' ')[2].lower().replace('lamda', 'lambda')} "
@@ -109,7 +109,7 @@ def tokens(text: str) -> Iterator[str]:
 
 
 def without_one(word: str) -> set[str]:
-    """Return a word and what is left of it without one of its letters: two words with one slip share one of these."""
+    """Return a word and all forms of it with one letter removed: two words one slip apart have one in common."""
     return {word, *(word[:i] + word[i + 1 :] for i in range(len(word)))}
 
 

@@ -1,4 +1,4 @@
-"""What the check of a lesson sees of the planned motion, and how it is kept as evidence."""
+"""The planned motion as checks of lessons see it, and its form as evidence."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.errors import InputError
 from armlab.kin.checks import wrong
 
 MOST_WAYPOINTS = 100
-"""Waypoints of a motion that lessons speak of."""
+"""Largest number of waypoints of a motion in lessons."""
 
 _TRUTHS = ("planned", "whole", "within", "played")
 _FOLLOWS = ("trouble", "raised")
@@ -19,7 +19,7 @@ _SIZES = ("duration", "fastest", "velocity", "acceleration", "deviation")
 
 @dataclass(frozen=True)
 class SeenMove:
-    """How the arm comes from one waypoint to the next.
+    """The move of the arm from one waypoint to the next.
 
     Attributes
     ----------
@@ -85,11 +85,11 @@ class SeenMotion:
 
     @property
     def runs(self) -> bool:
-        """Whether it runs to its end within all limits."""
+        """Whether the motion can be run to its end within all limits."""
         return self.planned and self.whole and self.within and not self.raised
 
     def to_json(self) -> dict[str, Any]:
-        """Return it as plain data."""
+        """Return the motion as plain data."""
         data = {key: value for key, value in asdict(self).items() if key not in _FOLLOWS}
         return {**data, "moves": [[move.space, move.path, move.law] for move in self.moves]}
 

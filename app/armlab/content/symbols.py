@@ -1,4 +1,4 @@
-"""The signs of print and of screens, replaced by those of a keyboard."""
+"""Typographic characters, replaced by those of a keyboard."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 import unicodedata
 
 MINUS_SIGNS = "−–—‒﹣－‐‑"
-"""What people paste for a minus."""
+"""Characters that people paste as a minus sign."""
 
 _SYMBOLS = str.maketrans(
     {
@@ -44,7 +44,7 @@ def plain_symbols(text: str) -> str:
 
 
 def _mixed(found: re.Match[str]) -> str:
-    """Return a vulgar fraction in brackets, with the whole number before it; a decimal number cannot stand there."""
+    """Return a vulgar fraction in brackets, with the whole number before it, which must not be a decimal number."""
     whole, fraction = found.groups()
     if whole and "." in whole:
         return f"{whole} {unicodedata.numeric(fraction)}"

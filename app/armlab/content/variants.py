@@ -1,4 +1,4 @@
-"""Variants of a lesson: each number of a variant gives the same values to everyone who has it."""
+"""Variants of a lesson: the number of a variant determines its values, the same for everyone."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class NoValue(InputError):
 
 @dataclass(frozen=True)
 class Variants:
-    """What varies in a lesson.
+    """The varying values of a lesson.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class Variants:
 
     @property
     def varies(self) -> bool:
-        """Whether there is anything to choose."""
+        """Whether there are any values to choose."""
         return any(len(values) > 1 for values in self.choices.values())
 
     @classmethod
@@ -116,7 +116,7 @@ class Variants:
 
 
 def _place(words: str, count: int) -> int:
-    """Return a number from 0 to count - 1 that looks random and is the same on every machine."""
+    """Return a number from 0 to count - 1 that looks random and is the same on every computer."""
     return int.from_bytes(hashlib.sha256(words.encode()).digest()[:8], "big") % count
 
 
@@ -132,7 +132,7 @@ def _numeric(choices: Mapping[str, tuple[Value, ...]]) -> list[str]:
 
 
 def _read(table: Fields, name: str, earlier: list[str]) -> tuple[Value, ...] | Expression:
-    """Return what a name is chosen from, or the expression it follows from."""
+    """Return the values from which a name is chosen, or the expression that gives it."""
     given = table.value(name)
     if isinstance(given, str):
         try:
@@ -169,7 +169,7 @@ def _chosen(entry: Fields) -> tuple[Value, ...]:
 
 
 def _grid(entry: Fields) -> tuple[Value, ...]:
-    """Take a grid that holds its first and, if the steps lead there, its last number, free of rounding noise."""
+    """Take a grid with its first and, when the steps lead to it, its last number, without rounding noise."""
     low, high, step = entry.number("from"), entry.number("to"), entry.number("step")
     if step <= 0:
         raise entry.fail("step", f"expected a positive number, got {step:g}")

@@ -1,4 +1,4 @@
-"""By what two hand-ins are known to be made of each other."""
+"""Comparison of two hand-ins, to find out whether one was copied from the other."""
 
 from __future__ import annotations
 

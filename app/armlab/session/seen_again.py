@@ -1,4 +1,4 @@
-"""What a check saw, from evidence that anyone may have changed: what follows from the inputs is worked out again."""
+"""Observations of checks from evidence that anyone may have changed: everything derived is computed again."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.session.state import Json
 from armlab.session.taught import taught
 
 FACTS = "facts"
-"""Where evidence holds what facts of benches follow from."""
+"""Key in evidence of the data from which facts are computed."""
 
 
 def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, ...] = ()) -> Observation:

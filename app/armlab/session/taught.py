@@ -1,4 +1,4 @@
-"""What a bench gives to lessons: facts that checks and live values look at, and what solutions may do to it."""
+"""Contributions of a bench to lessons: observations for checks and live values, and actions for solutions."""
 
 from __future__ import annotations
 
@@ -61,5 +61,5 @@ class Taught:
 
 @cache
 def taught() -> tuple[Taught, ...]:
-    """Return what the benches give to lessons."""
+    """Return the contributions of all benches."""
     return tuple(discover_in_benches("lesson", "TAUGHT", Taught).values())

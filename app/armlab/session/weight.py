@@ -1,4 +1,4 @@
-"""How much memory a part of the state holds, roughly: what undo keeps of one student has to end somewhere."""
+"""The approximate memory of a part of the state, by which undo is limited."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from armlab.kin.arm import Arm
 from armlab.session.state import Part
 
 OBJECT = 64
-"""Bytes of a number, a name, or the shell of what holds others."""
+"""Size in bytes of a number, a name, or the shell of a container."""
 
 ARM = 50_000
-"""Bytes of an arm with its compiled formulas, measured over some hundred edits of a table."""
+"""Size in bytes of an arm with its compiled formulas, measured over some hundred edits of a table."""
 
 MOST_LOOKED_AT = 100_000
-"""Objects that are looked at; a part with more is heavy, however much more."""
+"""Largest number of objects that are counted; a part with more counts as heavy."""
 
 
 def weight(parts: Iterable[Part], shared: Iterable[object] = ()) -> int:
@@ -54,6 +54,6 @@ def weight(parts: Iterable[Part], shared: Iterable[object] = ()) -> int:
 
 
 def forget_derived(part: Part) -> None:
-    """Forget what was computed from a part; it is computed again where it is asked for."""
+    """Forget results computed from a part; they are computed again when needed."""
     for name in [name for name in vars(part) if isinstance(getattr(type(part), name, None), cached_property)]:
         vars(part).pop(name, None)

@@ -1,4 +1,4 @@
-"""The arm stands in a branch of its inverse kinematics: elbow, shoulder, wrist."""
+"""The arm is in a branch of its inverse kinematics: elbow, shoulder, wrist."""
 
 from __future__ import annotations
 
@@ -80,16 +80,16 @@ FEATURES = (
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """The branches that are asked: feature and "first" or "second"."""
+    """The required branches: feature and "first" or "second"."""
 
     asked: tuple[tuple[Feature, Side], ...] = field(default=())
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether the arm stands in all of them; an arm on the border of two branches is in neither."""
+        """Return whether the arm is in all of these branches; on a border between two it is in neither."""
         return self._first_wrong(observation) is None
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the first branch that is not the one asked."""
+        """Return a sentence on the first branch that differs."""
         found = self._first_wrong(observation)
         if found is None:
             return "The arm stands in the branch that is asked."
