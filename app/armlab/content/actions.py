@@ -44,7 +44,7 @@ class SetCell:
     Attributes
     ----------
     row : int
-        From 0, as in commands; lesson files count from 1.
+        Index from 0, as in commands; lesson files count from 1.
     field : "a", "alpha", "d" or "theta"
     value : float
         Metres or radians.

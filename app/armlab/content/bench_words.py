@@ -27,11 +27,11 @@ class BenchWord:
     ----------
     word : str
     given : mapping of str to object
-        What the file says of its arguments, with the values of the variant.
+        Arguments in the file, with the values of the variant.
     file : str
         Name of the lesson's file in messages.
     block, path : str
-        Where it stands: the block, such as ``step 2.solution``, and the place in it, such as ``do[1]``.
+        The block, such as ``step 2.solution``, and the place in it, such as ``do[1]``.
     text : str
         The TOML it stands in, after as many empty lines as stand before it in the file.
     """

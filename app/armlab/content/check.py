@@ -150,7 +150,7 @@ class WrongState:
     check : Check
         Met in that state.
     says : str
-        What the lesson says to it, as HTML.
+        The lesson's text on the mistake, as HTML.
     q : ndarray, shape (n,), or None
         A configuration in which it is met, radians and metres.
     """

@@ -105,7 +105,7 @@ class Expression:
     Attributes
     ----------
     text : str
-        As written.
+        The text as typed.
     names : frozenset of str
         The variables in it.
     """
@@ -158,7 +158,7 @@ def parse(text: str, names: Collection[str] = (), functions: Collection[str] = t
     names : collection of str
         The variables that may stand in it.
     functions : collection of str
-        Those of `FUNCTIONS` that may stand in it.
+        Those of `FUNCTIONS` that are allowed.
 
     Raises
     ------

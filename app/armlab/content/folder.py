@@ -53,7 +53,7 @@ class Folder(Generic[T]):
         parse : callable
             ``parse(key, text, name of the file)``; raises `ContentError`.
         order : callable
-            By which the contents are sorted.
+            The key by which the contents are sorted.
         """
         found, problems = [], []
         for file in files:

@@ -116,7 +116,7 @@ def search(
     limit : int
         Most entries.
     benches : iterable of Bench
-        Those there are; content knows none itself.
+        The existing benches, which content itself does not know.
     taught : iterable of Taught, optional
         The lessons; those of the lab when left out.
 

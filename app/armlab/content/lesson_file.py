@@ -53,7 +53,7 @@ def parse_lesson(
     catalogue : Catalogue, optional
         The robots there are; those of the lab when left out.
     variant : int, optional
-        From 0. A lesson that does not vary is the same, with variant 0, for every number.
+        Number of the variant, from 0. A lesson that does not vary is always its variant 0.
     pictures : mapping of str to str, optional
         Names of the pictures beside it to ``data:`` addresses; a single file has None and can show none.
 

@@ -92,7 +92,7 @@ def sources_of(folder: Traversable, label: str = "") -> tuple[list[Source], list
     ----------
     folder : Traversable
     label : str
-        What stands before the names of files in messages, such as ``mine/``.
+        Text before the names of files in messages, such as ``mine/``.
     """
     root = folder if isinstance(folder, Path) else None
     found: list[Source] = []

@@ -21,9 +21,9 @@ class LessonError(ContentError):
     Parameters
     ----------
     file, key, problem : str
-        As in `ContentError`.
+        The parts of a `ContentError`.
     line : int
-        From 1.
+        Line, from 1.
     """
 
     def __init__(self, file: str, key: str, problem: str, line: int) -> None:

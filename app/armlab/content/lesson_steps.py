@@ -45,7 +45,7 @@ class Setting:
     robot : Robot
     catalogue : Catalogue
     values : mapping of str to Value
-        Of the variant.
+        Values of the variant.
     prose : Prose
     """
 
@@ -86,9 +86,9 @@ def read_step(setting: Setting, number: int, section: list[Token]) -> Step:
     ----------
     setting : Setting
     number : int
-        From 1.
+        Number of the step, from 1.
     section : list of Token
-        From the heading on.
+        The section with its heading.
 
     Raises
     ------

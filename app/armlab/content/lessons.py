@@ -38,7 +38,7 @@ class Lessons(Folder[Lesson]):
     gone : dict
         Lessons whose files were taken away: those who are in one can go on.
     broken : dict
-        By key, what is wrong with a file that was never right.
+        Problems, by key, of files that never were readable.
     """
 
     kind = "lesson"

@@ -133,7 +133,7 @@ class TextError(InputError):
     ----------
     problem : str
     line : int
-        From 0 at the text's first.
+        Line, from 0 for the first one of the text.
     """
 
     def __init__(self, problem: str, line: int) -> None:

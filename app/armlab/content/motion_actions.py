@@ -29,7 +29,7 @@ class EditWaypoint:
     how : "add", "set" or "remove"
         Add the configuration of the arm, put a waypoint there, or take one out.
     k : int or None
-        Which waypoint, from 0; with "add" the one behind which it is put, None for the selected one.
+        The waypoint, from 0; with "add" the one after which it is added, None for the selected one.
     """
 
     how: str

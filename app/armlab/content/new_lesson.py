@@ -64,10 +64,10 @@ class _Joint:
     Attributes
     ----------
     number : int
-        From 1.
+        Number of the joint, from 1.
     turns : bool
     value, wrong, tolerance : float
-        Where it is to be, where a mistake brings it, and how exact; in ``unit``.
+        Goal, position after the typical mistake, and tolerance, in ``unit``.
     """
 
     number: int

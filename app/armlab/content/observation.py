@@ -42,20 +42,20 @@ class Observation:
     tool_pose : ndarray, shape (4, 4)
         The tool in the world.
     target : ndarray, shape (4, 4), or None
-        Where the handle stands, in the world.
+        Pose of the handle, in the world.
     seconds : float
         Since the step was shown.
     switches : frozenset of str
-        What is switched on.
+        Switches that are on.
     panel : str
         The panel that is open; empty for none.
     films : frozenset of str
-        What was played to its end.
+        Films that were played to their end.
     motion : SeenMotion or None
         The planned motion; None where nothing in the step asks for it, for planning takes time.
     facts : mapping of str to SeenFact
-        What benches publish, by words such as ``velocity.statics.torques``; only those the step asks for. They follow
-        from the inputs of the benches, which are kept as evidence in their place.
+        Facts that benches publish, by words such as ``velocity.statics.torques``; only those the step asks for. They
+        follow from the inputs of the benches, which are kept as evidence in their place.
     """
 
     arm: Arm
@@ -96,7 +96,7 @@ class Observation:
         Parameters
         ----------
         data : object
-            As `to_json` writes it.
+            Data written by `to_json`.
         robot : Robot
             The robot of the lesson. Where the evidence has its table, ``arm`` is the very object ``robot.arm``, whose
             limits and task hold whatever the file says; else the student has edited the table.

@@ -47,7 +47,7 @@ class Term(NamedTuple):
         ``word``, ``id``, ``section``, ``any`` (a number that may be a section or an equation), or what has numbers in
         the notes, such as ``equation``.
     text : str
-        In small letters.
+        The text in lower case.
     reference : Reference or None
         The numbers of the notes that are meant.
     """

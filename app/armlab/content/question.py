@@ -32,7 +32,7 @@ class Verdict:
     ----------
     right : bool
     says : str
-        What there is to say about it, as HTML.
+        Sentence on the answer, as HTML.
     name : str
         A short name of the mistake, for counting: such as ``sign``, ``unit`` or ``wrong[2]`` for the second table
         ``wrong`` of the question; empty where none is known.
@@ -74,7 +74,7 @@ class Choices:
         ----------
         variant : int
         name : str
-            Of the step: another question has another order.
+            Name of the step: the order differs between questions.
         """
         order = list(range(1, len(self.options) + 1))
         if variant and not self.fixed:

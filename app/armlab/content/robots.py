@@ -46,7 +46,7 @@ class Expected:
     flange : bool
         Whether the pose is of frame n instead of the tool.
     tolerance : float
-        Of every entry; metres for the position.
+        Tolerance of every entry; metres for the position.
     source : str
     """
 

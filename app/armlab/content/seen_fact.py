@@ -20,7 +20,7 @@ class SeenFact:
     Attributes
     ----------
     title : str
-        What it is, such as ``"the torques of the joints"``.
+        The fact in words, such as ``"the torques of the joints"``.
     unit : str
         Empty for none.
     value : Value or None

@@ -65,7 +65,7 @@ class SeenMotion:
     trouble : str
         Why it cannot be run; empty when it can. Not kept as evidence.
     raised : str
-        Which limit of a joint was set higher than the arm's own; empty when none was. Not kept as evidence.
+        The joint limit that was set higher than the arm's own; empty when none was. Not kept as evidence.
     """
 
     waypoints: int = 0

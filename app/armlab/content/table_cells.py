@@ -56,7 +56,7 @@ class Cell:
     starred : bool
         Whether the variable is marked as one, as in ``theta_1*``.
     rounding : float
-        By how much the value may be off because its only decimal number was rounded when it was written; else 0.
+        Largest error of the value due to the rounding of its only decimal number; else 0.
     """
 
     value: float
@@ -107,7 +107,7 @@ def read_cell(text: str, decimal_comma: bool = False) -> Cell:
     Parameters
     ----------
     text : str
-        As written.
+        The text as typed.
     decimal_comma : bool
         Whether ``0,5`` may be one half.
 

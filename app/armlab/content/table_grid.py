@@ -35,7 +35,7 @@ class Grid:
     Attributes
     ----------
     lines : tuple of tuple of str
-        As written, without blanks around.
+        Cells as typed, without surrounding blanks.
     decimal_comma : bool
         Whether a comma may be a decimal one because something else separates the cells.
     said : str
@@ -43,7 +43,7 @@ class Grid:
     named : str
         The same when the text names a book of that convention, else empty.
     left_out : str
-        What stood beside the table and is not read, in words.
+        Text beside the table that is not read, in words.
     """
 
     lines: tuple[tuple[str, ...], ...]

@@ -43,9 +43,9 @@ class Variants:
     seed : str
         The lesson's key.
     choices : mapping of str to tuple
-        By name, what is chosen from: numbers or texts.
+        Values to choose from, numbers or texts, by name.
     expressions : mapping of str to Expression
-        By name, what follows from earlier names. A name is in one of the two.
+        Expressions of earlier names, by name. A name is in one of the two.
     order : tuple of str
         All names as they stand in the file.
     """

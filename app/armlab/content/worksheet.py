@@ -51,7 +51,8 @@ def worksheet(robot: Robot, q: ArrayLike, format: str = "markdown", *, angle: st
     format : "markdown" or "latex"
         LaTeX is a complete article that needs amsmath, booktabs and geometry.
     angle : "deg" or "rad"
-        Of the table, the joint values and the orientation. Lengths are in metres; Jacobians are in radians.
+        Unit of angles in the table, the joint values and the orientation. Lengths are in metres; Jacobians are in
+        radians.
 
     Returns
     -------

@@ -75,13 +75,13 @@ def lesson_text(
     ----------
     title : str
     robot : Robot
-        Of the catalogue, or an arm of one's own, which is then written into the lesson.
+        A robot of the catalogue, or an edited one, which is then written into the lesson.
     q : array_like, shape (n,)
         Radians and metres, inside the limits.
     panel, overlays : str, sequence of str, optional
-        As in lesson files.
+        The panel and the switches, as in lesson files.
     target : array_like, shape (4, 4), optional
-        Where the handle stands at first, in the world.
+        Initial pose of the handle, in the world.
     camera : Camera, optional
     answers : sequence of NumberAsked, optional
     begin : sequence of (str, mapping of str to str), optional

@@ -43,14 +43,14 @@ class Front:
     page : Page
     tokens : Tokens
     secret : str
-        What this front says to its labs.
+        The secret by which this front identifies itself to its labs.
     labs : sequence of int
         Loopback ports, one of which a browser always gets; they may change when a lab is started again.
     hosts : frozenset of str, or None
         Names this front is addressed by; None accepts every name.
     limits : Limits
     room : Room, optional
-        Whom it lets in; everybody when left out.
+        The code that visitors need; everybody is let in when it is left out.
     """
 
     def __init__(

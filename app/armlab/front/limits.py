@@ -25,7 +25,7 @@ class Limits:
     patience : float
         Seconds of unbroken slowing down by count after which a flooding socket is closed.
     sockets_each, sockets : int
-        Of one browser, and of all.
+        Largest numbers of sockets of one browser, and of all.
     heartbeat : float
         Seconds between questions whether a page still reads; it is cut off half of that after one it does not answer.
     visitors : int

@@ -36,7 +36,7 @@ class LabProcesses:
     Attributes
     ----------
     ports : list of int
-        Where the labs are; the entry of one that is started again changes.
+        Ports of the labs; the entry of a restarted one changes.
     """
 
     def __init__(

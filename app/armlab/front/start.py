@@ -56,13 +56,13 @@ class Settings:
     opening : str
         Key of the arm new students begin with.
     folder : Path or None
-        Where sessions are kept; None keeps them in memory.
+        Folder of the sessions; None keeps them in memory.
     labs : int
         Number of lab processes; 0 runs everything in this one.
     lessons : tuple of Path
         Folders of lessons besides those of the lab.
     code : str
-        What a browser has to say before it gets in; empty lets everybody in.
+        The code that browsers need; empty lets everybody in.
     names : tuple of str
         Names besides the host by which people get here, such as that of a proxy.
     """

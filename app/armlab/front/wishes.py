@@ -32,9 +32,9 @@ class Wishes:
     Parameters
     ----------
     most : int
-        Of so many browsers; the oldest wish makes room.
+        Largest number of browsers; the oldest request is dropped.
     seconds : float
-        How long a wish waits.
+        Time for which a request is kept, seconds.
     clock : callable
     """
 

@@ -189,7 +189,7 @@ class SingularPlaces(NamedTuple):
         Rising; empty where the motion is singular everywhere.
     everywhere : bool
     samples : int
-        How many places were looked at before the minima were narrowed down: none found is no proof that there is none.
+        Number of places examined before the minima were narrowed down: finding none is no proof that there is none.
     """
 
     places: tuple[float, ...]

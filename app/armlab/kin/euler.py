@@ -51,9 +51,10 @@ class EulerSolutions:
         Radians in (-pi, pi], in the order of the sequence. The first triple is the principal one: middle angle in
         [0, pi] for a proper Euler sequence, in [-pi/2, pi/2] for a Tait-Bryan one. Where singular, both are the same.
     singular : ndarray of bool, shape (...)
-        Where first and third angle turn about one line; the third is then 0 and the first carries what is defined.
+        Configurations in which the first and third axis coincide; the third angle is then 0 and the first holds what is
+        defined.
     combination : ndarray of int, shape (...)
-        Where singular, what is defined: 1 for the sum (first + third), -1 for the difference (first - third).
+        At a singularity, what is defined: 1 for the sum (first + third), -1 for the difference (first - third).
         Elsewhere 0: every angle is defined.
     """
 

@@ -23,7 +23,7 @@ class Field:
     Attributes
     ----------
     key, symbol, title : str
-        For programs, as the notes write it, and in words.
+        The name in programs, the symbol of the notes, and the name in words.
     kind : str
         ``"number"``, ``"whole"`` number, ``"choice"``, ``"flag"``; ``"vector"``: one number a coordinate; ``"list"``:
         one number for each waypoint or segment; ``"rows"``: a table of numbers; ``"text"``.

@@ -25,7 +25,7 @@ class ForceEllipsoid:
     Parameters
     ----------
     velocity : Ellipsoid
-        That of the velocities, of the same block and scale.
+        The velocity ellipsoid of the same block and scale.
     """
 
     velocity: Ellipsoid

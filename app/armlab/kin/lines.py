@@ -76,7 +76,7 @@ class CommonNormal:
     Parameters
     ----------
     kind : "skew", "parallel", "intersecting" or "coincident"
-        How the lines lie. Coincident lines are parallel ones without distance.
+        Relation of the lines. Coincident lines are parallel ones with distance zero.
     foot1, foot2 : ndarray, shape (3,)
         Ends of the segment, on the first and the second line, metres. Of parallel lines foot1 is the first's point.
     a : float
@@ -121,7 +121,7 @@ def common_normal(
     Parameters
     ----------
     first, second : Line
-        In the same axes.
+        Lines in the same axes.
     scale : float
         A length of the scene in metres, such as an arm's reach: what ``length_tolerance`` is relative to.
     angle_tolerance : float

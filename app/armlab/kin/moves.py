@@ -64,11 +64,11 @@ class Factors:
     ----------
     moves : tuple of 4 Move
     parts : tuple of 4 float
-        How much of each move is done, 0 to 1.
+        Fraction of each move that is done, 0 to 1.
     matrices : ndarray, shape (4, 4, 4)
         One factor a move; the identity for a move that has not begun.
     product : ndarray, shape (4, 4)
-        Of the four factors: the moving frame in frame i-1, and the row's matrix A_i at the end.
+        Product of the four factors: the moving frame in frame i-1, and the row's matrix A_i at the end.
     """
 
     moves: tuple[Move, Move, Move, Move]

@@ -29,13 +29,13 @@ class AxisRelation:
     first, second : int
         The joints, 1-based.
     kind : "parallel", "intersecting", "coincident" or "skew"
-        As the table places the axes. The place of a sliding axis means nothing; its direction does.
+        Relation of the axes as the table places them. The place of a prismatic axis has no meaning, only its direction.
     a, alpha : float
         The link between them: metres and radians, with the signs of the table.
     perpendicular : bool
         Whether the directions are at a right angle.
     freedom : str
-        What may be chosen when the frame between them is placed.
+        Sentence on what may be chosen when the frame between them is placed.
     """
 
     first: int

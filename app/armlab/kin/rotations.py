@@ -370,7 +370,7 @@ def euler_zyx(R: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
     angles : ndarray, shape (..., 3)
         Yaw, pitch, roll in radians; pitch in [-pi/2, pi/2].
     singular : ndarray of bool, shape (...)
-        Where pitch is ±pi/2 only yaw ∓ roll is defined; roll is then 0.
+        Rotations with pitch ±pi/2, for which only yaw ∓ roll is defined; roll is then 0.
 
     Raises
     ------

@@ -36,7 +36,7 @@ class Spare:
     samples : ndarray, shape (SAMPLES, n)
         Configurations.
     jacobians : ndarray, shape (SAMPLES, m, n)
-        Of the task, in the axes of frame 0, lengths over the length scale.
+        Task Jacobians, in the axes of frame 0, lengths over the length scale.
     """
 
     arm: Arm

@@ -24,8 +24,8 @@ class Sweeps:
     Attributes
     ----------
     centre : ndarray, shape (n, 3)
-        In the world, metres. Of a revolute joint the foot of the tool point on its axis; of a prismatic one where the
-        tool point is at q_i = 0.
+        Centre in the world, metres: for a revolute joint the foot of the tool point on its axis; for a prismatic one
+        the tool point at q_i = 0.
     axes : ndarray, shape (n, 3, 3)
         Columns are x, y and z of the curve in the world: z is the joint axis; x of a revolute joint points from the
         axis to where the tool point is at q_i = 0. Where the radius is zero, x is any normal of z.

@@ -31,7 +31,7 @@ class Kind:
     Attributes
     ----------
     says : str
-        What is expected, such as ``"a whole number"``.
+        The expected value in words, such as ``"a whole number"``.
     read : callable
         ``read(value) -> object``; raises `Unfit`.
     numbers : bool
@@ -57,7 +57,7 @@ class Argument:
     needed : bool
         Whether it has to be there.
     about : str
-        What it is, and its unit, where that is declared.
+        Meaning and unit, where they are declared.
     """
 
     name: str

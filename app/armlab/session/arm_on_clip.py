@@ -45,7 +45,7 @@ class ArmOnClip:
     Parameters
     ----------
     key : str
-        Of the clip.
+        Key of the clip.
     part : type
         The part of the state with the field ``before``: joint values before the clip, tuple of n floats, or None.
     duration : callable

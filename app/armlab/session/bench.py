@@ -19,11 +19,11 @@ class Bench:
     Parameters
     ----------
     key : str
-        What stands before the stroke in lesson files.
+        The part before the slash in lesson files.
     order : int
         Place in lists.
     examples : mapping of str to object
-        By key; where an example brings its arm, ``robot`` is the key of that.
+        Examples by key; when one brings its arm, ``robot`` is the key of that.
     choose : callable
         ``choose(key) -> Command``, which puts the example in place.
     """

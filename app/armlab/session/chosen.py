@@ -32,7 +32,7 @@ class Chosen:
     ----------
     key : str
     given : tuple of (str, value)
-        In the order of the keys; lists and tables are tuples.
+        Options in the order of their keys; lists and tables are tuples.
     """
 
     key: str

@@ -28,7 +28,7 @@ class PartExample(Generic[P]):
     key, title : str
     part : Part
     says : str
-        What to look at, in one sentence.
+        Sentence on what to look at.
     """
 
     key: str

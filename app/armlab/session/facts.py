@@ -45,7 +45,7 @@ class Fact:
     Parameters
     ----------
     title : str
-        What it is, to go on with "is": ``"the largest torque of a joint"``.
+        The fact in words, to be continued with "is": ``"the largest torque of a joint"``.
     value : callable
         ``value(state)`` returns it, quickly, and None where the arm has no such thing or it is not worked out; an
         `ArmlabError` means the same. A fact of long work only looks at what has been found.
@@ -80,7 +80,7 @@ class Facts:
     parts : tuple of type
         Parts of the state from which the facts follow, besides joints and target: they are kept as evidence.
     facts : mapping of str to Fact
-        By name; the word of one has the folders of tab and page before it.
+        Facts by name; the word of one has the folders of tab and page before it.
     job : Job, optional
         The work that finds them, where it takes long.
     ask : callable, optional
@@ -210,12 +210,12 @@ def facts_again(data: Json, words: Iterable[str], seen: Observation, robot: Robo
     Parameters
     ----------
     data : Json
-        As `evidence_of` writes it.
+        Data written by `evidence_of`.
     words : iterable of str
     seen : Observation
         The arm, joint values and target, which have been looked at already.
     robot : Robot
-        Of the lesson.
+        The robot of the lesson.
     whole : bool
         Whether long work is done again; what is told of it is taken down otherwise.
 

@@ -88,9 +88,9 @@ class StepReport:
     noted : bool
         Whether it rests on what no file proves, such as the time or that a film was played: that is noted, not judged.
     says : str
-        What there is to say, as plain text.
+        Sentence on the step, as plain text.
     hints : int
-        How many hints were looked at.
+        Number of hints that were shown.
     """
 
     title: str
@@ -114,7 +114,7 @@ class Report:
     Attributes
     ----------
     student : str
-        As they have signed it.
+        The student's name, as signed.
     lesson, title : str
     variant : int
     changed : bool
@@ -122,7 +122,7 @@ class Report:
     steps : tuple of StepReport
         All steps, also those with nothing to do.
     prints : frozenset of str
-        What it has in common with another only when one is made of the other; see `prints_of`.
+        Marks that two hand-ins share only if one was made from the other; see `prints_of`.
 
     Notes
     -----

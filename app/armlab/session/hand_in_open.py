@@ -30,7 +30,7 @@ class OpenWork(Command):
     Parameters
     ----------
     text : str
-        Of a file written by `hand_in`.
+        Text of a file written by `hand_in`.
     """
 
     text: str

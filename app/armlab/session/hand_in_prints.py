@@ -18,7 +18,7 @@ def prints_of(progress: Json, parts: Json) -> frozenset[str]:
     Parameters
     ----------
     progress, parts : Json
-        Of a file, with anything in them.
+        Data of a file, which may contain anything.
     """
     done = [*_timed(progress, "evidence", _seconds_seen), *_timed(progress, "right", _seconds_typed)]
     some = [data for name in ("evidence", "right") if isinstance(data := progress.get(name), dict) and data]

@@ -26,7 +26,7 @@ class Step(NamedTuple):
     ----------
     state : State
     label : str
-        What is taken back, or brought back, by going there.
+        Name of the change that is taken back or restored.
     held : int
         Bytes that this step alone holds: of the parts that were replaced.
     """

@@ -38,7 +38,7 @@ class Job:
     ----------
     key : str
     title : str
-        What a person is told has failed, such as ``"The search for all solutions"``.
+        Name of the work in a message on its failure, such as ``"The search for all solutions"``.
     wanted : callable
         ``wanted(state, panels) -> Wanted | None``, cheap: what to work on, None for nothing. ``panels`` are the keys of
         the panels that are open in some window of the student.

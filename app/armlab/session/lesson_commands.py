@@ -28,7 +28,7 @@ class OpenLesson(Command):
     anew : bool
         Whether to forget the progress in it, also when it is open already.
     variant : int, optional
-        Of a lesson that has variants; the one last worked on, or the student's own, when left out.
+        Variant of a lesson that has some; by default the one last worked on, or the student's own.
     """
 
     key: str
@@ -137,7 +137,7 @@ class GoToStep(Command):
     Parameters
     ----------
     step : int
-        From 0.
+        Step, from 0.
     """
 
     step: int
@@ -180,7 +180,7 @@ class Answer(Command):
     Parameters
     ----------
     text : str
-        As typed; an empty one takes the answer away. Of a prediction the first counts, and stays.
+        The answer as typed; an empty one removes it. The first prediction counts and stays.
     """
 
     text: str

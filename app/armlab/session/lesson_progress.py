@@ -46,15 +46,15 @@ class Progress:
     met : frozenset of str
         Steps whose check was met once, or that have been shown and have none.
     right : mapping of str to RightAnswer
-        By the step: what was typed when its question was first answered rightly. Like evidence, it can be judged again.
+        By step, the answer typed when its question was first answered rightly. Like evidence, it can be judged again.
     answers : mapping of str to str
-        What was typed last at each question; at a prediction, what was typed first.
+        By question, the last answer typed; for a prediction the first one.
     hints : mapping of str to int
-        How many hints were unlocked at each step.
+        By step, the number of hints shown.
     evidence : mapping of str to Json
-        What the check of a step saw when it was met.
+        By step, the observation with which its check was met.
     since : float or None
-        When the step was first shown, in seconds of the session's clock; not saved.
+        Time at which the step was first shown, in seconds of the session's clock; not saved.
     films : frozenset of str
         Clips that were played to their end since then; not saved.
     tried : bool

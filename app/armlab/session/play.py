@@ -44,9 +44,9 @@ class Problem:
     Attributes
     ----------
     step : int
-        From 1.
+        Step, from 1.
     line : int
-        Of the step in the file.
+        Line of the step in the file.
     says : str
     """
 
@@ -90,14 +90,14 @@ class Player:
         return self.session.state[LessonPart]
 
     def do(self, command: Command) -> str:
-        """Apply a command and wait for the plan it needs; return the reason of a refusal, or ""."""
+        """Apply a command and wait for the motion to be planned; return the reason of a refusal, or ""."""
         told = self.session.notice
         self.session.apply(command, self.time)
         self._plan()
         return "" if self.session.notice is told or self.session.notice is None else self.session.notice.text
 
     def _plan(self) -> None:
-        """Compute everything lessons may need, such as the plan of the motion, as the lab would in the background."""
+        """Compute everything lessons may need, such as the planned motion, as the lab would in the background."""
         of_facts = [(found.job, {found.panel}) for found in benches_of(self.part.facts) if found.job is not None]
         for job, panels in (*((each.job, set[str]()) for each in taught()), *of_facts):
             wanted = job.wanted(self.session.state, frozenset(panels))
@@ -167,7 +167,7 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
     q : array_like, shape (n,)
         Radians and metres.
     step : int
-        From 1.
+        Step, from 1.
     variant : int
 
     Raises

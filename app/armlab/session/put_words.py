@@ -22,7 +22,7 @@ class PutPart(Command):
     ----------
     part : type
     saved : str
-        What the part has written down, in JSON.
+        The saved part, in JSON.
     """
 
     part: type[Part]

@@ -31,13 +31,13 @@ class Task:
     Attributes
     ----------
     wanted : Wanted or None
-        What the state asks for now.
+        Input of the work that the state needs now.
     begun : Wanted or None
-        What was begun last, maybe finished.
+        Input of the work begun last, possibly finished.
     pieces : iterator or None
         The work under way.
     due : float
-        When the next piece of work may begin, in seconds of the clock.
+        Earliest start of the next piece of work, in seconds of the clock.
     """
 
     session: Session

@@ -20,9 +20,9 @@ def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, .
     Parameters
     ----------
     data : Json
-        What `Observation.to_json` wrote, and what benches were worked on with: the parts of what they give to lessons.
+        Data written by `Observation.to_json`, with the parts of benches from which observations follow.
     robot : Robot
-        Of the lesson.
+        The robot of the lesson.
     plans : bool
         Whether that work is done again, such as the planning of a motion, which may take seconds; what is told of it is
         taken down otherwise.

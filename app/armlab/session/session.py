@@ -89,12 +89,12 @@ class Session:
     Attributes
     ----------
     token : str
-        Of the student's browser.
+        Token of the student's browser.
     opening : Robot
         The arm a fresh session begins with.
     state : State
     notice : Notice or None
-        What the student has to be told.
+        The latest message for the student.
     notice_seen : int
         Number of the last notice that some page has shown; a page that opens later shows only newer ones.
     front : str

@@ -43,7 +43,7 @@ class Part:
         ----------
         robot : Robot
         origin : tuple of int or None
-            For each joint of the edited arm, which joint it was before; None for an added one.
+            For each joint of the edited arm, its index before; None for an added one.
         """
         return self.for_robot(robot)
 
@@ -107,7 +107,7 @@ class State:
     Attributes
     ----------
     at : float
-        When it came about, in seconds of the clock of its session; not saved.
+        Time of the state, in seconds of the session's clock; not saved.
     """
 
     def __init__(self, parts: dict[type[Part], Part], at: float = 0.0) -> None:
@@ -176,14 +176,14 @@ class Command:
     Attributes
     ----------
     snapshot : bool
-        Of snapshots of one `channel` waiting in a row only the newest counts (a drag, a moving slider); every event
-        counts, in order.
+        Whether, of commands of one `channel` waiting in a row, only the newest counts (a drag, a moving slider);
+        otherwise all are applied in order.
     rests : bool
         Whether a pause ends its stroke: sliders do not say when they are let go.
     undoable : bool
         Whether it is a step of undo; what only changes the view of things is none.
     label : str
-        What an undo of it says it takes back.
+        Name of the change in the menu of undo.
     reacts : bool
         Whether parts guard against it and react to it; a whole state that is put in place fits together already.
     """

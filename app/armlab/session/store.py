@@ -48,7 +48,7 @@ class Store:
     Parameters
     ----------
     folder : Path or None
-        Where the files lie; None keeps nothing beyond this process.
+        Folder of the files; None keeps everything in memory only.
     opening : Robot
         The arm a new student begins with.
     """

@@ -22,9 +22,9 @@ class Taught:
     Parameters
     ----------
     key : str
-        Under which an `Observation` holds the facts: the name of its field.
+        Name of the field of `Observation` that holds the facts.
     part : type
-        Of the state; the facts follow from it, and it is kept as evidence under its own key.
+        Type of the part from which the facts follow; it is kept as evidence under its own key.
     clip : str
         Key of the film or run in which they can be watched.
     job : Job

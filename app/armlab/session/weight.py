@@ -29,7 +29,7 @@ def weight(parts: Iterable[Part], shared: Iterable[object] = ()) -> int:
     ----------
     parts : iterable of Part
     shared : iterable of object
-        What is left out where the parts refer to it, such as the arm.
+        Objects that are not counted when the parts refer to them, such as the arm.
     """
     total, seen, waiting = 0, {id(value) for value in shared}, list[Any](parts)
     while waiting and len(seen) < MOST_LOOKED_AT:

@@ -38,7 +38,7 @@ class Word:
     name : str
         Such as ``velocity.statics.set_component``.
     says, label : str
-        What it does, in a sentence; and what it is called in a word or two, empty where it has no name.
+        Description in a sentence, and a name of a word or two, or empty.
     arguments : tuple of Argument
     make : callable
         Takes the arguments by their names and returns the command.

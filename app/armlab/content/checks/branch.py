@@ -29,9 +29,9 @@ class Feature:
         Whether an arm has it.
     tell : callable
     needs : str
-        Which arms have it.
+        Sentence on the arms that have this feature.
     neither : str
-        Where an arm is in neither branch.
+        Sentence for an arm that is in neither branch.
     """
 
     field: str

@@ -26,11 +26,11 @@ class FactIs:
     fact : str
         Its word, such as ``velocity.statics.torques``.
     component : int
-        Which of several numbers, from 1; 0 for all of them, or for a fact of one.
+        Number, from 1, of one of several values; 0 for all of them, or for a fact with one value.
     value : Value or None
-        Which it has to be; None where it has to lie between two.
+        The required value; None when the fact has to lie between two numbers.
     tolerance : float or None
-        By which numbers may differ from it; None where it is left out, which is for counts, texts and truth only.
+        Largest difference of a number from the value; None for counts, texts and truth values only.
     at_least, at_most : float or None
     degrees : bool
         Whether the file gives its numbers in degrees; which is right for angles only.

@@ -28,7 +28,7 @@ def read_matrix(text: str, shape: tuple[int, int], unit: str = "") -> NDArray[np
     shape : tuple of int
         The shape that is asked: of the ways a row can be split the one that gives it is taken.
     unit : str
-        In which the entries are returned; one may have a unit of its own, ``500mm``.
+        Unit of the entries returned; one may be typed with its own unit, ``500mm``.
 
     Returns
     -------

@@ -55,8 +55,8 @@ class ExpressionQuestion:
     html : str
     answer : Expression
     variables : tuple of str
-        What may stand in an answer. Where q1, q2, ... are among them, ``c12`` is cos(q1+q2), ``s1`` is sin(q1) and
-        ``θ1`` is q1.
+        Names allowed in an answer. With q1, q2, ... among them, ``c12`` is cos(q1+q2), ``s1`` is sin(q1) and ``θ1`` is
+        q1.
     mistakes : tuple of WrongFormula
     hide : tuple of str
     """

@@ -33,11 +33,11 @@ class NumberQuestion:
     ----------
     html : str
     answer : float
-        In ``unit``.
+        The right number, in ``unit``.
     unit : str
         One of `UNITS`; a number without a unit is taken in it.
     tolerance : float
-        In ``unit``.
+        Tolerance in ``unit``.
     mistakes : tuple of WrongNumber
     hide : tuple of str
     """

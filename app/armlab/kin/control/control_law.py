@@ -41,7 +41,7 @@ class ControlLaw:
     command : callable
         See `Command`.
     space : "tool" or "joints"
-        In which the error is taken; a law for joints needs q_d.
+        The space in which the error is taken; a law for joints needs q_d.
     fields : tuple of Field
         Options.
     held : bool
@@ -51,7 +51,7 @@ class ControlLaw:
     feedback : bool
         Whether it looks at the error at all.
     formula : str
-        In LaTeX.
+        The law in LaTeX.
     prepare : callable
         ``prepare(task, options)`` returns the options made fit for the arm, such as one gain for each joint.
     """

@@ -39,7 +39,7 @@ class JointsFound(NamedTuple):
     Attributes
     ----------
     aims : JointAims
-        Of the N' <= N samples that were reached.
+        The N' <= N samples that were reached.
     reason : str
         Why not all; empty when all were.
     """
@@ -54,11 +54,11 @@ def joints_along(task: ScaledTask, aims: ToolAims, q0: Floats) -> Generator[None
     Parameters
     ----------
     task : ScaledTask
-        Of the arm whose joints they are to be.
+        The task of the arm that is to have these joint values.
     aims : ToolAims
-        At N times.
+        Wanted poses at N times.
     q0 : ndarray, shape (n,)
-        Where Newton's method starts for the first.
+        Start of Newton's method for the first sample.
     """
     count = len(aims.poses)
     q, qdot = np.empty((count, task.n)), np.empty((count, task.n))

@@ -55,7 +55,7 @@ class Diagonalisation:
     condition : float
         Largest over smallest singular value of T; infinite where T has no inverse.
     basis : "good", "poor" or "none"
-        By `POOR` and `NONE`.
+        The quality of T, by the limits `POOR` and `NONE`.
     """
 
     values: Complex

@@ -64,7 +64,7 @@ def self_motion(key: str, task: ScaledTask, q: Floats, J: Floats) -> Floats:
     Parameters
     ----------
     key : str
-        Of the wish: ``"middle"`` or ``"manipulability"``.
+        Key of the term: ``"middle"`` or ``"manipulability"``.
     task : ScaledTask
     q : ndarray, shape (n,)
     J : ndarray, shape (m, n)

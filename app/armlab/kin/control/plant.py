@@ -58,9 +58,9 @@ class Plant:
     encoder : Encoder or None
         None: the controller knows the joint values exactly.
     wrong : float
-        By which part of its length the link is longer than the controller believes.
+        Relative error of the length that the controller believes: by this part the link is longer.
     link : int
-        Which link, 1-based; 0 for all.
+        The wrong link, 1-based; 0 for all.
     pushes : tuple of Push
     """
 

@@ -67,7 +67,7 @@ class RateInverse:
     speeds : callable
         See `Speeds`.
     formula : str
-        In LaTeX.
+        The method in LaTeX.
     """
 
     key: str
@@ -101,13 +101,13 @@ def rate_step(key: str, J: ArrayLike, v: ArrayLike, options: Mapping[str, Any] |
     Parameters
     ----------
     key : str
-        Of a `RateInverse`.
+        Key of a `RateInverse`.
     J : array_like, shape (m, n)
         Task Jacobian, scaled.
     v : array_like, shape (m,)
         Task velocity, scaled.
     options : mapping, optional
-        By key; see ``rate_inverse(key).fields``.
+        Options by key; see ``rate_inverse(key).fields``.
 
     Raises
     ------

@@ -23,7 +23,7 @@ class Run:
     Attributes
     ----------
     arm : Arm
-        As it is, not as the controller knows it.
+        The true arm, not the one the controller knows.
     t : ndarray, shape (N + 1,)
         Seconds, from 0 on.
     q : ndarray, shape (N + 1, n)
@@ -35,14 +35,14 @@ class Run:
     error : ndarray, shape (N + 1, m)
         Wanted minus present task, in metres and radians, axes of frame 0.
     error_position, error_rotation : ndarray, shape (N + 1,)
-        How long its parts are, metres and radians.
+        Norms of the parts of the error, metres and radians.
     error_joint : ndarray, shape (N + 1, n), or None
         q_d - q, where the law has a q_d.
     sigma_min : ndarray, shape (N + 1,)
         Smallest singular value of the scaled task Jacobian of the arm.
     damping : ndarray, shape (N + 1,)
     saturated : ndarray of bool, shape (N + 1,)
-        Where the motors could not do what was wanted.
+        Instants at which the motors could not follow the command.
     step : float
         Seconds.
     stopped : str
@@ -50,7 +50,7 @@ class Run:
     pushed : tuple of float
         Times of the pushes that fell into it.
     sigma_unit : str
-        Of sigma_min: ``"m"`` or none.
+        Unit of sigma_min: ``"m"`` or none.
     """
 
     arm: Arm

@@ -181,7 +181,7 @@ class JointReference(Reference):
     Parameters
     ----------
     motion : Motion
-        Of n joints; before it begins and after its end it stands still.
+        A motion of n joints; before its start and after its end the joints are at rest.
     """
 
     def __init__(self, motion: Motion) -> None:

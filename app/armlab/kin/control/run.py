@@ -61,11 +61,11 @@ class Settings:
     step : float
         Seconds; the last one is the others' length, too: it is changed a little so that a whole number fits.
     integrator : "rk4" or "euler"
-        Of a law that acts at every instant; held commands are integrated exactly.
+        Method for a law that acts continuously; commands that are held for a period are integrated exactly.
     inverse : str
         Key of the inverse of the differential kinematics.
     inverse_options, law_options : mapping
-        By key.
+        Options by key.
     null : str
         Key of the null-space term.
     null_gain : float
@@ -91,7 +91,7 @@ def simulate(
     Parameters
     ----------
     arm : Arm
-        As it is; the controller knows it as the plant of the settings says.
+        The true arm; the controller knows it with the errors of the plant in the settings.
     law : str
         Key of a `ControlLaw`.
     reference : Reference

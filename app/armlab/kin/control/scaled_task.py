@@ -34,9 +34,9 @@ class ScaledTask:
     m, n : int
         Components of the task, and joints.
     row_units : ndarray, shape (m,)
-        What a component in metres or radians is multiplied by to give a scaled one.
+        Factors from components in metres or radians to scaled ones.
     joint_units : ndarray, shape (n,)
-        What a scaled joint change is multiplied by to give radians or metres.
+        Factors from scaled joint changes to radians or metres.
     length : float
         Metres that count as 1: 1, or the arm's length scale where metres and radians meet.
     sigma_unit : str

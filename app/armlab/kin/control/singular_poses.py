@@ -60,7 +60,7 @@ class SingularPose(NamedTuple):
     q : ndarray, shape (n,)
         rad or m.
     place : int
-        Of the joint in q, from 0: the only one that differs from where it was looked for.
+        Index, from 0, of the only joint in which q differs from the configuration where the search began.
     away : float
         Its value there minus its value before, rad or m.
     """

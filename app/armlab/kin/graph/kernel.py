@@ -20,7 +20,7 @@ class Kernel:
     ----------
     graph : Graph
     outputs : sequence of Number
-        What to compute.
+        The expressions that are computed.
     inputs : int
         Number of variables.
     """

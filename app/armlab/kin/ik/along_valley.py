@@ -52,7 +52,7 @@ def solutions_along(arm: Arm, q: Vector, T: Vector) -> Iterator[Vector]:
     ----------
     arm : Arm
     q : ndarray, shape (n,)
-        Where it crept, near a target T (4, 4) in the world.
+        Configuration in which it crept, near a target T (4, 4) in the world.
     T : ndarray, shape (4, 4)
     """
     G, target = np.asarray(inverse(arm.base) @ T, dtype=np.float64), task_error_of(arm).target(T)

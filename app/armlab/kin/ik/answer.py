@@ -57,7 +57,7 @@ class Verified(NamedTuple):
     rows : list of ndarray, shape (n,)
         Solutions, wrapped, each once, in canonical order.
     loose : int
-        How many of them are not exact, but as near as can be and within what counts as reached.
+        Number of solutions that are not exact, but as near as possible and within what counts as reached.
     missed : tuple of float, or None
         Errors in m and rad of the worst of those; without solutions, of the nearest candidate.
     dropped : bool

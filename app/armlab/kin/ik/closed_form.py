@@ -31,7 +31,7 @@ class Found:
     q : list of ndarray, shape (n,)
         Candidates; each is verified on the true arm by `armlab.kin.ik.solve_all`. Of a family some representatives.
     families : tuple of str
-        For each family of solutions the sentence why there are infinitely many; empty where all are isolated.
+        For each family of solutions a sentence why there are infinitely many; empty when all are isolated.
     none : str
         Why there is no solution, where there is none and the reason is known.
     sampled : bool
@@ -51,7 +51,7 @@ class DerivationStep:
     Attributes
     ----------
     title : str
-        What is done, in words.
+        Description of the step.
     latex : str
         The formula.
     numbers : mapping of str to tuple of float

@@ -42,23 +42,24 @@ class GeneralSolutions:
     Attributes
     ----------
     q : ndarray, shape (k, 6)
-        In (-pi, pi], sorted by joint 1, then 2 and so on, each rounded to 1e-6. Of families only representatives.
+        Solutions in (-pi, pi], sorted by joint 1, then 2 and so on, each rounded to 1e-6; of families only
+        representatives.
     completeness : str
         ``"complete"``: these are all; ``"infinite"``: there are families of solutions besides the isolated ones;
         ``"at least"``: these are solutions, but not all roots of the equations could be accounted for.
     singular : ndarray of bool, shape (k,)
-        Where the Jacobian is singular: branches merge there, or it is a member of a family.
+        Solutions with a singular Jacobian: branches merge there, or it is a member of a family.
     families : tuple of ndarray, shape (s, 6)
         Points along each curve of solutions, in order; angles go on over half a turn.
     position_error, rotation_error : ndarray, shape (k,)
-        Of the arm's own forward kinematics, in m and rad.
+        Errors of the arm's own forward kinematics, in m and rad.
     reason : str
-        In words how that is known.
+        Sentence on how that is known.
     passes : int
-        How many eliminations it took at the pose itself.
+        Number of eliminations at the pose itself.
     missed : tuple of float, or None
-        By how much the best configuration misses the pose, in m and rad: rounding where there are solutions, the way
-        that is missing where one nearly reaches it, None where nothing came near.
+        Errors of the best configuration, in m and rad: rounding when there are solutions, the remaining distance when
+        one nearly reaches the pose, None when nothing came near.
     """
 
     q: Floats

@@ -149,9 +149,9 @@ def all_angles(T: Floats, found: Equations, owner: NDArray[np.intp], middle: Com
     ----------
     T : ndarray, shape (B, 6, 4, 4)
     found : Equations
-        Of these loops.
+        Equations of these loops.
     owner : ndarray of int, shape (m,)
-        Which loop each row belongs to.
+        Index of the loop to which each row belongs.
     middle : ndarray of complex, shape (m, 3)
 
     Returns

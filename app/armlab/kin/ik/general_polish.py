@@ -53,7 +53,7 @@ def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbe
     Returns
     -------
     errors : ndarray, shape (m, 6)
-        From the present to the wanted pose: a way, and sin(theta) r of the turn.
+        Errors from the present to the wanted pose: a displacement, and sin(theta) r of the rotation.
     columns : ndarray, shape (m, 6, 6)
         ``[:, i]`` is the twist (v; omega) at the end by joint i.
     sizes : ndarray, shape (m,)
@@ -159,7 +159,7 @@ def nearest(
     q : ndarray, shape (m, 6)
     hands : ndarray, shape (m, 4, 4)
     weak : float
-        Of the largest singular value: along directions with smaller ones the arm can hardly move its tool.
+        Singular value, relative to the largest, below which the arm can hardly move its tool along a direction.
     steps : int
     exact : float
         Error below which all may stay where they are.

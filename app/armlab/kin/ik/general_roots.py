@@ -59,9 +59,9 @@ def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
     Returns
     -------
     inverse : ndarray, shape (B, 12, 12)
-        Of that matrix.
+        The inverse of that matrix.
     chosen : ndarray of int, shape (B,)
-        Which of `PHASES`.
+        Index of the chosen one of `PHASES`.
     regularity : ndarray, shape (B,)
         One over the Frobenius condition number; about 1e-16 where no phi is good.
     """
@@ -93,9 +93,9 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Complex]:
     Returns
     -------
     owner : ndarray of int, shape (m,)
-        Which set of equations each belongs to.
+        Index of the set of equations to which each belongs.
     angles : ndarray of complex, shape (m, 3)
-        Among them what the spurious roots lead to.
+        The angles, those of spurious roots among them.
 
     Raises
     ------

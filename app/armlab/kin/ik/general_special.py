@@ -78,7 +78,7 @@ def resolve(search: Search, hand: Floats, roots: Roots, known: Floats) -> Resolv
     search : Search
     hand : ndarray, shape (4, 4)
     roots : Roots
-        What elimination found at the pose itself.
+        The result of elimination at the pose itself.
     known : ndarray, shape (k, 6)
         Real solutions that others found.
     """

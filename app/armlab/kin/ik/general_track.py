@@ -54,7 +54,7 @@ class Ends(NamedTuple):
     ----------
     q : ndarray of complex, shape (m, 6)
     u : ndarray, shape (m,)
-        How far that is from the end of the way; 0 where Newton's method converged at the end itself.
+        Distance from the end of the way; 0 where Newton's method converged at the end itself.
     speed : ndarray, shape (m,)
         Largest change of an angle by log u there: what goes to infinity keeps some, what has an end loses it.
     """
@@ -75,7 +75,7 @@ class Way:
     half, aside : ndarray, shape (3,)
         Half the turn between them as the vector of a Cayley transform, and from the place at the end to the other.
     bend : ndarray of complex, shape (2, 3)
-        How far vector and place leave the straight way.
+        Deviation of vector and place from the straight way.
     """
 
     hand: Floats

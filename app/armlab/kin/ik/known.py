@@ -28,7 +28,7 @@ class Known(NamedTuple):
     proven : bool
         Whether there is none.
     sentence : str
-        Where the solution comes from or why there is none, in words; empty where nothing is known.
+        Sentence on the origin of the solution, or why there is none; empty when nothing is known.
     """
 
     q: Floats | None = None
@@ -53,7 +53,7 @@ def known_solution(
         Joint values to be near to; those of locked joints are kept.
     locked : sequence of bool, optional
     crept : sequence of float, optional
-        Where a search ended, if that is near the pose.
+        End of a search, if that is near the pose.
     """
     held = {i + 1: float(near[i]) for i in range(arm.n) if locked is not None and locked[i]}
     can_tell = _can_tell(arm, len(held))

@@ -45,7 +45,7 @@ class Descent:
     q : list of float
         The best configuration.
     errors : Errors
-        How far it is from the target.
+        Errors with respect to the target.
     iterations : int
     """
 
@@ -222,7 +222,7 @@ def wrapped(
     near : ndarray, shape (n,)
         Values to stay near to; all zero for angles in (-pi, pi].
     revolute, limits : ndarray, shapes (n,) and (n, 2)
-        Of the arm. An angle that is outside its limits at every turn stays outside.
+        Joint types and limits. An angle that is outside its limits at every turn stays outside.
     """
     return np.array(
         [

@@ -110,7 +110,7 @@ class Posed:
     linear, angular : list of Vector
         Columns of the geometric Jacobian.
     far : Vector
-        From the tool point to the target.
+        Vector from the tool point to the target.
     rotation : list of Number
         Components of 2 sin(theta/2) r that the task controls.
     turn : Vector
@@ -124,9 +124,9 @@ class Posed:
     turn_pull : float
         Squared weight of the orientation.
     free : list of Number
-        For each joint 1 when it may move and 0 when not: inputs, or all 1.
+        For each joint 1 if it may move and 0 if not: inputs, or all 1.
     scales : list of float
-        What a unit of the scaled joint variable is: 1 rad, or the length scale in metres.
+        Size of a unit of each scaled joint variable: 1 rad, or the length scale in metres.
     """
 
     def __init__(self, arm: Arm, holds: bool, weights: Weights | None = None) -> None:

@@ -66,7 +66,7 @@ class Begin:
     start : ndarray, shape (n,), or None
         First start; a sample near the target when None.
     seed, count : int
-        Of the starts.
+        Seed and number of the starts.
     near : ndarray, shape (n,)
         Values that angles stay near to, whole turns apart.
     free : list of float, or None
@@ -130,7 +130,7 @@ class Searched(NamedTuple):
     q : ndarray, shape (n,), or None
         A solution inside the limits.
     verdict : Verdict or None
-        What it is worth.
+        The verdict on the configuration.
     iterations : int
         Steps in all; 0 of a closed form.
     trace : Trace or None

@@ -61,7 +61,7 @@ class SelfMotion:
     q : ndarray, shape (m, n)
         Points in order, about `STEP` apart; a single one where nothing can move. Angles are continuous.
     target : ndarray, shape (4, 4)
-        What the tool does not leave.
+        Pose of the tool, which stays constant.
     closed : bool
         Whether the last point is followed by the first, maybe whole turns on.
     freedom : int
@@ -94,7 +94,7 @@ def self_motion(arm: Arm, q: ArrayLike, count: int, *, limits: bool = True) -> V
     arm : Arm
     q : array_like, shape (n,)
     count : int
-        At least 2.
+        Number of points, at least 2.
     limits : bool
         Whether joint limits stop the motion; those a joint is outside of to begin with do not count.
 

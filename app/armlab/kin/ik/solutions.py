@@ -40,7 +40,7 @@ class IkSolutions:
         The branch of each, such as ``"shoulder left, elbow up, wrist flip"``; numbers where an arm has no such words.
     within_limits : ndarray of bool, shape (k,)
     beyond : ndarray, shape (k, n)
-        How far each joint is below (negative) or above (positive) its limits in rad or m; 0 inside.
+        Distance of each joint below (negative) or above (positive) its limits in rad or m; 0 inside.
     completeness : str
         ``"none"``: there is no solution; ``"complete"``: these are all; ``"at least"``: these were found by a search,
         there may be more (or, with k = 0, some); ``"infinite"``: a family, of which these are representatives.

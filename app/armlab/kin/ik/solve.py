@@ -64,9 +64,9 @@ class IkResult:
     iterations : int
         Steps in all; 0 of a closed form.
     reason : str
-        What a student should know, in words.
+        Sentence for the student.
     verdict : Verdict
-        What q is worth, as data.
+        The verdict on q, as data.
     proven : bool
         Whether it is certain that no configuration inside the limits reaches the target.
     trace : Trace or None
@@ -120,7 +120,7 @@ def solve(
         that cannot be reached, not what counts as reached. Only their ratios matter; the components of an orientation
         share one.
     seed : int
-        Of the random starts; the same call gives the same answer.
+        Seed of the random starts; the same call gives the same answer.
     locked : sequence of bool, optional
         Joints that keep their value in ``q0``.
     searches : int

@@ -54,7 +54,7 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
         Wanted pose of the tool in the world. Components outside the task are ignored. Where its rotation is one only
         nearly (1e-6 is let through), the nearest rotation is meant.
     seed : int
-        Of random starts, where they are used; the same call gives the same answer, bit by bit.
+        Seed of random starts, if there are any; the same call gives the same answer, bit by bit.
     held : mapping, optional
         Joints (1-based) that are given, with their values in rad or m: the others are solved for.
 

@@ -25,7 +25,7 @@ class Angles:
     Attributes
     ----------
     values : tuple of float
-        In (-pi, pi], radians; none, one, or two, the plus sign of the root first.
+        Angles in (-pi, pi], radians: none, one, or two, with the plus sign of the root first.
     every : bool
         Whether every angle is a solution; ``values`` is then empty.
     """
@@ -53,7 +53,7 @@ def sine_cosine(a: float, b: float, c: float, size: float | None = None, root: f
     Parameters
     ----------
     a, b, c : float
-        In one unit.
+        Coefficients, all in one unit.
     size : float, optional
         The size of the terms the coefficients were made from, in the same unit; the largest of them when left out.
         What is smaller than `ZERO` of it is zero.
@@ -128,7 +128,7 @@ def two_equations(
     ----------
     first, second : tuple (a, b, c)
     size : float, optional
-        As in `sine_cosine`.
+        Size of the terms, as in `sine_cosine`.
 
     References
     ----------

@@ -79,7 +79,7 @@ def judge(
     locked : sequence of bool, optional
         Joints that may not move.
     weights : array_like, shape (m,), optional
-        Of the task components, for what "closest" means; see `armlab.kin.ik.solve.solve`.
+        Weights of the task components, which define the closest configuration; see `armlab.kin.ik.solve.solve`.
 
     Raises
     ------

@@ -37,16 +37,16 @@ def fastest_along(
     Parameters
     ----------
     title : str
-        Of the law, which does not depend on the path.
+        Name of the law, which does not depend on the path.
     shaped : callable
         ``shaped(limits, **options)`` makes the law of a path whose length is 1.
     path : Path
     limits, shape : Limits
-        To be met, and to shape the law; with a number for each joint.
+        Limits that are met, and limits that shape the law; with a number for each joint.
     jumps : bool
         Whether limits count between jumps only.
     options : dict
-        Of the law.
+        Options of the law.
     """
     bounds = law_bounds(path, shape).usable
     law = shaped(Limits(bounds.V, bounds.A, bounds.jerk), **options)

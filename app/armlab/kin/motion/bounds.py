@@ -30,9 +30,9 @@ class LawBounds:
     M_v, M_a : ndarray, shape (m,)
         Largest |dq_i/ds| and |d²q_i/ds²| on [0, 1], end points included.
     M_v_at, M_a_at : ndarray, shape (m,)
-        Where they are.
+        Parameters s of these maxima.
     limits : Limits
-        Of the joints, a number for each.
+        Limits of the joints, one number for each.
     V : float
         Largest |s'|: the smallest v_i / M_v,i, or what the caller chose below it.
     V_joint : int
@@ -44,7 +44,7 @@ class LawBounds:
     V_bend : float
         The V above which no |s''| is left at all.
     explanation : str
-        What it means, in words.
+        Explanation in words.
     """
 
     M_v: Floats
@@ -86,9 +86,9 @@ def law_bounds(path: Path, limits: Limits | Arm, speed: float | None = None) -> 
     Parameters
     ----------
     path : Path
-        In joint space.
+        A path in joint space.
     limits : Limits or Arm
-        Of the joints; an arm stands for its own limits.
+        Limits of the joints; an arm stands for its own limits.
     speed : float, optional
         A V to work with that is smaller than the largest.
 

@@ -102,7 +102,7 @@ class Branch:
         Parameters
         ----------
         q : ndarray, shape (n,)
-            On the path at s.
+            Configuration on the path at s.
         s : float
         """
         nodes = [Node(s, q, self.slope(q, s))]

@@ -33,7 +33,7 @@ def classes(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) 
     before, after : sequences of ndarray, shape (k, m)
         Limits of the derivatives of orders 0, 1, 2, 3 from the left and from the right.
     lengths : ndarray, shape (k,)
-        Of the shorter neighbouring piece.
+        Length of the shorter neighbouring piece.
     """
     found = np.full(len(lengths), SMOOTH)
     for order, jumping in reversed(list(enumerate(jumps(before, after, lengths)))):

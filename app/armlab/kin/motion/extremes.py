@@ -66,10 +66,11 @@ def extremes(function: Function, edges: Floats, degree: int | None = None) -> Ex
     Parameters
     ----------
     function : callable
-        From (N,) to (N, m).
+        A function from (N,) to (N, m).
     edges : ndarray, shape (P+1,)
     degree : int, optional
-        Of the polynomials between the edges, if that is what they are; see `armlab.kin.motion.series.series_of`.
+        Degree of the polynomials between the edges, if the function consists of these; see
+        `armlab.kin.motion.series.series_of`.
     """
     return extremes_of_series(series_of(function, edges, degree))
 

@@ -65,10 +65,10 @@ def follow(
     s : int or array_like, shape (N,)
         Number of even samples, or increasing places from 0 to 1.
     seed : int
-        Of the searches; the same call gives the same answer.
+        Seed of the searches; the same call gives the same answer.
     carry_on : bool
-        After a stop go on with another branch where there is one: for a picture of what is feasible. The parts are then
-        not one motion.
+        Whether to go on with another branch after a stop, for a picture of what is feasible; the parts are then not one
+        motion.
 
     Raises
     ------

@@ -37,7 +37,7 @@ class Stop:
     other : ndarray, shape (n,) or None
         A configuration inside the limits just behind the stop.
     sentence : str
-        What happened and what would help.
+        Sentence on what happened and what would help.
     """
 
     kind: Kind
@@ -63,7 +63,7 @@ class Followed:
         dq/ds = J# times the twist per unit of s (least squares, shortest); nan as ``q``.
     reached : ndarray of bool, shape (N,)
     stops : tuple of Stop
-        In the order of s; empty when all of the path is followed.
+        Stops in the order of s; empty when the whole path is followed.
     parts : tuple of (int, int)
         First sample and the one after the last of each part followed without a jump.
     singular_value : ndarray, shape (N,)

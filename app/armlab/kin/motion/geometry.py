@@ -87,11 +87,12 @@ class Frenet:
     tangent, normal, binormal : ndarray, shape (..., m)
         Unit vectors; zero where not defined. The binormal only in three coordinates, otherwise zero.
     curvature, torsion : ndarray, shape (...)
-        In 1/m for a path in space; torsion zero in fewer than three coordinates or where not defined.
+        Curvature and torsion, in 1/m for a path in space; torsion is zero in fewer than three coordinates or where
+        undefined.
     moves : ndarray of bool, shape (...)
-        Where p' is not zero: there is a tangent (the regularity condition, notes 6.12).
+        Places where p' is not zero: there is a tangent (the regularity condition, notes 6.12).
     bends : ndarray of bool, shape (...)
-        Where moreover the curvature is not zero: there are a normal and a binormal.
+        Places where, in addition, the curvature is not zero: there are a normal and a binormal.
     """
 
     position: Floats
@@ -122,7 +123,7 @@ def frenet(path: Path, s: ArrayLike) -> Frenet:
     ----------
     path : Path
     s : array_like, shape (...)
-        In [0, 1].
+        Parameters in [0, 1].
 
     References
     ----------

@@ -36,7 +36,7 @@ class Law(ABC):
     pieces : ndarray, shape (k,)
         Interior times where one formula ends and the next begins.
     degree : int or None
-        Of the polynomials between them, if that is what they are.
+        Degree of the polynomials between them, if the law consists of these.
     remarks : tuple of str
     """
 
@@ -63,7 +63,7 @@ class Law(ABC):
         orders : sequence of int
             0 to 3.
         before : bool
-            Where a derivative jumps, the value before the jump.
+            Whether to return the value before a jump of a derivative.
 
         Raises
         ------

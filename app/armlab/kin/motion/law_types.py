@@ -70,7 +70,7 @@ class LawType:
         duration : float
             T, seconds, positive.
         distance : float
-            What s grows to: 1, or a length.
+            Final value of s: 1, or a length.
         **options
             By the keys of ``fields``.
 
@@ -88,9 +88,9 @@ class LawType:
         Parameters
         ----------
         limits : Limits
-            Of the absolute values of the first, second and third derivative of s.
+            Limits of the absolute values of the first, second and third derivative of s.
         distance : float
-            What s grows to.
+            Final value of s.
         **options
             By the keys of ``fields``.
 
@@ -135,9 +135,9 @@ class LawType:
         Parameters
         ----------
         path : Path
-            In joint space.
+            A path in joint space.
         limits : Limits or Arm
-            Of the joints; an arm stands for its own limits.
+            Limits of the joints; an arm stands for its own limits.
         shape : Limits, optional
             Limits from which a law takes its shape, such as a jerk by which it is rounded, but that need not be met;
             those of ``limits`` when left out.

@@ -41,7 +41,7 @@ class MinimumTime:
     Attributes
     ----------
     trajectory : Trajectory
-        At constant s', so that its path's time is time; one limit is met, none is exceeded.
+        The trajectory with constant s', so that the time of its path is time; one limit is met, none is exceeded.
     intervals : ndarray, shape (N-1,)
         h_k, seconds.
     by_distance : float

@@ -32,11 +32,11 @@ class Path(ABC):
     pieces : ndarray, shape (k,)
         Interior s where one formula ends and the next begins.
     degree : int or None
-        Of the polynomials between them, if that is what they are.
+        Degree of the polynomials between them, if the path consists of these.
     duration : float or None
         Seconds the path was made for, where its waypoints have times: with s = t / duration it meets them.
     remarks : tuple of str
-        What a student should know about this path.
+        Remarks for students on this path.
     """
 
     m: int
@@ -53,7 +53,7 @@ class Path(ABC):
         unit : str
             Such as ``"mm"``.
         size : float
-            Of that unit in units of the coordinates.
+            Size of the unit in units of the coordinates.
         """
         return self.remarks
 
@@ -67,11 +67,11 @@ class Path(ABC):
         Parameters
         ----------
         s : array_like, shape (...)
-            In [0, 1].
+            Parameters in [0, 1].
         orders : sequence of int
             0 to 3.
         before : bool
-            Where a derivative jumps, the value before the jump and not the one after it.
+            Whether to return the value before a jump of a derivative, instead of the one after it.
 
         Raises
         ------

@@ -50,7 +50,7 @@ class PathType:
     formula : str
         LaTeX, with X for what runs along it.
     says : str
-        What it is, in a sentence.
+        Description in a sentence.
     """
 
     key: str

@@ -82,7 +82,7 @@ def violations(
     ----------
     motion : Motion
     limits : Limits or Arm, optional
-        Of the absolute values of the rates; an arm stands for its own.
+        Limits of the absolute values of the rates; an arm stands for its own limits.
     positions : array_like, shape (m, 2), optional
         Smallest and largest value of each coordinate; those of an arm when left out.
     from_rest : bool

@@ -28,7 +28,7 @@ class Piecewise:
     knots : ndarray, shape (k+1,)
         Increasing.
     coefficients : ndarray, shape (k, d+1, m)
-        Of piece i, in rising powers of ``x - knots[i]``: the a_ki of the notes (6.89, 6.97).
+        Coefficients of piece i, in rising powers of ``x - knots[i]``: the a_ki of the notes (6.89, 6.97).
     """
 
     knots: Floats
@@ -49,7 +49,7 @@ class Piecewise:
             Outside of the knots the first and last piece go on.
         orders : sequence of int
         before : bool
-            At a knot take the piece that ends there and not the one that begins.
+            Whether to take, at a knot, the piece that ends there instead of the one that begins.
         """
         flat = x.reshape(-1)
         m = self.coefficients.shape[2]
@@ -132,7 +132,7 @@ def integrated(durations: Sequence[float], highest: Sequence[float], start: Sequ
     Parameters
     ----------
     durations : sequence of float
-        Of the pieces, seconds; pieces of none, but for rounding, are left out.
+        Durations of the pieces, seconds; pieces of zero duration, up to rounding, are left out.
     highest : sequence of float
         The constant of each piece.
     start : sequence of float

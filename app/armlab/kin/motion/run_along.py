@@ -35,7 +35,7 @@ def run_along(
     law : str
         Key of a timing law.
     limits : Limits or Arm, optional
-        Of the joints; an arm stands for its own limits. May be left out only with a duration.
+        Limits of the joints; an arm stands for its own limits. They may be left out only with a duration.
     duration : float, optional
         Seconds; left out: as fast as the limits allow.
     **options

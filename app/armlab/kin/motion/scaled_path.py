@@ -20,7 +20,7 @@ class ScaledPath(Path):
     Parameters
     ----------
     path : Path
-        In other units.
+        The path in other units.
     scales : ndarray, shape (m,)
         The size of its unit of each coordinate.
     """

@@ -44,7 +44,7 @@ class Series:
     edges : ndarray, shape (P, 2)
         Ends of each piece, sorted.
     coefficients : ndarray, shape (P, n, m)
-        In x mapped to [-1, 1].
+        Chebyshev coefficients in x mapped to [-1, 1].
     """
 
     edges: Floats
@@ -89,7 +89,7 @@ def series_of(function: Function, edges: Floats, degree: int | None = None) -> S
     edges : ndarray, shape (P+1,)
         Increasing.
     degree : int, optional
-        Of the polynomials between the edges, if that is what they are.
+        Degree of the polynomials between the edges, if the function consists of these.
     """
     pieces = np.stack([edges[:-1], edges[1:]], axis=1)
     if degree is not None and degree < COUNT:

@@ -61,7 +61,7 @@ class Motion(ABC):
     pieces : ndarray, shape (k,)
         Interior times between which every derivative is smooth.
     degree : int or None
-        Of the polynomials between them, if that is what they are.
+        Degree of the polynomials between them, if the motion consists of these.
     remarks : tuple of str
     """
 
@@ -166,7 +166,7 @@ class Trajectory(Motion):
     ----------
     path : Path
     law : Law
-        From 0 to 1.
+        A law from 0 to 1.
 
     Raises
     ------
@@ -269,7 +269,7 @@ def in_time(q: dict[int, Floats], s: Sequence[Floats], order: int, shape: tuple[
     order : int
         0 to 3.
     shape : tuple of int
-        Of the result.
+        Shape of the result.
 
     References
     ----------

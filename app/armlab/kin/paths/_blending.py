@@ -85,7 +85,7 @@ def check_room(room: Floats, after: Floats, before: Floats, unit: str) -> None:
     Parameters
     ----------
     room, after, before : ndarray, shape (N-1,)
-        Of each line its length, what the blend at its start takes, and what that at its end takes.
+        For each line, its length, the part taken by the blend at its start, and the part taken by that at its end.
     unit : str
         ``"s"``; empty for lengths, whose unit is not known here: then parts of the line are told.
     """

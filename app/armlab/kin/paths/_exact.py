@@ -30,7 +30,7 @@ class ExactPolynomial(PolynomialPath):
     Parameters
     ----------
     rows : sequence of m sequences of d + 1 Fraction
-        In rising powers of s.
+        Coefficients in rising powers of s.
     duration : float
     """
 

@@ -26,10 +26,10 @@ class Lts(PolynomialPath):
     Attributes
     ----------
     matrix : ndarray, shape (14, 14)
-        Of the coefficients, in rising powers of the local time of each polynomial, one after the other.
+        Matrix of the coefficients, in rising powers of the local time of each polynomial, one after the other.
     right : ndarray, shape (14, m)
     names : tuple of str
-        What each equation says.
+        Description of each equation.
     """
 
     def __init__(

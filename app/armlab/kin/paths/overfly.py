@@ -33,7 +33,7 @@ class Overfly(PolynomialPath):
     blend_times : ndarray, shape (N-2,)
         Delta T of each inner waypoint.
     d1, d2 : ndarray, shape (N-2,)
-        How far before and after the waypoint the line is left and the next one met.
+        Distances before and after each waypoint at which the line is left and the next one met.
     accelerations : ndarray, shape (N-2, m)
         The constant one of a parabolic blend, (v2 k_BC - v1 k_AB) / Delta T: it jumps from zero to this and back.
     """

@@ -110,7 +110,7 @@ def doubly_normalised(
     Parameters
     ----------
     q_start, q_end : float
-        Of one joint.
+        Start and end of one joint.
     start, end : sequence of float
         Velocity, acceleration, ... at the ends, in units per second, per second squared, ...
     duration : float

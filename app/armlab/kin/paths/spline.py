@@ -31,9 +31,9 @@ class Spline(PolynomialPath):
     system : SplineSystem
         Tridiagonal matrix and right side (notes 6.93-6.95), time in seconds.
     times : ndarray, shape (K,)
-        Of all knots, with the virtual ones.
+        Times of all knots, virtual ones included.
     positions, velocities : ndarray, shape (K, m)
-        At them.
+        Positions and velocities at these times.
     virtual : tuple of int
         Numbers (from 1) of the virtual knots among them.
     """

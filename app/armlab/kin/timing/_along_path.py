@@ -46,7 +46,7 @@ class Grid:
     bend : ndarray, shape (N, LOOKED, m)
         d²q/ds² in parts of the limit of acceleration.
     stops : ndarray of bool, shape (N+1,)
-        Where s must stand still.
+        Grid points at which s must stand still.
     still : (bool, bool)
         Whether dq/ds is zero at the start and at the end, so that any speed of s is rest there.
     """

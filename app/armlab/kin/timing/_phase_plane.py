@@ -119,7 +119,7 @@ def controllable(bands: Bands, end: tuple[float, float], stops: NDArray[np.bool_
     end : (float, float)
         Least and most squared speed at the end.
     stops : ndarray of bool, shape (N+1,)
-        Where the speed must be zero.
+        Grid points at which the speed must be zero.
 
     Notes
     -----

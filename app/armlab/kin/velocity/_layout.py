@@ -28,7 +28,7 @@ class Layout:
     Attributes
     ----------
     rank : int
-        Of the task Jacobian where the arm is not singular.
+        Rank of the task Jacobian where the arm is not singular.
     usual : ndarray, shape (s, m, n)
         Scaled task Jacobians of some configurations.
     run : tuple of int
@@ -44,7 +44,7 @@ class Layout:
     ends_at_centre : bool
         Whether the centre ends the planar part: else the last of its axes does.
     shoulder : ndarray, shape (3,), or None
-        Where the first three axes meet, in the world, of an arm of seven turns with a spherical wrist.
+        The point where the first three axes meet, in the world, for a 7R arm with a spherical wrist.
     """
 
     rank: int
@@ -146,7 +146,7 @@ class Posture:
     arm : Arm
     q : ndarray, shape (n,)
     axes, points : ndarray, shape (n, 3)
-        Of each joint: the direction of its axis and a point of it.
+        Direction of each joint axis and a point on it.
     """
 
     def __init__(self, arm: Arm, q: Array, layout: Layout) -> None:

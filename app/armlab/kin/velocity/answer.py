@@ -26,7 +26,7 @@ class Answer:
     Attributes
     ----------
     verdict : "none", "one" or "many"
-        How many joint speeds give exactly v.
+        The number of joint speeds that give exactly v.
     qdot : ndarray, shape (n,)
         The shortest of those that come nearest to v (notes 5.116-5.124, 5.128): of what `subspaces` scales, scaled.
     reached : ndarray, shape (m,)
@@ -60,7 +60,7 @@ def answer(
     J, length, speeds, tolerance
         As of `subspaces`.
     v : array_like, shape (m,)
-        In the units of the rows of J.
+        Wanted velocity, in the units of the rows of J.
 
     Raises
     ------

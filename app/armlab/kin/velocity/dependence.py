@@ -32,7 +32,7 @@ class Minor:
     Attributes
     ----------
     chosen : tuple of int
-        Which columns, or rows of a tall matrix, 1-based.
+        The columns, or rows of a tall matrix, 1-based.
     value : float
     """
 
@@ -56,7 +56,7 @@ class DeterminantTests:
         All of them; J has full rank when one is not zero. By Cauchy and Binet their squares add up to the
         determinant above. Empty where there are more than `MOST_MINORS`.
     count : int
-        How many there are.
+        Number of minors.
     sigma_min : float
     """
 
@@ -180,7 +180,7 @@ def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Depend
     Parameters
     ----------
     J, usual : array_like
-        As of `dependent_columns`.
+        As in `dependent_columns`.
     count : int
     """
     matrix, others = np.asarray(J, dtype=np.float64), np.asarray(usual, dtype=np.float64)

@@ -51,7 +51,7 @@ class SymbolicMinor:
     text : str
         Python with ``sin``, ``cos``, the joint variables ``q1`` ... and the `constants` of the arm.
     latex : str
-        With ``c_{23}`` for the cosine of q2 + q3, as in the notes.
+        The same in LaTeX, with ``c_{23}`` for the cosine of q2 + q3, as in the notes.
     """
 
     joints: tuple[int, ...]

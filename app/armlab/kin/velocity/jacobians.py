@@ -36,7 +36,7 @@ class ToolMotion:
     twist : ndarray, shape (..., 6)
         ``(v; omega)``, m/s and rad/s.
     acceleration : ndarray, shape (..., 6)
-        Of the tool point, and the derivative of omega: m/s² and rad/s².
+        Acceleration of the tool point, m/s², and derivative of omega, rad/s².
     jerk : ndarray, shape (..., 6)
         m/s³ and rad/s³.
     """
@@ -55,9 +55,9 @@ def jacobian_at(arm: Arm, q: ArrayLike, axes: str = "world", point: ArrayLike | 
     q : array_like, shape (..., n)
         Radians and metres.
     axes : "world", "base" or "tool"
-        Of both blocks of rows.
+        The axes of both blocks of rows.
     point : array_like, shape (3,), optional
-        In the axes of the tool's frame, metres; its origin when left out.
+        The point in the axes of the tool's frame, metres; its origin by default.
 
     Returns
     -------
@@ -99,7 +99,7 @@ def link_jacobian(arm: Arm, q: ArrayLike, link: int, point: ArrayLike = (0.0, 0.
     link : int
         0 is the base, link i moves with joints 1 to i.
     point : array_like, shape (3,)
-        In the axes of frame ``link``, metres; its origin when left out.
+        The point in the axes of frame ``link``, metres; its origin by default.
 
     Returns
     -------

@@ -101,7 +101,7 @@ def angle_rates(omega: ArrayLike, angles: ArrayLike, axes: str = "zyz", fixed: b
     Parameters
     ----------
     omega : array_like, shape (..., 3)
-        In the fixed axes, rad/s.
+        Angular velocity in the fixed axes, rad/s.
     angles : array_like, shape (..., 3)
     axes : str
     fixed : bool

@@ -32,7 +32,7 @@ class Around(Met):
     Attributes
     ----------
     row : ndarray, shape (C,)
-        Where in the rows the coarse cells are; -1 for one that was not met.
+        Row of each coarse cell; -1 for one that was not met.
     """
 
     def __init__(self, grid: Grid) -> None:
@@ -115,7 +115,7 @@ def arcs_of(least: Floats, most: Floats, joint: FirstJoint, closed: float = 0.0)
     Parameters
     ----------
     least, most : ndarray, shape (C, k)
-        Of s in intervals in turn, by where they begin, rad or m; (inf, -inf) in one without.
+        Least and greatest s of successive intervals, by their start, rad or m; (inf, -inf) for missing ones.
     joint : FirstJoint
     closed : float
         Gaps between them up to so large count as found, rad or m.

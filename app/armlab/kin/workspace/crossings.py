@@ -36,7 +36,7 @@ class Crossings:
     inside : ndarray, shape (Nu, Nv)
         Whether the centre of a cell is reached.
     along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
-        Where the boundary is between a centre and the next, 0 to 1; 0 where it is not between them.
+        Position of the boundary between a centre and the next, 0 to 1; 0 when it is not between them.
     """
 
     def __init__(self, filling: Filling) -> None:

@@ -40,7 +40,7 @@ class ElbowPoints:
     ----------
     limits : ndarray, shape (3, 2)
     axes : ndarray, shape (3, 3)
-        In the world, columns: in the plane outward, along axis 1, along axes 2 and 3.
+        Axes in the world, as columns: in the plane outward, along axis 1, along axes 2 and 3.
     foot : ndarray, shape (3,)
         A point of axis 1 in the world, metres.
     beside : float
@@ -89,7 +89,7 @@ class ElbowPoints:
         Yields
         ------
         rows : ndarray, shape (m,)
-            Which points.
+            Indices of the points.
         q1, bend : ndarray, shape (m,)
             Angles by which joint 1, and by which joints 2 and 3 together, turn the forearm, rad; see `forearm`.
         inside : ndarray of bool, shape (m,)

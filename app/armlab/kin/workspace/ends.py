@@ -72,7 +72,7 @@ class Ends:
     places : ndarray, shape (C, 2)
         (u, v), metres.
     met : Met
-        What was met at the places, a row for each.
+        Values of s met at the places, one row for each.
     closed : float
         Gaps up to so large count as met, rad or m.
     """

@@ -42,7 +42,7 @@ def climbed(joint: FirstJoint, q: Floats, objective: Objective) -> Floats:
     q : ndarray, shape (n,)
         Inside the limits but for joint 1, which stays.
     objective : callable
-        Of (u, v), shape (k, 2), giving (k,), metres.
+        A function of (u, v), shape (k, 2), with values (k,), metres.
     """
     moving = list(joint.moving)
     low, high = joint.arm.limits[moving].T

@@ -31,7 +31,7 @@ class Faces(NamedTuple):
     edges : ndarray, shape (k, 2, 2)
         Both ends, in (u, v), of the side that two cells share.
     s : ndarray, shape (k, 2)
-        From where to where, rad or m.
+        Start and end of the range of s, rad or m.
     """
 
     edges: Floats

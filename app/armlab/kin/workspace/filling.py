@@ -51,7 +51,7 @@ class Filling:
     grid : Grid
     filled, centred : ndarray, shape (cells,)
     row : ndarray, shape (cells,)
-        Where in the following a filled cell is; -1 for another. Of a sliver few cells are filled among many.
+        Row of a filled cell in the arrays that follow; -1 for others, which are most in a thin region.
     q : Rows of shape (n,)
         A configuration of each filled cell with q_1 = 0, rad and m.
     spare : list of Rows of shape (n,)
@@ -59,7 +59,7 @@ class Filling:
     has_spare : ndarray, shape (SPARE, cells)
         Whether further configurations are kept of a cell.
     around : Around or None
-        What is known of s; None where joint 1 turns all the way round.
+        The covered values of s; None when joint 1 turns all the way round.
     """
 
     def __init__(self, grid: Grid) -> None:

@@ -42,7 +42,7 @@ class FirstJoint:
     revolute : bool
         Whether joint 1 turns.
     origin : ndarray, shape (3,)
-        In the world, metres: the point of the axis of joint 1 nearest to the origin of frame 0, where rho and v are 0.
+        The point of the axis of joint 1 nearest to the origin of frame 0, in the world, metres; rho and v are 0 there.
     axes : ndarray, shape (3, 3)
         Columns in the world; the third lies along the axis of joint 1. Of a planar arm whose first joint slides the
         second is the normal of its plane.
@@ -80,7 +80,7 @@ class FirstJoint:
         Parameters
         ----------
         points : array_like, shape (..., 3)
-            In the world, metres.
+            Points in the world, metres.
 
         Returns
         -------

@@ -42,7 +42,7 @@ class Forearms:
     node : ndarray, shape (k,)
         Flat index of the node.
     turn : ndarray, shape (k, 3, 3)
-        From world axes with all joints at 0 to the axes of `FirstJoint` turned to where the wrist centre is.
+        Rotation from world axes with all joints at 0 to the axes of `FirstJoint` turned to the wrist centre.
     start : ndarray, shape (k,)
         The least s to which joint 1 carries it, rad.
     """

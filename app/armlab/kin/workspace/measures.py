@@ -37,7 +37,7 @@ class Measure:
     title : str
         Name in lower case, as on screen.
     symbol : str
-        In LaTeX.
+        The symbol in LaTeX.
     unit : callable
         ``unit(arm) -> str``, such as ``"m³"``; empty without one.
     logarithmic : bool

@@ -24,13 +24,13 @@ class Met:
     Attributes
     ----------
     span : (float, float)
-        Of s, rad or m, over which the bins lie; what is beyond counts to the last ones.
+        Range of s, rad or m, over which the bins lie; values beyond it are counted in the outer ones.
     least, most : Rows of shape (bins,)
-        Of the s met in a bin, rad or m; (inf, -inf) in one without.
+        Least and greatest s met in a bin, rad or m; (inf, -inf) for an empty one.
     q : Rows of shape (bins, n)
         A configuration of each, rad and m, in single precision.
     ends : (float, float)
-        Of all s that were met, rad or m; (inf, -inf) before any was.
+        Least and greatest of all s that were met, rad or m; (inf, -inf) before any.
     """
 
     def __init__(self, joint: FirstJoint, span: tuple[float, float], bins: int = BINS) -> None:
@@ -77,7 +77,7 @@ def gaps_before(least: Floats, most: Floats, joint: FirstJoint) -> Floats:
     Parameters
     ----------
     least, most : ndarray, shape (C, k)
-        As of `Met`, or of intervals in turn by where they begin.
+        As in `Met`, or successive intervals by their start.
     joint : FirstJoint
 
     Returns

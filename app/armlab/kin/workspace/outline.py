@@ -45,7 +45,7 @@ class Outline:
         Centres, metres.
     inside : ndarray, shape (Nu, Nv)
     along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
-        Where, between a centre and the next, the edge of the region lies, 0 to 1.
+        Position of the edge of the region between a centre and the next, 0 to 1.
     """
 
     u: Floats
@@ -64,7 +64,7 @@ class Outline:
         places : ndarray, shape (k, 8, 2)
             Centres and crossings in turn round a square, metres.
         used : ndarray, shape (k, 8)
-            Which of them belong to its polygon.
+            Mask of the points that belong to the polygon.
         """
         counted = self._inside_corners
         squares = np.argwhere((counted & 3) != 0)

@@ -52,7 +52,7 @@ class PlanarWorkspace:
     inner, outer : float
         Metres: the tool point reaches the radii from one to the other (WS1).
     area : float
-        Of WS1, m².
+        Area of WS1, m².
     dexterous : tuple of (float, float)
         Closed intervals of radii in metres where all orientations are possible (WS2), in order; (0, 0) is the origin
         alone, the empty tuple nowhere.

@@ -52,11 +52,11 @@ class Region:
     least, most : float
         Measure of the orientations, rad, smallest and largest in the ring.
     ranges : int
-        In how many separate ranges they lie; 0 of single ones.
+        Number of separate ranges in which they lie; 0 for single orientations.
     ways : tuple of tuple of int
         The stretched and folded configurations of a singular circle, as signs of the links.
     orientations, solutions : str
-        In words.
+        Descriptions in words.
     """
 
     low: float

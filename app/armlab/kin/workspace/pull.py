@@ -61,7 +61,7 @@ def pull(
         Metres from the target that are near enough.
     iterations : int
     weights : ndarray, shape (k, 2), optional
-        How much u, and v, matter; both as much when left out.
+        Weights of u and of v; equal by default.
 
     Returns
     -------

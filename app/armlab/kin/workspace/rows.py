@@ -21,11 +21,11 @@ class Rows:
     Parameters
     ----------
     shape : tuple of int
-        Of a row.
+        Shape of a row.
     size : int
         Rows of a block.
     fill : float
-        What stands in a row that was never written.
+        Value in rows that were never written.
     """
 
     def __init__(self, shape: tuple[int, ...], size: int, fill: float = 0.0, dtype: DTypeLike = np.float64) -> None:

@@ -36,11 +36,11 @@ class SampledPoints:
     ----------
     joint : FirstJoint
     low, step : ndarray (2,), float
-        Of the cells over (u, v), metres.
+        Corner and side of the cells over (u, v), metres.
     met : ndarray of bool, shape (U, V, S)
         Whether the point with this (u, v) and this s, rad or m, is reached by some turn of joint 1 inside its limits.
     low_s, step_s : float
-        Of the bins of s.
+        Start and width of the bins of s.
     centre, radius
         A ball around all of it.
     """

@@ -38,7 +38,7 @@ class Section:
     filled : ndarray, shape (Nu, Nv)
         Cells with a configuration whose point lies in them.
     row : ndarray, shape (Nu, Nv)
-        Where among those configurations it is; -1 for a cell that is not filled.
+        Row of the cell among those configurations; -1 for a cell that is not filled.
     configurations : ndarray, shape (rows, n)
         Rad and m, with q_1 = 0 even where joint 1 must not be there.
     outline : Outline
@@ -47,7 +47,7 @@ class Section:
         Which s are reached at q_1 = 0; None where joint 1 turns all the way round, and all are. It is counted on while
         the section is not finished.
     arcs : Arcs or None
-        What joint 1 makes of it; None where all s are covered, and until it is finished.
+        Ranges of s covered by joint 1; None when all s are covered, and until the section is finished.
     finished : bool
     """
 

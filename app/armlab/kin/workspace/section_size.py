@@ -48,7 +48,7 @@ class Size:
     Attributes
     ----------
     value, error : float
-        In the unit; the error is estimated (see `size`).
+        Value and estimated error, in the unit (see `size`).
     unit : "m³" or "m²"
     """
 
@@ -134,7 +134,7 @@ def is_thin(section: Section, resolution: int, wanted: float) -> Work[bool]:
     section : Section
         Finished.
     resolution : int
-        With which it was begun.
+        Resolution with which the section was begun.
     wanted : float
         Error as a part of the size that is small enough.
     """

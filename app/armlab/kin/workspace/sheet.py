@@ -39,7 +39,7 @@ class Met(NamedTuple):
     places : ndarray, shape (k, 2)
         The two coordinates of the surface, metres.
     axes : ndarray, shape (k, 3)
-        What is counted of the tool's orientation: its z axis, or where this has one line its x axis about it.
+        The counted direction of the tool: its z axis or, when this is fixed, its x axis about it.
     """
 
     q: Singles
@@ -55,7 +55,7 @@ class Sheet(ABC):
     ----------
     arm : Arm
     s : float
-        Which one; see the subclasses.
+        Coordinate of the surface; see the subclasses.
     """
 
     arm: Arm

@@ -21,9 +21,9 @@ class Count(NamedTuple):
     Attributes
     ----------
     number : float
-        Those that were found; inf for a family.
+        Number of solutions found; inf for a family.
     inside : float
-        Of these, how many are within the joint limits; inf where representatives of a family are.
+        Number of these within the joint limits; inf when representatives of a family are.
     complete : bool
         Whether it is proven that there are no others; else it is "at least".
     """
@@ -46,7 +46,7 @@ def counts(arm: Arm, points: ArrayLike, R: ArrayLike) -> Iterator[Count]:
     ----------
     arm : Arm
     points : array_like, shape (k, 3)
-        In the world, metres.
+        Points in the world, metres.
     R : array_like, shape (3, 3)
         Orientation of the tool in the world.
 

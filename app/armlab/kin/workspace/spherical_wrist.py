@@ -70,9 +70,9 @@ class Coverage:
     tool : float
         L, metres.
     points : WristPoints
-        Where the wrist centre can be.
+        The points that the wrist centre reaches.
     turns : WristTurns
-        What the wrist can do.
+        The rotations that the wrist reaches.
     proper : bool
         Whether the limits of the wrist are counted, or leave it every orientation; else the fraction is an upper bound.
     finished : bool

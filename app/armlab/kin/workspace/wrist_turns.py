@@ -51,7 +51,7 @@ class WristTurns:
     tool : ndarray, shape (3,)
         Unit vector from the wrist centre to the tool point there; along the tool's z axis where the two are one.
     length : float
-        From the wrist centre to the tool point, metres.
+        Distance of the tool point from the wrist centre, metres.
     limits : ndarray, shape (3, 2)
         Radians.
     free : bool

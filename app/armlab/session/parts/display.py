@@ -26,7 +26,7 @@ class Display(Part):
     Attributes
     ----------
     switches : mapping of str to bool
-        By name. Which names there are, and how each stands when nobody has set it, is known where they are drawn.
+        Switches by name. The names and their defaults are defined where the switches take effect.
     """
 
     key: ClassVar[str] = "display"

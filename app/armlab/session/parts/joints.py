@@ -29,7 +29,7 @@ class Joints(Part):
     locked : tuple of bool
         Joints that neither inverse kinematics nor a named pose may move.
     draws : int
-        How many random poses were drawn: the seed of the next.
+        Number of random poses so far: the seed of the next.
     """
 
     key: ClassVar[str] = "joints"

@@ -41,13 +41,13 @@ class LessonPart(Part):
     open : str
         Key of the open lesson, with ``/VARIANT`` behind it when it has variants; empty when none is open.
     progress_of : mapping of str to Progress
-        By such a key.
+        Progress by such a key.
     number : int
         Variant of lessons that a student gets who asks for none.
     student : str
-        As they sign their work.
+        The name with which the student signs the work.
     set_up : int
-        How often a lesson has put its own arm on the table; not saved.
+        Number of times that a lesson has put its own arm on the table; not saved.
     panel : str
         Key of the panel that is looked at; not saved.
     loaded : int

@@ -24,7 +24,7 @@ class RobotPart(Part):
     origin : str
         Key of the file an own table began with; empty for one that began with none.
     moved : Remainders or None
-        What the last edit, a change of convention, put into base and tool; None when it was another edit.
+        Parts that the last edit, a change of convention, put into base and tool; None after another edit.
     """
 
     key: ClassVar[str] = "robot"

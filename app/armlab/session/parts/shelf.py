@@ -32,11 +32,11 @@ class Shelf(Part):
     Attributes
     ----------
     own : "home" or "sandbox"
-        Where the student's own work goes on.
+        The place where the student's own work goes on.
     shared : str
         The text of the shared state that lies over it; empty for none.
     parked : mapping of str to State
-        By place, ``home`` or ``sandbox``. The states have empty shelves and no progress in lessons: the present
+        States by place, ``home`` or ``sandbox``. They have empty shelves and no progress in lessons: the present
         progress always counts.
     """
 
@@ -151,7 +151,7 @@ class OpenShared(Command):
     Parameters
     ----------
     text : str
-        Of `armlab.session.share.short`.
+        Text made by `armlab.session.share.short`.
     """
 
     text: str

@@ -65,7 +65,7 @@ class Target(FieldPart):
     Attributes
     ----------
     pose : ndarray, shape (4, 4), or None
-        In the world; None while the target sits on the tool.
+        Pose in the world; None while the target is at the tool.
     catching_up : bool
         Whether the arm was held back by `DRAG_TRAVEL` and has to follow on.
     axes : "world" or "tool"
@@ -74,9 +74,9 @@ class Target(FieldPart):
     method : str
         Key of the method of inverse kinematics.
     branch : tuple of str
-        On which branch the arm was when it last followed the target; nothing before it has.
+        Branch of the arm when it last followed the target; empty before.
     crossing, near : Said or None
-        Which branch it has changed to, and which singularity it is near.
+        Sentences on the branch to which it has changed, and on the singularity it is near.
     """
 
     key: ClassVar[str] = "target"
@@ -156,9 +156,9 @@ class DragTarget(Command):
     Parameters
     ----------
     pose : ndarray, shape (4, 4), or None
-        Where the handle is, in the world; None goes on to the target there is.
+        Pose of the handle, in the world; None to go on to the present target.
     drag : object
-        Which drag it belongs to; any object that stands for it alone. One drag is one step of undo.
+        Key of the drag; any object that belongs to it alone. One drag is one step of undo.
     """
 
     pose: NDArray[np.floating] | None

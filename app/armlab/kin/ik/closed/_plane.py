@@ -32,9 +32,9 @@ class Flat:
         0-based.
     turns : bool
     centre : complex
-        Of a turn: where its axis cuts the plane at q = 0, metres.
+        For a turn, the point where its axis meets the plane at q = 0, metres.
     way : complex
-        Of a slide: its direction. Of a turn: its sense, 1 or -1.
+        For a slide, its direction; for a turn, its sense, 1 or -1.
     """
 
     joint: int
@@ -119,7 +119,7 @@ def solve_plane(plane: Plane, G: Vector, angle: bool) -> list[Way]:
     Parameters
     ----------
     plane : Plane
-        With two joints in the plane, or three where the angle counts, and at most one lift.
+        A plane with two joints, or three when the angle counts, and at most one lift.
     G : ndarray, shape (4, 4)
         Target in frame 0.
     angle : bool

@@ -93,7 +93,7 @@ def basins(
     Parameters
     ----------
     arm : Arm
-        With as many free joints as task components, or fewer, so that solutions are single configurations.
+        An arm with at most as many free joints as task components, so that solutions are single configurations.
     target : array_like, shape (4, 4)
     method : str
         Key of an iterative method.

@@ -53,7 +53,7 @@ class Flow:
         Lyapunov function of the scaled error, and its derivative by the formula, 1/s.
     status, reason : str
     scaling : str
-        What V is made of, in words.
+        The units combined in V, in words.
     """
 
     t: Floats

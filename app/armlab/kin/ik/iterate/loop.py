@@ -51,10 +51,10 @@ class Stage(NamedTuple):
     Attributes
     ----------
     rows : ndarray of int, shape (B,)
-        Which starts they are.
+        Indices of the starts.
     point : Point
     landed : ndarray, shape (B, n)
-        Where the steps led; for iterations that end here the same configuration.
+        Ends of the steps; the same configuration for iterations that end here.
     damping : ndarray, shape (B,)
     fate : ndarray of int, shape (B,)
         `Fate` after this iterate.

@@ -33,7 +33,7 @@ class Parameter:
     Attributes
     ----------
     key, symbol, title : str
-        For programs, as the notes write it, and in words.
+        The name in programs, the symbol of the notes, and the name in words.
     default, low, high : float
         Smallest and largest value allowed are included.
     unit : str
@@ -60,11 +60,11 @@ class Move(NamedTuple):
     damping : ndarray, shape (B,), optional
         The number added to the diagonal of J J^T.
     refused : ndarray of bool, shape (B,), optional
-        Where the method has no step because a matrix cannot be inverted.
+        Configurations without a step, because a matrix cannot be inverted.
     secondary : ndarray, shape (B,), optional
         Length of the part of the step that serves another aim than the task.
     memory : tuple of ndarray
-        What the method wants back at the next step, each with B rows.
+        Arrays that the method needs at the next step, each with B rows.
     """
 
     dq: Floats

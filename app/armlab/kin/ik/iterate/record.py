@@ -123,7 +123,7 @@ def filmed(
     Parameters
     ----------
     row : int
-        Which start.
+        Index of the start.
     why_not : tuple, optional
         Status and reason when the method could not begin.
     """
