@@ -95,11 +95,11 @@ class _Joint:
         return cls(1, turns, value, wrong, _nice(PART_OF_RANGE * (high - low)))
 
     def goal(self, home: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the goal configuration."""
+        """Return the goal configuration, shape (n,)."""
         return self._moved(home, self.value)
 
     def beyond(self, home: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the configuration of the typical mistake."""
+        """Return the configuration of the typical mistake, shape (n,)."""
         return self._moved(home, self.wrong)
 
     def _moved(self, home: NDArray[np.float64], value: float) -> NDArray[np.float64]:

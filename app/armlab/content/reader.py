@@ -87,14 +87,14 @@ class Table:
         return self._number(key, self._take(key, default))
 
     def numbers(self, key: str, count: int, default: list[float] | None = None) -> NDArray[np.float64]:
-        """Take a list of finite numbers."""
+        """Take a list of ``count`` finite numbers, shape (count,)."""
         value = self._take(key, default)
         if not isinstance(value, list) or len(value) != count:
             raise self.fail(key, f"expected {count} numbers in brackets, got {shown(value)}")
         return np.array([self._number(f"{key}[{i + 1}]", entry) for i, entry in enumerate(value)])
 
     def matrix(self, key: str) -> NDArray[np.float64]:
-        """Take a 3 x 3 matrix, a list of rows."""
+        """Take a matrix, shape (3, 3), written as a list of rows."""
         value = self._take(key, None)
         if not isinstance(value, list) or [len(row) if isinstance(row, list) else 0 for row in value] != [3, 3, 3]:
             raise self.fail(key, f"expected three rows of three numbers, got {shown(value)}")

@@ -97,7 +97,7 @@ class Robot:
 
     @property
     def home(self) -> NDArray[np.float64]:
-        """The first named pose."""
+        """The first named pose, shape (n,), rad and m."""
         return next(iter(self.poses.values()))
 
 

@@ -36,7 +36,7 @@ class SeenMove:
 
 @dataclass(frozen=True)
 class SeenMotion:
-    """The plan of a motion as it is at the moment, and what has become of it.
+    """The planned motion at present.
 
     Attributes
     ----------
@@ -45,23 +45,23 @@ class SeenMotion:
     moves : tuple of SeenMove
         moves[k] comes to waypoint k + 1, both from 0.
     planned : bool
-        Whether it is worked out; before that the following are as of a motion that cannot be run.
+        Whether it is planned already; before that, the attributes below are those of a motion that cannot be run.
     whole : bool
-        Whether it runs to its end.
+        Whether it can be run to its end.
     within : bool
-        Whether it keeps to all limits that are set.
+        Whether it keeps all limits that are set.
     duration : float
-        Seconds of what can be run.
+        Duration of the part that can be run, seconds.
     fastest : float
-        Seconds within the limits; 0 when it cannot be run.
+        Least duration within the limits, seconds; 0 when it cannot be run.
     velocity, acceleration : float
-        Largest share of the limits of the joints, 1 for all of one, among closely spaced samples.
+        Largest fraction of the limits of the joints, 1 at a limit, among closely spaced samples.
     deviation : float
-        Metres by which the tool leaves its Cartesian path between the samples of the inverse kinematics, at most.
+        Largest distance of the tool from its Cartesian path, between samples of the inverse kinematics, metres.
     played : bool
-        Whether it was played to its end, as it is at the moment, since the step was shown.
+        Whether it was played to its end, in its present form, since the step was shown.
     time : float or None
-        Seconds at which its playback stands; None while it is not on.
+        Time of its playback, seconds; None while it is not open.
     trouble : str
         Why it cannot be run; empty when it can. Not kept as evidence.
     raised : str

@@ -248,7 +248,7 @@ class Arm:
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
     def __setstate__(self, state: dict[str, object]) -> None:
-        """Restore the attributes and make the arrays read-only again, which copies are not."""
+        """Restore the attributes; copies of read-only arrays are writable and have to be protected again."""
         for value in state.values():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)

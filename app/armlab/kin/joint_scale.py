@@ -22,6 +22,6 @@ def counted_speeds(arm: Arm) -> NDArray[np.float64] | None:
 
 
 def joint_scale(arm: Arm) -> NDArray[np.float64]:
-    """Return `counted_speeds`, or ones when all joints are revolute or all prismatic."""
+    """Return `counted_speeds` (n,), or ones when all joints are revolute or all prismatic."""
     speeds = counted_speeds(arm)
     return np.ones(arm.n) if speeds is None else speeds

@@ -111,7 +111,7 @@ class Axes:
         return next((i for i in range(self.arm.n - 2, 0, -1) if test(i)), None)
 
     def direction(self, i: int, j: int) -> NDArray[np.float64]:
-        """Return the direction of axis j in axes with z along axis i < j; the joints between must be prismatic."""
+        """Return the direction (3,) of axis j in axes with z along axis i < j; joints between must be prismatic."""
         R: NDArray[np.float64] = np.eye(3)
         for k in range(i, j):
             R = R @ rotation_about("x", self.links[k][1])

@@ -62,7 +62,7 @@ class Player:
     ----------
     lesson : Lesson
     planning : bool, optional
-        Whether plans of motions are worked out, which takes time.
+        Whether motions are planned, which takes time.
 
     Attributes
     ----------

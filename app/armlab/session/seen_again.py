@@ -24,8 +24,8 @@ def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, .
     robot : Robot
         The robot of the lesson.
     plans : bool
-        Whether that work is done again, such as the planning of a motion, which may take seconds; what is told of it is
-        taken down otherwise.
+        Whether long work is done again, such as planning a motion, which may take seconds; otherwise its results are
+        taken from the data.
     facts : tuple of str
         Words of the facts of benches that the check looks at.
 

@@ -183,7 +183,7 @@ class Command:
     undoable : bool
         Whether it is a step of undo; what only changes the view of things is none.
     label : str
-        Name of the change in the menu of undo.
+        Name of the change that an undo takes back.
     reacts : bool
         Whether parts guard against it and react to it; a whole state that is put in place fits together already.
     """

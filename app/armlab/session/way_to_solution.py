@@ -29,7 +29,7 @@ OTHER_STARTS = 12
 
 
 def gap(arm: Arm, one: NDArray[np.float64], other: NDArray[np.float64]) -> Vector:
-    """Return the difference of joint values up to whole turns, radians and length scales."""
+    """Return the difference (n,) of joint values up to whole turns, in radians and length scales."""
     apart = one - other
     turned = apart - math.tau * np.round(apart / math.tau)
     return np.where(arm.revolute, turned, apart / arm.length_scale)

@@ -164,7 +164,7 @@ def remainder_bound(A: ArrayLike, t: float, terms: int) -> float:
 
 
 def _logarithm_of_largest_term(x: float, terms: int) -> float:
-    """Return the logarithm of the largest x^k / k! with k below ``terms``; the terms grow up to k = x."""
+    """Return the logarithm of the largest x^k / k! with k up to ``terms``; the terms grow up to k = x."""
     k = min(terms, math.floor(x))
     return k * math.log(x) - math.lgamma(k + 1) if k else 0.0
 

@@ -32,14 +32,14 @@ TITLES = {"none": "none", "middle": "towards mid-range", "manipulability": "up t
 
 
 def middle_slopes(task: ScaledTask, q: Floats, N: Floats) -> Floats:
-    """Return slopes of -(1/2n) sum ((q_i - middle_i) / (q_i,max - q_i,min))^2; joints without a range do not count."""
+    """Return slopes (k,) of -(1/2n) sum ((q_i - middle_i) / (q_i,max - q_i,min))^2; only joints with a range count."""
     low, high = task.arm.limits.T
     ranges = np.where(high > low, high - low, np.inf)
     return np.asarray((-(q - 0.5 * (low + high)) / ranges**2 / task.n * task.joint_units) @ N)
 
 
 def manipulability_slopes(task: ScaledTask, q: Floats, N: Floats) -> Floats:
-    """Return slopes of w, the product of the singular values of the scaled task Jacobian, by central differences."""
+    """Return slopes (k,) of w, the product of the singular values of the scaled task Jacobian, along N (n, k)."""
 
     def w(at: Floats) -> float:
         return float(np.prod(decomposed(task.scaled(task.jacobian(at))).sigma))

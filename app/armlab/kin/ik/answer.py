@@ -96,7 +96,7 @@ def verified(arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[in
 
 
 def verified_rows(arm: Arm, T: Vector, candidates: Sequence[Vector]) -> list[Vector]:
-    """Return only the solutions of `verified`."""
+    """Return only the solutions of `verified`, (n,) each."""
     return verified(arm, T, candidates).rows
 
 

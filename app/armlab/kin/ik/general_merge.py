@@ -147,5 +147,5 @@ def _is_bottom(
 
 
 def wrapped(angles: Floats) -> Floats:
-    """Return angles without whole turns, between half a turn back and half a turn ahead."""
+    """Return angles without whole turns, of any shape, between half a turn back and half a turn ahead."""
     return np.asarray(angles - 2.0 * np.pi * np.round(angles / (2.0 * np.pi)))

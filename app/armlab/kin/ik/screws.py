@@ -95,7 +95,7 @@ def screws_of(arm: Arm) -> Screws:
 
 
 def cross(u: Vector, v: Vector) -> Vector:
-    """Return the vector product of two vectors; NumPy's, made for batches, takes ten times as long."""
+    """Return the vector product (3,) of two vectors; NumPy's, made for batches, takes ten times as long."""
     (a, b, c), (x, y, z) = u.tolist(), v.tolist()
     return np.array((b * z - c * y, c * x - a * z, a * y - b * x))
 
@@ -115,7 +115,7 @@ def rotation(axis: Vector, angle: float) -> Vector:
 
 
 def angle_about(z: Vector, start: Vector, end: Vector) -> float:
-    """Return the angle about z from one direction to another, counter-clockwise; 0 when one is along z."""
+    """Return the right-handed angle about z from one direction to another, rad; 0 when one is along z."""
     # By their parts across z, each turned by a quarter: products of the whole would cancel where these are small.
     one, other = cross(z, start), cross(z, end)
     return math.atan2(float(z @ cross(one, other)), float(one @ other))

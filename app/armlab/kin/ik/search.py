@@ -99,7 +99,7 @@ class Begin:
             yield self._kept(low + width * rng.random(self.arm.n)).tolist()
 
     def placed(self, q: Sequence[float]) -> Floats | None:
-        """Return the same configuration, by whole turns, inside the limits; None when there is none."""
+        """Return the configuration (n,) moved by whole turns inside the limits; None when that is impossible."""
         near, free, inside = self.near.tolist(), self.free, list(q)
         for i, (low, high, turns) in enumerate(task_error_of(self.arm).ranges):
             if free is not None and not free[i]:

@@ -182,12 +182,12 @@ class _Tracer:
         return np.asarray(vectors[rank:].T)
 
     def corrected(self, q: Vector) -> Vector | None:
-        """Return the solution of the task near q, or None."""
+        """Return the solution (n,) of the task near q, or None."""
         found = self._corrected(q)
         return None if found is None else found[0]
 
     def _corrected(self, q: Vector) -> tuple[Vector, Vector] | None:
-        """Return the solution of the task near q and the scaled task Jacobian there, or None."""
+        """Return the solution (n,) of the task near q and the scaled task Jacobian (m, n) there, or None."""
         n, values = self.arm.n, q.tolist()
         for _ in range(8):
             numbers = self.step(values)

@@ -121,7 +121,7 @@ def wrapped_rows(arm: Arm, q: NDArray[np.floating]) -> NDArray[np.float64]:
 
 
 def sorted_rows(q: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Return the order of rows by joint 1, then 2 and so on; values that differ by rounding count as equal."""
+    """Return the order (k,) of rows (k, n) by joint 1, then 2 and so on; values within rounding count as equal."""
     keys = np.round(q, 6) + 0.0
     return np.asarray(np.lexsort(keys.T[::-1]), dtype=np.intp)
 

@@ -163,7 +163,7 @@ def _joined(arm: Arm, one: Polished, way: Vector, target: list[float]) -> bool:
 
 
 def distinct(arm: Arm, candidates: Sequence[Vector], tolerance: float = SAME) -> list[Vector]:
-    """Return configurations without those that repeat an earlier one, up to whole turns."""
+    """Return configurations (n,) without those that repeat an earlier one, up to whole turns."""
     q = np.array(candidates).reshape(-1, arm.n)
     repeats = np.abs(_apart(arm, q[:, None], q)).max(axis=2) <= tolerance
     kept: list[int] = []

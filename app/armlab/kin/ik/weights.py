@@ -38,7 +38,7 @@ def checked_weights(arm: Arm, weights: ArrayLike | None) -> Weights | None:
 
 
 def positive_factors(values: ArrayLike, where: str, m: int) -> NDArray[np.float64]:
-    """Return m positive, finite numbers, one for each task component; `InputError` otherwise."""
+    """Return m positive, finite numbers (m,), one for each task component; `InputError` otherwise."""
     found = as_floats(values, where, f"{m} positive numbers")
     if found.shape != (m,) or not np.all(np.isfinite(found) & (found > 0.0)):
         raise wrong(where, f"{m} positive numbers", values)

@@ -77,7 +77,7 @@ class Branch:
         self._most = MOST_NODES + NODES_A_PIECE * len(tool_path.pieces)
 
     def corrected(self, q: Floats, s: float) -> Floats | None:
-        """Return the configuration on the path near a guess; None when Newton's method does not get there."""
+        """Return the configuration (n,) on the path near a guess; None when Newton's method does not get there."""
         wanted = self.tool_path.pose(s)[None]
         for _ in range(CORRECTIONS):
             tool = np.asarray(self.arm.fk(q), dtype=np.float64)[None]

@@ -123,7 +123,7 @@ def knot_times(points: Floats, options: dict[str, Any]) -> Floats:
 
 
 def checked_times(times: ArrayLike, count: int, where: str = "times") -> Floats:
-    """Return increasing times, one for each waypoint; `InputError` names the waypoint."""
+    """Return increasing times (N,), one for each waypoint, seconds; `InputError` names the waypoint."""
     values = as_floats(times, where, f"{count} numbers")
     if values.shape != (count,):
         raise InputError(f"{where}: expected {count}, one for each waypoint, got {values.size}")

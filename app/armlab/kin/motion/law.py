@@ -137,7 +137,7 @@ class Law(ABC):
 
     @property
     def distance(self) -> float:
-        """The value of s at the end."""
+        """The value of s at the end, 1 or a length."""
         return float(self.at(self.duration))
 
     @property

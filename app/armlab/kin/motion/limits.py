@@ -87,7 +87,7 @@ class Limits:
 
     @property
     def each(self) -> tuple[Floats, Floats, Floats]:
-        """The limits of velocity, acceleration and jerk."""
+        """The limits of velocity, acceleration and jerk, each one number or (m,)."""
         return self.velocity, self.acceleration, self.jerk
 
     @property

@@ -92,7 +92,7 @@ class AxisAngle(Orientation):
         return np.asarray(self.start @ rotation_from_axis_angle(self.axis, turned))
 
     def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return the constant omega and zeros."""
+        """Return the constant omega and zeros, (..., 3) each."""
         shape = np.shape(s)
         omega = np.broadcast_to(self.start @ self.axis * self.angle, (*shape, 3))
         return np.array(omega), np.zeros((*shape, 3))
@@ -159,7 +159,7 @@ class EulerAngles(Orientation):
         return np.asarray(rotation_from_sequence(self.axes, self.angles(s), fixed=self.fixed))
 
     def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return omega, the sum of rates times axes, each turned by those before it, and its derivative."""
+        """Return omega, the sum of rates times axes after the turns before them, and its derivative, (..., 3) each."""
         angles = self.angles(s)
         order = (2, 1, 0) if self.fixed else (0, 1, 2)
         turned = np.broadcast_to(np.eye(3), (*angles.shape[:-1], 3, 3))
@@ -250,7 +250,7 @@ class Through(Orientation):
         return np.asarray(self._starts[k] @ rotation_from_axis_angle(self._axes[k], turned))
 
     def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return omega, constant between waypoints, and zeros."""
+        """Return omega, constant between waypoints, and zeros, (..., 3) each."""
         k = np.searchsorted(self.pieces, np.asarray(s, dtype=float), side="right")
         omega = (self._starts[k] @ self._axes[k][..., None])[..., 0] * self._rates[k][..., None]
         return omega, np.zeros_like(omega)

@@ -45,7 +45,7 @@ class Around(Met):
         self.known = 0
 
     def coarse(self, cells: Indices) -> Indices:
-        """Return the coarse cells in which cells of the section lie."""
+        """Return the coarse cells (k,) that contain cells (k,) of the section, as flat indices."""
         columns = self.grid.shape[1]
         return np.asarray((cells // columns) // self.width * self.shape[1] + (cells % columns) // self.width)
 

@@ -60,7 +60,7 @@ class ElbowPoints:
 
     @property
     def centre(self) -> Floats:
-        """Centre of a ball around all reached points, on axis 1, metres, in the world."""
+        """Centre (3,) of a ball around all reached points, on axis 1, metres, in the world."""
         return np.asarray(self.foot + self.axes[:, 1] * self.shoulder.imag)
 
     @property

@@ -105,7 +105,7 @@ class Filling:
         return self._copies
 
     def finished(self) -> tuple[Bools, Indices32, Floats]:
-        """Return ``filled``, ``row`` and ``q`` when nothing will be added any more; the first two are not copied."""
+        """Return ``filled``, ``row`` and ``q`` when nothing more will be added; the first two are not copied."""
         return self.filled, self.row, self.q.first(self.count)
 
     def _give_rows(self, fresh: Indices) -> None:

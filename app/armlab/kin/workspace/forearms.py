@@ -112,7 +112,7 @@ def _stands(front: Arm, q: NDArray[np.floating], grid: HalfGrid) -> tuple[Indice
 
 
 def rank(node: Indices) -> Indices:
-    """Return for each entry the number of equal ones before it."""
+    """Return for each entry the number of equal ones before it, (k,)."""
     order = np.argsort(node, kind="stable")
     first = np.concatenate([[True], np.diff(node[order]) != 0]) if len(node) else np.zeros(0, dtype=bool)
     begin = np.maximum.accumulate(np.where(first, np.arange(len(node)), 0))
@@ -122,7 +122,7 @@ def rank(node: Indices) -> Indices:
 
 
 def whole_turn(start: Floats, stroke: float, bins: int) -> NDArray[np.uint64]:
-    """Return the bins of a whole turn that lie in start + [0, stroke], as bits of words; at least one."""
+    """Return the bins of a whole turn in start (k,) + [0, stroke], radians, as bits of words (k,); at least one."""
     width = math.tau / bins
     count = min(max(round(stroke / width), 1), bins)
     if count == bins:

@@ -48,11 +48,11 @@ class HalfPlane(Sheet):
         return Met(q[kept], coordinates[kept, :2], axis[kept])
 
     def places(self, points: ArrayLike) -> Floats:
-        """Return (u, v) of points in the world, for any value of joint 1."""
+        """Return (u, v), (..., 2), of points (..., 3) in the world, for any value of joint 1."""
         return self.joint.split(points)[..., :2]
 
     def points(self, places: ArrayLike) -> Floats:
-        """Return the points of the half plane with these (u, v)."""
+        """Return the points (..., 3) of the half plane, in the world, with coordinates (u, v), (..., 2)."""
         given = np.asarray(places, dtype=np.float64)
         return self.joint.join(np.concatenate([given, np.full((*given.shape[:-1], 1), self.s)], axis=-1))
 

@@ -16,7 +16,7 @@ from armlab.kin.workspace.section_grid import Grid
 Floats = NDArray[np.float64]
 
 CELLS = 12
-"""Number of nearest cells of a section, and of those in which s is counted, from which is started."""
+"""Number of starts: the nearest cells of a section, and the nearest of those in which s is counted."""
 
 FAR_CELLS = 48
 """Number of further starts, from all cells with s, those that joint 1 brings nearest within its limits."""
@@ -40,22 +40,22 @@ class Cells(Protocol):
 
     @property
     def filled(self) -> NDArray[np.bool_]:
-        """Mask of the cells with a configuration."""
+        """Mask of the cells with a configuration, (Nu, Nv)."""
 
     @property
     def u(self) -> Floats:
-        """Centres of the cells along u."""
+        """Centres of the cells along u, (Nu,), metres."""
 
     @property
     def v(self) -> Floats:
-        """Centres of the cells along v."""
+        """Centres of the cells along v, (Nv,), metres."""
 
     @property
     def around(self) -> Around | None:
         """The values of s reached at q_1 = 0."""
 
     def at(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> Floats:
-        """Return the configurations of cells."""
+        """Return the configurations (k, n) of cells, by row (k,) and column (k,)."""
 
 
 def nearest_configuration(section: Cells, point: Floats) -> Floats:

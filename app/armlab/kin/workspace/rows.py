@@ -50,7 +50,7 @@ class Rows:
         return found
 
     def first(self, count: int) -> NDArray[Any]:
-        """Return a copy of the first ``count`` rows."""
+        """Return a copy of the first ``count`` rows, (count, ...)."""
         return np.asarray(self[np.arange(count)])
 
     def parts(self, rows: Indices) -> Iterator[tuple[NDArray[Any], Indices, NDArray[np.bool_] | EllipsisType]]:

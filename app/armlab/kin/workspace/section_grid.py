@@ -71,12 +71,12 @@ class Grid:
 
     @property
     def u(self) -> Floats:
-        """Centres along u, metres."""
+        """Centres along u, (Nu,), metres."""
         return np.asarray(self.low[0] + self.step * (np.arange(self.shape[0]) + 0.5))
 
     @property
     def v(self) -> Floats:
-        """Centres along v, metres."""
+        """Centres along v, (Nv,), metres."""
         if self.flat:
             return np.array([self.low[1]])
         return np.asarray(self.low[1] + self.step * (np.arange(self.shape[1]) + 0.5))

@@ -31,11 +31,11 @@ class WholePlane(Sheet):
         return Met(q, self.places(T[:, :3, 3]), T[:, :3, 0 if self.bins.circle else 2] @ self.across)
 
     def places(self, points: ArrayLike) -> Floats:
-        """Return the coordinates of points in the world."""
+        """Return the coordinates (..., 2) of points (..., 3) in the world, metres."""
         return np.asarray((np.asarray(points, dtype=np.float64) - self.joint.origin) @ self.across[:, :2])
 
     def points(self, places: ArrayLike) -> Floats:
-        """Return the points of the plane with these coordinates."""
+        """Return the points (..., 3) of the plane, in the world, with coordinates (..., 2), metres."""
         given = np.asarray(places, dtype=np.float64)
         return np.asarray(self.joint.origin + given @ self.across[:, :2].T + self.s * self.across[:, 2])
 

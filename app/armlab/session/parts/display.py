@@ -13,7 +13,7 @@ from armlab.errors import InputError
 from armlab.session.state import Command, Json, Part, PartType, State
 
 OF_THE_SCREEN = ("dark", "shadows")
-"""Switches that suit a room and a computer, not the content: they are not shared or taken back."""
+"""Switches that suit a room and a computer, not the content: everybody keeps their own."""
 
 NAME = re.compile(r"[a-z0-9_]{1,40}\Z")
 MOST = 100

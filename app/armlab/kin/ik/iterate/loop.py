@@ -157,7 +157,7 @@ def _landed(
 
 
 def is_flat(point: Point) -> NDArray[np.bool_]:
-    """Return where J^T e is zero though e is not: to first order no small motion comes closer."""
+    """Return where J^T e is zero though e is not, (B,): to first order no small motion comes closer."""
     with np.errstate(over="ignore", invalid="ignore"):
         slope, e = np.linalg.norm(point.slope, axis=-1), np.linalg.norm(point.e, axis=-1)
         return np.asarray(slope <= FLAT * point.sigma_max * e)

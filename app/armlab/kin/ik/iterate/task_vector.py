@@ -130,5 +130,5 @@ def task_vector(
 
 
 def wrapped_angle(angle: np.ndarray) -> np.ndarray:
-    """Return angles in [-pi, pi)."""
+    """Return angles in [-pi, pi), of any shape."""
     return np.asarray((angle + math.pi) % (2.0 * math.pi) - math.pi)
