@@ -1,8 +1,7 @@
 """Lesson files: TOML between two lines ``+++``, then Markdown with LaTeX.
 
 Steps are the sections that begin with ``## Title``. A step may carry fenced blocks: ``start``, ``check``, ``question``
-and ``solution`` in TOML, ``hint`` and ``reveal`` in Markdown. What is written before the first step introduces the
-lesson.
+and ``solution`` in TOML, ``hint`` and ``reveal`` in Markdown. The text before the first step introduces the lesson.
 """
 
 from __future__ import annotations

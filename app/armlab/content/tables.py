@@ -22,7 +22,7 @@ MOST_TITLES = 4
 """Number of lines in which the header is looked for: some tables begin with a name and a number."""
 
 BOOKS = {"standard": ("Siciliano", "Craig's"), "modified": ("Craig", "Siciliano's")}
-"""For each convention a book that uses it, and the owner of the other one."""
+"""Books by convention: one that uses it, and the owner of the other."""
 
 _FIXED = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector|base|world")
 

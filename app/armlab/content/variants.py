@@ -88,7 +88,7 @@ class Variants:
     def draw(self, number: int) -> dict[str, Value]:
         """Return the values of a variant; number 0 has the first value of each.
 
-        What a name gets depends on the lesson, the name and the number alone, so that a further name changes none.
+        The value of a name depends only on the lesson, the name and the number, so that a further name changes none.
 
         Raises
         ------

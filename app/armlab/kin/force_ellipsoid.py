@@ -70,7 +70,7 @@ def force_ellipsoid(J: ArrayLike, scale: ArrayLike | None = None) -> ForceEllips
     ----------
     J : array_like, shape (m, n)
         One to three rows of one unit: of linear velocities for forces in N, or of angular ones for moments in N m.
-        What the other rows stand for, moments or forces, is zero.
+        The moments or forces of the other rows are zero.
     scale : array_like, shape (n,), optional
         Speed of each joint, rad/s or m/s, that counts as 1, as in `velocity_ellipsoid`. Torques are then counted as
         powers, ``tau_i scale_i`` in W; without it every joint's own unit counts, N m or N.

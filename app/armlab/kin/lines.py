@@ -78,7 +78,8 @@ class CommonNormal:
     kind : "skew", "parallel", "intersecting" or "coincident"
         Relation of the lines. Coincident lines are parallel ones with distance zero.
     foot1, foot2 : ndarray, shape (3,)
-        Ends of the segment, on the first and the second line, metres. Of parallel lines foot1 is the first's point.
+        Ends of the segment, on the first and the second line, metres. For parallel lines foot1 is the point of the
+        first one.
     a : float
         Length in metres, not negative; exactly 0 for intersecting and coincident lines.
     alpha : float

@@ -147,8 +147,8 @@ class NearestRotation:
 def nearest_rotation(R: ArrayLike, where: str = "R") -> NearestRotation:
     """Return the rotation nearest to a 3 x 3 matrix, in the sum of squared differences, and how far it is off.
 
-    With R = U S V^T it is U V^T, with diag(1, 1, -1) between where that would be a reflection. What counts as near is
-    left to who asks.
+    With R = U S V^T it is U V^T, with diag(1, 1, -1) between where that would be a reflection. The caller decides what
+    counts as near.
 
     Raises
     ------

@@ -21,7 +21,7 @@ nothing free. They are upper bounds, with these reasons:
     Both equations are linear in (cos q1, sin q1, cos q3, sin q3), so two circles become two conics in a plane, which
     cut in 4 points; each gives one q2, and the planar 3R that is left has 2 solutions. The notes' UR (figure 4.8) is
     the case in which q1 stands alone.
-*   A planar part with slides: as above. Of the turns outside it two make its direction (2) where a third joint, a
+*   A planar part with slides: as above. Two of the turns outside it make its direction (2) where a third joint, a
     slide inside or outside, makes the height (1); three turns and the height 4. Times the ways of the planar part.
 *   Three slides: the turns alone make the orientation (three: 2, two: 2 for a direction, one: 1), then everything is
     linear (1).

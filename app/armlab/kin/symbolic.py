@@ -94,8 +94,8 @@ class PoseFormulas:
 def angle_offsets(arm: Arm) -> dict[int, float]:
     """Return the constant parts of the angles theta, in rad, that are no quarter turns, by joint (1-based).
 
-    Quarter turns only exchange sines and cosines and are worked into the formulas. Of a prismatic joint the angle is
-    constant and is worked in too.
+    Quarter turns only exchange sines and cosines and are worked into the formulas. The angle of a prismatic joint is
+    constant and included as well.
     """
     return {
         i + 1: row.theta

@@ -69,7 +69,7 @@ class Argument:
 def arguments_of(command: type) -> tuple[Argument, ...] | None:
     """Return the arguments of a command that can be written in a file; None for one whose arguments cannot.
 
-    What can be written: texts, numbers, true or false, one of some words, lists and tables of these, poses.
+    The following can be written: texts, numbers, true or false, one of some words, lists and tables of these, poses.
     """
     hints = get_type_hints(command)
     found = []

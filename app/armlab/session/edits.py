@@ -220,7 +220,7 @@ class PasteTable(Command):
     def apply(self, state: State) -> State:
         """Return the state with the arm of the text, in its home pose.
 
-        What was concluded and not written in a table becomes the summary of the arm.
+        Conclusions that were not written in the table become the summary of the arm.
         """
         if len(self.text) > MOST_TEXT:
             raise InputError(f"table: expected at most {MOST_TEXT} characters, got {len(self.text)}")

@@ -117,7 +117,7 @@ def own(
     default : object
         Immutable.
     read : callable
-        Returns the value of what was written; takes a value, too. What it raises besides `InputError` is told as one.
+        Returns the value of what was written; takes a value, too. Other errors that it raises are reported as one.
     write : callable, optional
         Tuples and arrays are lists by themselves.
     kept : str

@@ -1,8 +1,8 @@
 """The work of a student as a file, and the verdicts on such a file: the same as on screen, without a browser.
 
 Answers are judged again, and every check looks again at what it saw when it was met: at the arm of the lesson with its
-own limits, at the joint values of the file, at a motion that is planned again from its waypoints. What no file proves,
-such as the time, is noted and called so.
+own limits, at the joint values of the file, at a motion that is planned again from its waypoints. Anything that no file
+proves, such as the time, is noted and called so.
 """
 
 from __future__ import annotations

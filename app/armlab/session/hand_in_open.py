@@ -25,7 +25,7 @@ class OpenWork(Command):
     """Open work that was saved, at its step and with the arm as it stood, as far as it can be used.
 
     Its answers and checks are judged anew, and only what holds is done; a motion is not planned again here, which takes
-    too long, but when it is handed in. What is done here already stays done.
+    too long, but when it is handed in. Steps already done here stay done.
 
     Parameters
     ----------

@@ -12,8 +12,8 @@ from armlab.session.state import Json
 def prints_of(progress: Json, parts: Json) -> frozenset[str]:
     """Return what two hand-ins have in common only when one is made of the other.
 
-    Of everything that was done the whole evidence counts, with its time, which is a number of sixteen digits: two
-    people who do the same do not take the same time. Besides that, all of the work together counts.
+    The whole evidence of everything done counts, with its time, which is a number of sixteen digits: two people who do
+    the same do not take the same time. Besides that, all of the work together counts.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """The commands of all benches by their words, such as ``velocity.statics.set_component``, found by folder.
 
-A word is there for every public command of a page whose arguments can be written in a file. What only makes sense as an
-event of a drag, and so has to say of which (an argument ``drag``), has none. The fields that a part declares are set
-by the word ``set`` of its page, such as ``control.loop.set``; ``put`` takes a bench as the lab has saved it.
+A word is there for every public command of a page whose arguments can be written in a file. A command that is an event
+of a drag, with an argument ``drag`` that says of which, has none. The fields that a part declares are set by the word
+``set`` of its page, such as ``control.loop.set``; ``put`` takes a bench as the lab has saved it.
 """
 
 from __future__ import annotations

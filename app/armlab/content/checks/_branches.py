@@ -68,7 +68,7 @@ class Branches:
     def elbow(self, q: ArrayLike) -> Side:
         """Return "first" where the elbow is up, "second" where it is down.
 
-        Of a planar arm up is to the left of the way from shoulder to hand, seen against the axes; of a turning one it
+        For a planar arm, up is to the left of the way from shoulder to hand, seen against the axes; of a turning one it
         is towards the end of axis 1, above the line from shoulder to wrist.
         """
         shoulder, elbow, hand = self._plane_points(q)

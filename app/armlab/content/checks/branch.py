@@ -118,7 +118,7 @@ def read(table: Table, robot: Robot) -> Branch:
 
     At least one; the sign of the wrist is that of q5, counted from straight.
 
-    What the table of the robot does not have is refused.
+    Branches that the robot does not have are refused.
     """
     branches = Branches(robot.arm)
     names = tuple(dict.fromkeys(feature.field for feature in FEATURES))

@@ -102,8 +102,8 @@ def by_scipy(A: ArrayLike, t: ArrayLike = 1.0) -> Array:
     ------
     InputError
         Not a square matrix of at most `MOST_ROWS` rows, not finite, or so large that the result may be no number: an
-        eigenvalue whose real part times t is above `LARGEST`, or moduli above `LARGEST_SIZE`. What decays is not too
-        large.
+        eigenvalue whose real part times t is above `LARGEST`, or moduli above `LARGEST_SIZE`. A decaying exponential is
+        not too large.
 
     References
     ----------

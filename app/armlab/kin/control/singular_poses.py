@@ -75,8 +75,9 @@ def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None
 
     The determinant of the task Jacobian (of J J^T where it is not square) is sampled along each joint. From where it
     seems to be zero, the nearest first, Newton's method goes on with the smallest singular value, whose derivative is
-    u^T (dJ/dq_k) v. Distances are angles; one metre of a sliding joint counts as its share of the length scale. What is
-    found lies inside the limits of the joint. Two that are nearer than half a degree to each other may be found as one.
+    u^T (dJ/dq_k) v. Distances are angles; one metre of a sliding joint counts as its share of the length scale. The
+    configurations lie inside the limits of the joint. Two that are nearer than half a degree to each other may be found
+    as one.
 
     Parameters
     ----------

@@ -117,7 +117,7 @@ def _size(errors: Errors) -> float:
 
 
 def in_order(arm: Arm, solutions: Sequence[Vector] | Vector, held: NDArray[np.bool_] | None = None) -> list[Vector]:
-    """Return solutions in canonical order, moved inside the limits by whole turns if possible; held joints stay."""
+    """Return solutions (n,) in canonical order, by whole turns inside the limits if possible; held joints stay."""
     q = np.array(solutions).reshape(-1, arm.n)
     rows = wrapped_rows(arm, q) if held is None else np.where(held, q, wrapped_rows(arm, q))
     return list(rows[sorted_rows(rows)])

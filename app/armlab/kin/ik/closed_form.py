@@ -29,7 +29,8 @@ class Found:
     Attributes
     ----------
     q : list of ndarray, shape (n,)
-        Candidates; each is verified on the true arm by `armlab.kin.ik.solve_all`. Of a family some representatives.
+        Candidates; each is verified on the true arm by `armlab.kin.ik.solve_all`. A family is given by some
+        representatives.
     families : tuple of str
         For each family of solutions a sentence why there are infinitely many; empty when all are isolated.
     none : str

@@ -5,7 +5,8 @@ the factors is an equally good loop. Isolate joints 1 and 2:
 
     T_2 Rz(t_3) T_3 Rz(t_4) T_4 Rz(t_5) T_5 = Rz(-t_2) T_1^-1 Rz(-t_1) T_6^-1 Rz(-t_6).
 
-Of both sides compare what the turn t_6 leaves alone: the direction l of the z axis and the origin p. The 14 numbers
+On both sides compare the quantities that the turn t_6 leaves alone: the direction l of the z axis and the origin p. The
+14 numbers
 
     p,  l,  p.p,  p.l,  p x l,  e = (p.p) l - 2 (p.l) p
 

@@ -1,7 +1,7 @@
 """A 6R arm as a closed loop of six turns and five constant links, without units.
 
 An arm with six revolute joints has the pose ``T = base E_0 Rz(th_1) E_1 Rz(th_2) ... Rz(th_6) E_6 tool`` with constant
-E_i in either convention. What stands before the first and behind the last turn goes into the target:
+E_i in either convention. The constant motions before the first and behind the last turn are moved into the target:
 
     Rz(th_1) E_1 Rz(th_2) E_2 Rz(th_3) E_3 Rz(th_4) E_4 Rz(th_5) E_5 Rz(th_6) = H,    th_i = q_i + offset_i.
 

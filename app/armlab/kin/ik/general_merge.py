@@ -42,7 +42,7 @@ WEAK, STAYED = 1e-4, 0.1
 relative to that of the candidates."""
 
 WEAKER, ASIDE = (1e-4, 1e-6, 1e-8), 0.5
-"""The same for candidates nearer to one another than their accuracy; the singular values are tried in turn."""
+"""Singular values, tried in turn, and distance likewise, for candidates nearer to one another than their accuracy."""
 
 HALF_WAY, BESIDE = (0.5,), (0.25, 0.75)
 """Fractions of the way between two candidates at which the pose is tested: at the middle there may be a third

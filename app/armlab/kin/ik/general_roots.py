@@ -131,7 +131,7 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Complex]:
 def _twice_atan(powers: Complex) -> Complex:
     """Return 2 atan x from powers of x, shape (m, p), up to a factor.
 
-    Of neighbouring powers the larger two are compared as homogeneous coordinates, so that half a turn, where x is
+    The larger two of neighbouring powers are compared as homogeneous coordinates, so that half a turn, where x is
     infinite, is nothing special.
     """
     last = powers.shape[1] - 1

@@ -75,8 +75,9 @@ class Search:
     starts : ndarray, shape (starts, 6)
         Random configurations to search from where roots have merged or are members of a family.
     deficient : bool
-        Whether the Jacobian is singular everywhere: the arm has fewer than six freedoms. What it reaches, it reaches in
-        infinitely many ways; and the least move of a link makes it impossible, so that elimination finds nothing.
+        Whether the Jacobian is singular everywhere: the arm has fewer than six freedoms. It reaches every pose in its
+        workspace in infinitely many ways; and the least move of a link makes it impossible, so that elimination finds
+        nothing.
     counts : tuple of (float, int)
         How many regular roots the arm has at most random poses, complex ones counted, up to imaginary parts; the
         largest border first. Empty where random poses do not agree.

@@ -1,7 +1,7 @@
 """Solutions inside the joint limits, looked for where a list has none of them.
 
-Of a family only some points are listed, and where branches merge rounding moves a solution by its root: each may put
-outside what is inside. What is found here is exact, with a joint that is at its limit held there.
+Only some points of a family are listed, and where branches merge rounding moves a solution by its root: each may put
+outside what is inside. The solutions found here are exact, with a joint that is at its limit held there.
 """
 
 from __future__ import annotations

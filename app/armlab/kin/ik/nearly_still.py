@@ -31,8 +31,8 @@ ALL_AROUND = 6
 """Number of directions in a plane of slack ones, every 30 degrees: one so near to that of a curve leads onto it."""
 
 MIXED, ALIKE = 0.5, 0.98
-"""With more slack directions: the part of a joint's motion along them from which it is tried by itself, and the cosine
-of two such motions that count as one."""
+"""Part of a joint's motion that lies along slack directions, when there are more of them, from which it is tried by
+itself; and the cosine of two such motions that count as one."""
 
 STEP = 0.35
 """Length of a step over all joints, in radians or length scales; half-way the target has to be reached as well."""

@@ -5,10 +5,10 @@ growing all the way to 180 degrees. Inside the algorithms positions are divided 
 reach), which makes metres and radians comparable and the behaviour independent of the arm's size; results report the
 two errors apart.
 
-Here everything is compiled for speed: one configuration at a time, in 10 to 20 microseconds, behind every drag. What a
-lesson shows of an iteration is `armlab.kin.ik.iterate.problem`: many configurations at once, any task vector, theta
-instead of 2 sin(theta/2), metres left alone where no radians meet them, and singular values. The two share no code
-because they share no representation, expressions here and arrays there; a test holds them against each other.
+Here everything is compiled for speed: one configuration at a time, in 10 to 20 microseconds, behind every drag.
+Iterations as lessons show them are in `armlab.kin.ik.iterate.problem`: many configurations at once, any task vector,
+theta instead of 2 sin(theta/2), metres left alone where no radians meet them, and singular values. The two share no
+code because they share no representation, expressions here and arrays there; a test holds them against each other.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The test whether an arm is at rest for a target, and the way down when it only balances.
 
 A vanishing slope is not enough. A stretched arm whose hand is pulled inwards does not slope anywhere: bending the elbow
-to either side comes closer, and the arm balances between the two like a ball on a saddle. What tells a saddle from a
-hollow is the sign of the curvature, over the joints that may move.
+to either side comes closer, and the arm balances between the two like a ball on a saddle. A saddle and a minimum differ
+in the sign of the curvature, over the joints that may move.
 """
 
 from __future__ import annotations

@@ -80,7 +80,7 @@ def _manipulability(arm: Arm, q: Floats) -> Floats:
 def _weights(task: Task, length_scale: float) -> Floats:
     """Return the factors (12) of the squared differences of two poses (3 x 4, by rows) in the squared scaled error.
 
-    Of a column of a rotation their sum is (2 sin(theta/2))² for a turn across it, and of all three twice as much.
+    For one column of a rotation their sum is (2 sin(theta/2))² for a turn across it, and of all three twice as much.
     """
     turned: dict[str, list[int]] = {
         "none": [],

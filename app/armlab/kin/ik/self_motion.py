@@ -101,8 +101,8 @@ def self_motion(arm: Arm, q: ArrayLike, count: int, *, limits: bool = True) -> V
     Returns
     -------
     ndarray, shape (count, n)
-        Evenly in radians and length scales. Of a closed curve it begins with q and goes once around; of an open one it
-        goes from end to end. Where nothing can move, q alone, shape (1, n).
+        Evenly in radians and length scales. A closed curve begins at q and goes once around; an open one goes from end
+        to end. Where nothing can move, q alone, shape (1, n).
 
     Raises
     ------

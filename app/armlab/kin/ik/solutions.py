@@ -35,7 +35,7 @@ class IkSolutions:
     arm : Arm
     q : ndarray, shape (k, n)
         Rad and m. Each angle is inside its limits by whole turns where it can be and then nearest to zero, else nearest
-        to the limits; sorted by joint 1, then joint 2, and so on. Of infinitely many some representatives.
+        to the limits; sorted by joint 1, then joint 2, and so on. Infinitely many are given by some representatives.
     names : tuple of str
         The branch of each, such as ``"shoulder left, elbow up, wrist flip"``; numbers where an arm has no such words.
     within_limits : ndarray of bool, shape (k,)

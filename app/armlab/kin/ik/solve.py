@@ -1,7 +1,7 @@
 """One solution of the inverse kinematics: descents from a given start, samples near the target, and random starts.
 
 Where all fail, the list of all solutions has the last word for arms that have one: a solution, or the proof that there
-is none. What then is left is the closest configuration downhill of the start.
+is none. The result is then the closest configuration downhill of the start.
 """
 
 from __future__ import annotations
@@ -112,8 +112,8 @@ def solve(
         those nearest to it, whole turns apart, inside the limits; in (-pi, pi], where the limits allow, when left out.
     method : str
         Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
-        parameters, some hundred times slower). Of ``"gradient"`` and ``"gauss_newton"``, which are both, it is the
-        compiled one.
+        parameters, some hundred times slower). ``"gradient"`` and ``"gauss_newton"``, which exist in both forms, mean
+        the compiled one.
     weights : array_like, shape (m,), optional
         Positive numbers without unit, one for each component of the arm's task: factors of its errors in half reaches
         (``arm.length_scale`` metres) and radians. They decide which configuration counts as the closest to a target

@@ -56,7 +56,7 @@ def sine_cosine(a: float, b: float, c: float, size: float | None = None, root: f
         Coefficients, all in one unit.
     size : float, optional
         The size of the terms the coefficients were made from, in the same unit; the largest of them when left out.
-        What is smaller than `ZERO` of it is zero.
+        Values smaller than `ZERO` times this size are zero.
     root : float, optional
         sqrt(a² + b² − c²), where the caller knows it better than the difference of squares does.
 

@@ -40,7 +40,8 @@ CUTOFF = 1e-9
 pose."""
 
 WEAK = (0.03, 1e-3, 1e-5)
-"""Such values on the way to the nearest configuration, where weak directions are at rest; the best result is used."""
+"""Singular values, relative to the largest, below which a direction is not corrected on the way to the nearest
+configuration, where weak directions are at rest; the best of the results is used."""
 
 SAME = 1e-6
 """Distance in all joints, radians or length scales, below which points of curves are one."""

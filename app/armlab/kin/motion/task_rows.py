@@ -64,7 +64,7 @@ def scaled_rates(arm: Arm, twists: Floats, tool: Floats) -> Floats:
 def scaled_error(arm: Arm, tool: Floats, wanted: Floats) -> Floats:
     """Return the motion from tool to wanted poses (N, 4, 4) in controlled components, pure numbers, (N, m).
 
-    Of a turn by theta about r it is 2 sin(theta/2) r, which grows up to a half turn.
+    For a rotation by theta about r it is 2 sin(theta/2) r, which grows up to a half turn.
     """
     if arm.task.rotation == "none":
         turn = np.zeros((len(tool), 3))

@@ -27,8 +27,8 @@ def make(knots: NDArray[np.float64], options: dict[str, Any]) -> PolynomialPath:
 
     References
     ----------
-    Notes 6.86-6.88, with one parameter: they mix a velocity per unit of s with a blend time in seconds. What they leave
-    out: the blend begins half its time before the waypoint's.
+    Notes 6.86-6.88, with one parameter: they mix a velocity per unit of s with a blend time in seconds. They do not
+    mention that the blend begins half its time before the waypoint's.
     """
     times = knot_times(knots, options)
     steps = np.diff(times)

@@ -64,7 +64,7 @@ class Overfly(PolynomialPath):
 def make(knots: Floats, options: dict[str, Any]) -> Overfly:
     """Return the lines and blends over time.
 
-    Of d1, d2 and Delta T one is chosen and the others follow: Delta T = 2 d1 / v1 = 2 d2 / v2.
+    One of d1, d2 and Delta T is chosen, and the others follow: Delta T = 2 d1 / v1 = 2 d2 / v2.
 
     References
     ----------

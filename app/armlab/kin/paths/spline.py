@@ -55,8 +55,8 @@ class Spline(PolynomialPath):
 def make(knots: Floats, options: dict[str, Any]) -> Spline:
     """Return the spline.
 
-    Of all curves with continuous second derivative through the waypoints, with these end velocities (or with free ones,
-    natural), it has the smallest integral of the squared acceleration.
+    Among all curves with continuous second derivative through the waypoints, with these end velocities (or with free
+    ones, natural), it has the smallest integral of the squared acceleration.
 
     References
     ----------

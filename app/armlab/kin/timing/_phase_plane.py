@@ -1,8 +1,8 @@
 """The fastest squared speed x = s'^2 along a path, on a grid: a pass back for what can still be braked, one forward.
 
 Between two places x is a straight line over s, so that s'' = (y - x) / (2 h) is constant there, with y the x at the end
-and h the step. Every limit of a velocity or an acceleration is then a band of the plane: |A x + B y| <= 1. What follows
-is linear programming in one unknown, in closed form, a band for each joint and place.
+and h the step. Every limit of a velocity or an acceleration is then a band of the plane: |A x + B y| <= 1. This is
+linear programming in one unknown, in closed form, with a band for each joint and place.
 """
 
 from __future__ import annotations

@@ -20,9 +20,9 @@ VANISHES = 1e-5
 def reasons(posture: Posture, layout: Layout) -> tuple[Reason, ...]:
     """Return why the arm is singular: its first joints do not move the wrist centre every way, or the wrist is flat.
 
-    Of the Jacobian at the wrist centre the last three columns only turn the hand. It loses rank where the first ones
-    lose a motion of the centre, or where the axes of the wrist lie in a plane and no joint speeds that leave the
-    centre in place turn the lower arm across that plane.
+    The last three columns of the Jacobian at the wrist centre only turn the hand. The Jacobian loses rank where the
+    first ones lose a motion of the centre, or where the axes of the wrist lie in a plane and no joint speeds that leave
+    the centre in place turn the lower arm across that plane.
 
     References
     ----------

@@ -94,8 +94,8 @@ def rotation_rate(R: ArrayLike, omega: ArrayLike) -> Floats:
 def angular_velocity(R: ArrayLike, Rdot: ArrayLike) -> Floats:
     """Return omega (..., 3) of ``S(omega) = Rdot R^T``, in the fixed axes, rad/s.
 
-    What ``Rdot R^T`` has besides its skew part, which is none for the derivative of a rotation, is left out: numeric
-    derivatives have a little of it.
+    Only the skew part of ``Rdot R^T`` is used. The rest is zero for the derivative of a rotation, and small for numeric
+    derivatives.
 
     Parameters
     ----------

@@ -2,7 +2,7 @@
 
 Where position and orientation separate, the determinant is a product, and each factor has a name: the shoulder (the
 centre of the wrist in the plane through axis 1), the elbow (a planar part stretched or folded) and the wrist (two of
-its axes in line). Of any other arm the columns that have become dependent are named.
+its axes in line). For any other arm the columns that have become dependent are named.
 """
 
 from __future__ import annotations

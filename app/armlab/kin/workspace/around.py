@@ -1,7 +1,7 @@
 """The covered values of s, the number that joint 1 changes, at each place of a section.
 
 A place (u, v) is reached at some values of s with q_1 = 0 (left and right shoulder give two; a redundant arm gives
-intervals). Joint 1 carries each to all of s + [low, high]. What is covered is the union.
+intervals). Joint 1 carries each to all of s + [low, high]. Their union is covered.
 """
 
 from __future__ import annotations

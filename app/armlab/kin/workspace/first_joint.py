@@ -44,8 +44,8 @@ class FirstJoint:
     origin : ndarray, shape (3,)
         The point of the axis of joint 1 nearest to the origin of frame 0, in the world, metres; rho and v are 0 there.
     axes : ndarray, shape (3, 3)
-        Columns in the world; the third lies along the axis of joint 1. Of a planar arm whose first joint slides the
-        second is the normal of its plane.
+        Columns in the world; the third lies along the axis of joint 1. For a planar arm with a prismatic first joint,
+        the second one is the normal of its plane.
     moving : tuple of int
         0-based joints after the first that move the tool point, in order.
     planar : bool

@@ -1,8 +1,8 @@
 """The half plane at one angle of joint 1: random configurations that bring the tool point into it.
 
 Joint 1 carries whatever the other joints reach into this half plane, where its limits let it. So all samples fall on
-one surface, and a few hundred thousand of them fill a picture that would take a hundred times as many in space. Of an
-arm whose first joint slides it is the plane across, at one place along.
+one surface, and a few hundred thousand of them fill a picture that would take a hundred times as many in space. For an
+arm with a prismatic first joint it is the plane perpendicular to it, at one place along it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 class HalfPlane(Sheet):
     """The half plane at s, the third coordinate of the arm's `FirstJoint`: rad, or metres where joint 1 slides.
 
-    Its coordinates are (u, v). Of an arm whose tool turns about one line only, orientations are counted from the
+    Its coordinates are (u, v). For an arm whose tool turns about one line only, orientations are counted from the
     direction outward where this line is that of joint 1; else from a direction that stays.
     """
 

@@ -148,7 +148,7 @@ def orientations(lengths: Sequence[float], r: ArrayLike) -> Floats:
 def position_solutions(lengths: Sequence[float], r: ArrayLike) -> Floats:
     """Return how many configurations put the tool point at radii: 0, 1, 2 or inf, shape (...).
 
-    Whole turns are not counted apart. Of a 2R it is also how many orientations there are.
+    Whole turns are not counted apart. For a 2R it is also the number of orientations.
     """
     links, at = _checked(lengths), _radii(r)
     edge, space = EDGE * sum(links), planar_workspace(links)

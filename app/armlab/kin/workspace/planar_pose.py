@@ -56,7 +56,7 @@ def place_of(arm: Arm, q: ArrayLike) -> Place:
 def configurations(arm: Arm, place: Place) -> Floats:
     """Return the joint values that put the tool at a place, (k, n): both elbows where there are two.
 
-    Of a 2R psi does not matter. They are inside the limits by whole turns where they can be; where links fold and
+    For a 2R, psi does not matter. They are inside the limits by whole turns where they can be; where links fold and
     joint 1 is free, one of them.
 
     Raises

@@ -2,8 +2,8 @@
 
 All that an arm reaches inside its limits follows from it (see `armlab.kin.workspace.first_joint`): of an arm whose
 first joint turns it is the side view of a data sheet, the (rho, z) half-plane. It is filled from samples, then by
-inverse kinematics from cell to cell; its boundary is found by inverse kinematics too. What no search came upon counts
-as out of reach: a part that no sample hit and that hangs together with nothing that was hit is missing.
+inverse kinematics from cell to cell; its boundary is found by inverse kinematics too. Anything that no search found
+counts as out of reach: a separate part that no sample hit is missing.
 """
 
 from __future__ import annotations

@@ -126,8 +126,8 @@ def is_thin(section: Section, resolution: int, wanted: float) -> Work[bool]:
 
     They would make the error smaller, which is too large.
 
-    Of a sliver few cells are filled, so that it has as much as an ordinary arm only with smaller ones. What that costs
-    is bounded by numbers of cells: where they are reached, the larger error stays what `size` states.
+    A thin section fills few cells, and needs smaller ones to have as many as an ordinary arm. The cost is bounded by
+    numbers of cells: when these are reached, the error stays as large as `size` states.
 
     Parameters
     ----------

@@ -74,7 +74,7 @@ class Sheet(ABC):
     def samples(self, count: int, seed: int = 0) -> Iterator[Met]:
         """Yield what ``count`` random configurations inside the limits make, in chunks.
 
-        What cannot be brought onto the surface is left out.
+        Configurations that cannot be brought onto the surface are left out.
         """
         count, seed = whole_number(count, "count", 1), whole_number(seed, "seed", 0)
         rng = np.random.default_rng(seed)

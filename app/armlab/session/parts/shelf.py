@@ -1,8 +1,8 @@
 """The shelf: what a student has put aside to go to a sandbox of their own, or to look at a state somebody has shared.
 
 There are three places. At home are the lessons, and the work without one. The sandbox is where a student plays while a
-lesson waits at home. What somebody has shared lies over either. Going and coming are no steps of undo; each place has
-a history of its own (`armlab.session.session`).
+lesson waits at home. A shared state lies over either of them. Going and coming are no steps of undo; each place has a
+history of its own (`armlab.session.session`).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The timeline: which film or run is on, where it stands, and how fast it plays.
 
-What is played is a `Clip`, found as ``clip.py`` of a bench; the same bar plays them all.
+A `Clip`, found as ``clip.py`` of a bench, is played; one bar plays them all.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
 Joints 2, 3 and 4 move everything in a plane across their direction z, so they change neither z nor heights along it.
 With c the point where axes 5 and 6 meet, its height seen from joint 1 is one equation for q1; the direction of z seen
-from joint 6 is one for q5 and gives q6. What is left is a planar 3R with orientation. Where joint 5 makes axis 6
-parallel to z, joint 6 is free.
+from joint 6 is one for q5 and gives q6. The rest is a planar 3R with orientation. Where joint 5 makes axis 6 parallel
+to z, joint 6 is free.
 
 References
 ----------

@@ -1,8 +1,8 @@
 """Orientation errors and their Jacobians, for many configurations at once, in axes of frame 0.
 
-Of an orientation R and a wanted R_d the error is theta r with R_d R^T = rot(r, theta). With omega the angular velocity
-of R the time derivative of theta^2 / 2 is exactly -theta r . omega, so that J^T e is the exact downhill slope of half
-the squared error: fixed-step gradients and Lyapunov functions are what they claim to be.
+The error of an orientation R with respect to a wanted R_d is theta r with R_d R^T = rot(r, theta). With omega the
+angular velocity of R the time derivative of theta^2 / 2 is exactly -theta r . omega, so that J^T e is the exact
+downhill slope of half the squared error: fixed-step gradients and Lyapunov functions are what they claim to be.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def approach_error(R: Floats, wanted: Floats) -> Floats:
 def euler_error(R: Floats, wanted: Floats, axes: str, fixed: bool) -> tuple[Floats, Floats]:
     """Return differences of Euler angles (..., 3) in [-pi, pi), and the present angles (..., 3).
 
-    Of the two triples of the present orientation the one nearer to the wanted, principal triple is taken.
+    The triple of the present orientation is the one of two that is nearer to the wanted, principal triple.
     """
     goal = euler_angles(wanted, axes, fixed=fixed).solutions[..., 0, :]
     both = euler_angles(R, axes, fixed=fixed).solutions

@@ -187,7 +187,7 @@ class Problem:
     def at(self, q: Floats) -> Point:
         """Return the task at configurations (B, n).
 
-        What is too large for a number is infinite, without a warning: such an iteration has diverged.
+        A value too large for a number is infinite, without a warning: such an iteration has diverged.
         """
         with np.errstate(all="ignore"):
             return self._at(q)
