@@ -35,7 +35,7 @@ NAMES: Mapping[tuple[str, bool], str] = MappingProxyType(
 """Usual names of the angles, by sequence and whether the axes are fixed."""
 
 SINGULAR_SINE = 1e-7
-"""Below this sine (proper Euler) or cosine (Tait-Bryan) of the middle angle a rotation counts as singular: first and
+"""Sine (proper Euler) or cosine (Tait-Bryan) of the middle angle below which a rotation counts as singular: first and
 third angle then change by more than the accuracy of a matrix given with eight decimals."""
 
 _LETTERS = "xyz"
