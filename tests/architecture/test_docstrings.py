@@ -12,46 +12,11 @@ LAYERS = ["kin", "content", "session", "front"]
 SENTENCE = re.compile(r"(?:\A|(?<=[.!?])\s+|\n\s*\n\s*|\n\s*-{3,}\n\s*)((?:What|Of|Those that)\b[^\n]*)")
 """The opening of a sentence, as far as it stands on its line, if it is one of those that a reader has to read twice."""
 
-NO_NOUN = frozenset(
-    [
-        "After",
-        "As",
-        "At",
-        "Below",
-        "By",
-        "Bytes",
-        "Characters",
-        "For",
-        "From",
-        "How",
-        "In",
-        "Kept",
-        "Less",
-        "Metres",
-        "More",
-        "Of",
-        "On",
-        "Radians",
-        "Said",
-        "Seconds",
-        "So",
-        "Such",
-        "Times",
-        "To",
-        "Under",
-        "What",
-        "When",
-        "Where",
-        "Which",
-        "Whose",
-        "With",
-        "Within",
-    ]
+NO_NOUN = re.compile(
+    r"(?:After|As|At|Below|By|Bytes|Characters|For|From|How|In|Kept|Less|Metres|More|Of|On|Radians|Said|Seconds|So|Such|"
+    r"Times|To|Under|What|When|Where|Which|Whose|With|Within)\b"
 )
-"""First words of a constant's docstring that leave a reader to guess which number it is."""
-
-AND_YET = frozenset({"Characters that people paste as a minus sign."})
-"""Here the characters are the thing itself."""
+"""First word of a constant's docstring that leaves a reader to guess which number it is."""
 
 
 def docstrings(tree):
@@ -72,8 +37,7 @@ def opens_badly(text, of_constant):
     """Return the opening that breaks a rule, or None."""
     if found := SENTENCE.search(text):
         return found[1]
-    word = re.match(r"\w+", text)
-    return text if of_constant and word and word[0] in NO_NOUN and text not in AND_YET else None
+    return text if of_constant and NO_NOUN.match(text) else None
 
 
 def problems(folder):

@@ -6,7 +6,7 @@ import re
 import unicodedata
 
 MINUS_SIGNS = "−–—‒﹣－‐‑"
-"""Characters that people paste as a minus sign."""
+"""Minus signs as people paste them."""
 
 _SYMBOLS = str.maketrans(
     {
