@@ -155,8 +155,6 @@ def _read_start(table: Table, robot: Robot) -> Start:
 
 @dataclass(frozen=True)
 class _Blocks:
-    """The fenced blocks of one step."""
-
     setting: Setting
     where: str
     prose: Prose

@@ -133,8 +133,6 @@ def parse_rows(text: str, file: str = FILE) -> tuple[dict[str, str], dict[str, R
 
 
 class _RowTable(Table):
-    """A table with lists of texts."""
-
     def __init__(self, table: Table) -> None:
         super().__init__(table.file, table._data, table.where)
 

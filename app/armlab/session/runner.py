@@ -141,7 +141,6 @@ class Runner(threading.Thread):
         return None
 
     def _work(self, task: Task) -> None:
-        """Do one piece of work."""
         with self._changed:
             wanted, outdated = task.wanted, task.is_outdated
         now = self._clock()

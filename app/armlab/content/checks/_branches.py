@@ -37,7 +37,6 @@ class Branches:
 
     @cached_property
     def axes(self) -> Axes:
-        """The joint axes."""
         return Axes(self.arm)
 
     @cached_property

@@ -45,12 +45,10 @@ class Trigonometric:
 
     @classmethod
     def number(cls, value: float, joints: int) -> Trigonometric:
-        """Return a constant."""
         return cls({((), (0,) * joints): complex(value)} if value else {}, joints)
 
     @classmethod
     def symbol(cls, name: str, joints: int) -> Trigonometric:
-        """Return a symbol."""
         return cls({(((name, 1),), (0,) * joints): 1.0 + 0.0j}, joints)
 
     @classmethod
@@ -197,7 +195,6 @@ class Product:
         return cls(number, tuple(sorted(common.items())), () if plain else (scaled,))
 
     def times(self, other: Product) -> Product:
-        """Return the product."""
         if self.number == 0.0 or other.number == 0.0:
             return Product(0.0, (), ())
         return Product(self.number * other.number, _times(self.powers, other.powers), self.factors + other.factors)

@@ -109,7 +109,6 @@ class Filling:
         return self.filled, self.row, self.q.first(self.count)
 
     def _give_rows(self, fresh: Indices) -> None:
-        """Give rows to newly filled cells."""
         self.filled[fresh] = True
         self.row[fresh] = self.count + np.arange(len(fresh), dtype=np.int32)
         self.count += len(fresh)
