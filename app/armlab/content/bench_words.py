@@ -1,4 +1,4 @@
-"""Words of benches in lesson files, such as ``velocity.statics.set_component``: what they mean only the lab knows.
+"""Words of benches in lesson files, such as ``velocity.statics.set_component``; only the lab knows their meaning.
 
 A word is the folder of a tab, that of a page and a name: of a command, with its arguments, or of a fact.
 """

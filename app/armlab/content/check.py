@@ -85,7 +85,7 @@ class Check(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Goal:
-    """A ball of the world in which the tool has to be, for all to see.
+    """A ball in the world, shown in the scene, in which the tool has to be.
 
     Attributes
     ----------

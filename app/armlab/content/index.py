@@ -1,4 +1,4 @@
-"""The index of the lab: what there is about a word, a section or an equation of the notes.
+"""The index of the lab: everything on a word, a section or an equation of the notes.
 
 A query is split into terms. A number refers to the notes, anything else is a word, found also by its beginning or with
 one slip. Every term gives points to what it is found in; what lacks a term is left out, unless everything does.
@@ -70,7 +70,7 @@ class Bench:
 
 @dataclass(frozen=True)
 class Entry:
-    """Something the index found.
+    """A result of the index.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class Taught(NamedTuple):
 def search(
     text: str, limit: int = LIMIT, *, benches: Iterable[Bench] = (), taught: Iterable[Taught] | None = None
 ) -> list[Entry]:
-    """Return what there is about words, sections or equations, the best first.
+    """Return the entries on words, sections or equations, the best first.
 
     Parameters
     ----------

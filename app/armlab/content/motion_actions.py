@@ -22,7 +22,7 @@ class TakeExample:
 
 @dataclass(frozen=True)
 class EditWaypoint:
-    """Do something to the list of waypoints.
+    """Change the list of waypoints.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class EditWaypoint:
 
 @dataclass(frozen=True)
 class SetMoveKind:
-    """Choose how the arm comes to a waypoint; None leaves as it is.
+    """Choose the move to a waypoint; None leaves a choice unchanged.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class SetDuration:
 
 @dataclass(frozen=True)
 class SetLimits:
-    """Set limits of the motion; None leaves as it is.
+    """Set limits of the motion; None leaves a limit unchanged.
 
     Attributes
     ----------

@@ -39,7 +39,7 @@ _KINDS = {
 
 
 class Term(NamedTuple):
-    """One thing a query asks for.
+    """One term of a query.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Term(NamedTuple):
 
 
 def terms_of(text: str) -> list[Term]:
-    """Return what a query asks for; words that say nothing only when there are no others.
+    """Return the terms of a query; words without meaning only when there are no others.
 
     >>> [(term.kind, term.text) for term in terms_of("Rodrigues' formula (3.46)")]
     [('word', 'rodrigues'), ('equation', '3.46')]
@@ -85,7 +85,7 @@ def _term(found: re.Match[str]) -> Term:
 
 
 def plain(text: str, *, signs: bool = False) -> str:
-    """Return text in small letters without accents, Greek letters by name; without ``signs`` only words and spaces.
+    """Return text in lower case without accents, Greek letters by name; without ``signs`` only words and spaces.
 
     >>> plain("Čapek: R.U.R.")
     'capek r u r'
@@ -96,7 +96,7 @@ def plain(text: str, *, signs: bool = False) -> str:
 
 
 def tokens(text: str) -> Iterator[str]:
-    """Yield the words of a text in small letters; those with a hyphen also as one.
+    """Yield the words of a text in lower case; those with a hyphen also as one.
 
     >>> list(tokens("Newton's pseudo-inverse"))
     ['newton', 'pseudo', 'inverse', 'pseudoinverse']

@@ -15,7 +15,7 @@ MOST_NUMBERS = 100
 
 @dataclass(frozen=True)
 class SeenFact:
-    """A fact at the moment.
+    """The present value of a fact.
 
     Attributes
     ----------

@@ -131,7 +131,7 @@ class Visitor(web.RequestHandler):
 
 
 class Quiet(logging.Filter):
-    """Makes one line of what is logged with a trace, and lets through one such line a while.
+    """A log filter: a traceback becomes one line, and only one such line passes in a while.
 
     Parameters
     ----------

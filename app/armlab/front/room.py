@@ -40,7 +40,7 @@ TOO_OFTEN = "Too many wrong codes came from this address. Wait a little."
 
 
 class Room:
-    """Knows the code, whom it has let in, and who guesses.
+    """The code of the room, the browsers let in by it, and wrong attempts.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
 
 
 class Wishes:
-    """The newest wish of each browser, forgotten after a while: not everybody who loads a page opens a socket.
+    """The newest request of each browser, dropped after a while: not everybody who loads a page opens a socket.
 
     Parameters
     ----------

@@ -77,7 +77,7 @@ class Field:
         return self
 
     def checked(self, value: Any) -> Any:
-        """Return a value as the maker wants it: float, int, bool, str, array, or None where it may be left out.
+        """Return the checked value: float, int, bool, str, array, or None where it may be left out.
 
         Raises
         ------

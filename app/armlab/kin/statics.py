@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 def joint_torques(J: ArrayLike, wrench: ArrayLike) -> Array:
-    """Return what the joints must do for the robot to exert a wrench on the environment: ``tau = J^T F``.
+    """Return the joint torques with which the robot exerts a wrench on the environment: ``tau = J^T F``.
 
     Parameters
     ----------

@@ -20,7 +20,7 @@ PAUSE = 1.0
 
 
 class Step(NamedTuple):
-    """A state that can be gone to.
+    """A state that undo or redo can restore.
 
     Attributes
     ----------

@@ -39,7 +39,7 @@ MOST_BY_CHANCE = 4
 
 @dataclass(frozen=True)
 class Problem:
-    """Something wrong with a lesson that its file does not show.
+    """A mistake of a lesson that its file does not show.
 
     Attributes
     ----------
@@ -129,7 +129,7 @@ class Player:
 
 
 def problems(key: str, variant: int = 0) -> list[Problem]:
-    """Return what is wrong with a lesson: played by its solution, with its wrong answers, and with random states.
+    """Return the mistakes of a lesson: played by its solution, with its wrong answers, and with random states.
 
     Parameters
     ----------

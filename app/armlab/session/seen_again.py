@@ -15,7 +15,7 @@ FACTS = "facts"
 
 
 def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, ...] = ()) -> Observation:
-    """Return what a check saw.
+    """Return the observation that a check saw.
 
     Parameters
     ----------

@@ -171,7 +171,7 @@ class State:
 
 
 class Command:
-    """A wish to change the state. Subclasses are frozen dataclasses beside the part they change.
+    """A request to change the state. Subclasses are frozen dataclasses beside the part they change.
 
     Attributes
     ----------

@@ -75,7 +75,7 @@ class Store:
             return self._live[token]
 
     def let_go(self, watched: Collection[str], now: float) -> None:
-        """Hold no more than may be held: of sessions without a page, and of steps of undo.
+        """Keep within the allowed memory: of sessions without a page, and of steps of undo.
 
         Parameters
         ----------

@@ -23,7 +23,7 @@ MOST_LOOKED_AT = 100_000
 
 
 def weight(parts: Iterable[Part], shared: Iterable[object] = ()) -> int:
-    """Return the bytes that parts hold, without what follows from them and without what others hold as well.
+    """Return the size of parts in bytes, without derived results and without anything that others hold as well.
 
     Parameters
     ----------

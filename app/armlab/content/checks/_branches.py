@@ -1,4 +1,4 @@
-"""In which of its branches an arm stands: on which side its elbow, its shoulder and its wrist are.
+"""The branch in which an arm stands: the sides on which its elbow, its shoulder and its wrist are.
 
 Everything is told from points and lines in space, so it holds for both conventions, for any offsets of the joint
 values and wherever the base stands. Words as in Siciliano et al., *Robotics*, 2.12: the elbow of a planar arm is up

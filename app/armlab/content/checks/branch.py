@@ -19,7 +19,7 @@ Tell = Callable[[Branches, NDArray[np.float64]], Side]
 
 @dataclass(frozen=True)
 class Feature:
-    """One thing an arm can do in two ways.
+    """A feature of a configuration that has two branches.
 
     Attributes
     ----------

@@ -126,7 +126,7 @@ class MatrixQuestion:
 
 
 def typed(matrix: Matrix) -> str:
-    """Return a matrix as it is typed: without the crumbs of rounding that computed entries carry.
+    """Return a matrix as a person would type it, without the rounding errors of computed entries.
 
     >>> typed(np.array([[1.0, 0.5], [-2.0, 0.3 - 0.1]]))
     '1 0.5; -2 0.2'

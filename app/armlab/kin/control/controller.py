@@ -36,7 +36,7 @@ class Aim(NamedTuple):
 
 
 class Told(NamedTuple):
-    """A command.
+    """The command of a control law.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Told(NamedTuple):
 
 
 class Controller:
-    """The tools of a law.
+    """The quantities and functions that a control law uses.
 
     Parameters
     ----------

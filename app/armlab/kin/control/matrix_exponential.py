@@ -147,7 +147,7 @@ def partial_sums(A: ArrayLike, t: float, terms: int) -> Array:
 
 
 def remainder_bound(A: ArrayLike, t: float, terms: int) -> float:
-    """Return a bound of every entry of what a sum of so many terms leaves out; infinite where none is known yet.
+    """Return a bound of every entry of the remainder after so many terms; infinite where none is known yet.
 
     The terms that are left out are a geometric series at most: with x the largest sum of moduli in a column of A t,
     it is x^N / N! / (1 - x/(N+1)) for N terms, where N + 1 > x. Rounding is not in it.
@@ -189,7 +189,7 @@ def diagonalised(A: ArrayLike) -> Diagonalisation:
 
 
 def _doubled(matrix: Array, values: Complex, T: Complex) -> tuple[Complex, Complex]:
-    """Return eigenvalues and eigenvectors with those that only rounding has parted in pairs put together.
+    """Return eigenvalues and eigenvectors, with pairs merged that only rounding has separated.
 
     The mean of such a pair is right to rounding, although each is only half as many digits.
     """

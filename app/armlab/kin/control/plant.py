@@ -1,4 +1,4 @@
-"""The arm as a plant: it does what joint speeds it is told, but late, limited, and not quite as the controller thinks.
+"""The arm as a plant: it follows commanded joint speeds with a delay, within limits, and with errors of the model.
 
 References
 ----------

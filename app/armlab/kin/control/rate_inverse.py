@@ -96,7 +96,7 @@ def rate_inverse(key: str) -> RateInverse:
 
 
 def rate_step(key: str, J: ArrayLike, v: ArrayLike, options: Mapping[str, Any] | None = None) -> RateStep:
-    """Return the joint speeds a method answers a task velocity with.
+    """Return the joint speeds of a method for a task velocity.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Run a control law on a plant: step by step, in pieces, and never with a number that is none.
+"""Simulation of a control law on a plant, step by step and in pieces; all numbers stay finite.
 
 References
 ----------
@@ -86,7 +86,7 @@ class Settings:
 def simulate(
     arm: Arm, law: str, reference: Reference, q0: ArrayLike | None = None, settings: Settings | None = None
 ) -> Run:
-    """Return what becomes of an arm under a control law.
+    """Return the motion of an arm under a control law.
 
     Parameters
     ----------

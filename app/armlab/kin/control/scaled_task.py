@@ -1,4 +1,4 @@
-"""The task of one arm at one configuration after the other: its Jacobian, its error, and what metres and radians count.
+"""The task of an arm at successive configurations: its Jacobian, its error, and the scaling of metres and radians.
 
 The components are those of `armlab.kin.ik.iterate.problem`, scaled as there: where metres and radians meet, lengths are
 divided by the arm's length scale; where only one kind occurs, everything stays as it is.

@@ -23,7 +23,7 @@ STILL = 1e-12
 
 
 class Compared(NamedTuple):
-    """One method's answer and what it makes the tool do. All numbers are of scaled components.
+    """Joint speeds of one method and the velocity of the tool they give, in scaled components.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ def side_by_side(
     options: Mapping[str, Mapping[str, Any]] | None = None,
     methods: Sequence[str] = METHODS,
 ) -> tuple[Compared, ...]:
-    """Return what each method answers to a velocity of the tool.
+    """Return the joint speeds of each method for a velocity of the tool.
 
     Parameters
     ----------

@@ -71,7 +71,7 @@ class SingularPose(NamedTuple):
 
 
 def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None:
-    """Return the singular configuration that the least motion of one joint leads to; None where none is found near.
+    """Return the nearest singular configuration that one joint reaches; None when none is found near.
 
     The determinant of the task Jacobian (of J J^T where it is not square) is sampled along each joint. From where it
     seems to be zero, the nearest first, Newton's method goes on with the smallest singular value, whose derivative is
@@ -106,7 +106,7 @@ def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None
 
 
 def _starts(task: ScaledTask, q: Floats) -> list[tuple[float, int, float]]:
-    """Return where Newton's method may find a zero near q: how far it is, the joint, and its value there.
+    """Return starts of Newton's method for a zero near q: distance, joint, and its value there.
 
     The nearest first.
     """
@@ -120,7 +120,7 @@ def _starts(task: ScaledTask, q: Floats) -> list[tuple[float, int, float]]:
 
 
 def _volumes(task: ScaledTask, q: Floats) -> Floats:
-    """Return in configurations (k, n) what is smooth and zero at singularities alone, shape (k,).
+    """Return a smooth function of configurations (k, n) that is zero only at singularities, shape (k,).
 
     The determinant of the scaled task Jacobian, or of J J^T or J^T J where it is not square.
     """

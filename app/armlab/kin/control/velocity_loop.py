@@ -150,7 +150,7 @@ class VelocityLoop:
         return np.asarray(self.gain * self.error(t, reference, v0))
 
     def position(self, t: ArrayLike, reference: SpeedReference, v0: float = 0.0) -> Array:
-        """Return the way x(t) - x(0) in metres; see `velocity`.
+        """Return the displacement x(t) - x(0) in metres; see `velocity`.
 
         Since M (v - v0) is the integral of F, it is that of v_d less M/K (v - v0).
         """

@@ -1,4 +1,4 @@
-"""From a configuration where descents creep to a solution along the valley it is in.
+"""The search along a valley, from a configuration where descents creep to a solution.
 
 An arm with joints to spare that is stretched lies in a valley: the joints move far, as two turns about one line against
 each other, and the error hardly changes. A descent goes down into the valley and creeps along its bottom, in steps that

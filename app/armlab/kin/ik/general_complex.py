@@ -1,4 +1,4 @@
-"""Roots of the loop, real and complex: Newton's method on the true arm, and how far each is to be trusted.
+"""Roots of the loop, real and complex: Newton's method on the true arm, and the accuracy of each.
 
 The equations of the loop are analytic in its angles, so Newton's method works for complex angles as it stands. An arm
 has the same number of roots at every pose but special ones, at most 16; what is missing at a special pose has merged
@@ -88,7 +88,7 @@ NO_ROOTS = Roots(np.empty((0, 6), dtype=np.complex128), np.empty(0, dtype=bool))
 
 
 def newton(links: Floats, q: Complex, hands: Numbers, steps: int = STEPS) -> tuple[Complex, Floats, Floats]:
-    """Return where Newton's method leads, the errors there, and the norms of the inverse Jacobians.
+    """Return the results of Newton's method, the errors there, and the norms of the inverse Jacobians.
 
     Parameters
     ----------

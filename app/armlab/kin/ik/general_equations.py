@@ -47,7 +47,7 @@ FIXED = 6
 
 @dataclass(frozen=True, eq=False)
 class Equations:
-    """Six trilinear equations for each of B loops, and what leads back to joints 1 and 2.
+    """Six trilinear equations for each of B loops, and the data from which joints 1 and 2 follow.
 
     Attributes
     ----------

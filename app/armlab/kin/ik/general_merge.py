@@ -1,4 +1,4 @@
-"""Solutions from many ways of looking, each once.
+"""Solutions found in several ways, without repetitions.
 
 Newton's method leaves simple solutions exact and scatters where k of them merge: an error e of the pose is one of
 e^(1/k) of the angles, 1e-8 to 1e-3 rad. So no distance in angles tells two solutions from one. The pose does: between
@@ -101,7 +101,7 @@ def _refined(links: Floats, q: Floats, sizes: Floats, hand: Floats) -> tuple[Flo
 
 
 class _Pairs:
-    """Candidates (m, 6), of which two are one where nowhere between them the error is larger than theirs or rounding.
+    """Candidates (m, 6): two of them are one when the error between them nowhere exceeds theirs or rounding.
 
     A candidate is known up to twice its error over its least singular value: a Newton step, which is half the way to a
     double root, is about as long, and rounding is an error, too.

@@ -63,7 +63,7 @@ Nearly special arms have roots near infinity, which rounding hides at some poses
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """All that does not depend on the pose.
+    """The part of a search that does not depend on the pose.
 
     Attributes
     ----------

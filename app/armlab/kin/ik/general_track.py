@@ -1,4 +1,4 @@
-"""Roots followed from one pose to another: what the roots of a pose nearby become at a special one.
+"""Roots followed from one pose to another, to find those at a special pose from those at a pose nearby.
 
 The poses between lie on a bent way through complex ones, on which no two roots merge but by bad luck: a rotation
 Cay(a) M with a = a(u) complex, a place p(u), u = 1 at the start and 0 at the end. Each root has its own u and step. At

@@ -1,4 +1,4 @@
-"""Solutions inside the joint limits, looked for where a list has none of them.
+"""Solutions inside the joint limits, for lists in which there are none.
 
 Only some points of a family are listed, and where branches merge rounding moves a solution by its root: each may put
 outside what is inside. The solutions found here are exact, with a joint that is at its limit held there.

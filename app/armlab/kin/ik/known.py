@@ -39,7 +39,7 @@ class Known(NamedTuple):
 def known_solution(
     arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | None, crept: Sequence[float] | None = None
 ) -> Known:
-    """Return what the complete solver of an arm knows; nothing for an arm that has none.
+    """Return the conclusion of the complete solver of an arm; an empty one for an arm that has none.
 
     That of an arm with joints to spare proves nothing, but may find what a search that came near missed, if there is
     none along the valley in which it crept.

@@ -35,7 +35,7 @@ def many_starts(
     inside: bool = False,
     held: dict[int, float] | None = None,
 ) -> Vector:
-    """Return where descents arrived that came near the target, shape (k, n); angles as they came.
+    """Return the ends of descents that came near the target, shape (k, n); angles are not wrapped.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Solutions that move on while the tool stands still only nearly: within what counts as reached.
+"""Solutions that move on while the tool nearly stands still, within the tolerance of a reached target.
 
 A hand that is turned out of a straight wrist by 1e-7 rad is exact for two values of joint 4, and reached with any. So
 is a tool that is pushed out of a family in any other way. Newton's method knows the exact ones alone: here a step is

@@ -29,7 +29,7 @@ TABLES = 8
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Random configurations inside the limits of an arm, of many the half less singular, and where they put the tool.
+    """Random configurations inside the limits of an arm, the less singular half of many, with their tool poses.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The joint axes of an arm as lines in space: what an arm is, whatever table it was written in.
+"""The joint axes of an arm as lines in space: a description that does not depend on the table.
 
     T_0e(q) = E_1(q_1) E_2(q_2) ... E_n(q_n) home
 

@@ -68,7 +68,7 @@ def judge(
     locked: Sequence[bool] | None = None,
     weights: ArrayLike | None = None,
 ) -> Verdict:
-    """Say how a configuration stands to a target.
+    """Return the verdict on a configuration for a target.
 
     Parameters
     ----------

@@ -62,7 +62,7 @@ BETWEEN = 1e-14
 
 
 class Polished(NamedTuple):
-    """The nearest configuration to a target from a candidate on.
+    """The configuration nearest to a target, found from a candidate.
 
     Attributes
     ----------
@@ -133,7 +133,7 @@ def reaches(arm: Arm, q: Vector, target: list[float]) -> bool:
 
 
 def each_once(arm: Arm, candidates: Sequence[Polished], target: list[float]) -> list[Polished]:
-    """Return polished candidates without those that are one with a better one.
+    """Return polished candidates without those that coincide with a better one.
 
     Two are one when half-way between them the error is no larger than theirs, or rounding: where k solutions merge an
     error e of the pose is one of e^(1/k) of the joints, and no distance of the joints tells.

@@ -186,7 +186,7 @@ def standstills(path: Path) -> Floats:
 
 
 class ArcLength:
-    """The distance gone along a path, and back: sigma(s), s(sigma).
+    """The arc length of a path and its inverse: sigma(s), s(sigma).
 
     Notes 6.13-6.17. |p'| is written as Chebyshev series between the ends of pieces and integrated exactly.
 

@@ -1,4 +1,4 @@
-"""The fastest squared speed x = s'^2 along a path, on a grid: a pass back for what can still be braked, one forward.
+"""The fastest squared speed x = s'^2 along a path, on a grid, by a backward pass (braking) and a forward pass.
 
 Between two places x is a straight line over s, so that s'' = (y - x) / (2 h) is constant there, with y the x at the end
 and h the step. Every limit of a velocity or an acceleration is then a band of the plane: |A x + B y| <= 1. This is
@@ -111,7 +111,7 @@ def _back(e: Floats, f: Floats, y: Floats) -> Floats:
 
 
 def controllable(bands: Bands, end: tuple[float, float], stops: NDArray[np.bool_]) -> Controllable:
-    """Return from where the end can be reached, by a pass back.
+    """Return the squared speeds from which the end can be reached, by a backward pass.
 
     Parameters
     ----------

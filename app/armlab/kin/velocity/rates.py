@@ -127,7 +127,7 @@ def angle_rates(omega: ArrayLike, angles: ArrayLike, axes: str = "zyz", fixed: b
 
 
 def singular_sentence(axes: str) -> str:
-    """Return what is lost where det T is 0.
+    """Return a sentence on the angular velocity that is lost where det T is 0.
 
     >>> singular_sentence("zyz").split(":")[0]
     'the second angle is 0° or 180°'

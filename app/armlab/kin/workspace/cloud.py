@@ -30,7 +30,7 @@ SINGLE = 4e-6
 
 
 class Samples(NamedTuple):
-    """Some configurations and where they lead.
+    """Configurations with their tool points.
 
     Attributes
     ----------

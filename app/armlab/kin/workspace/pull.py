@@ -1,4 +1,4 @@
-"""Inverse kinematics of many configurations at once that never leaves the limits: what a section is verified with.
+"""Inverse kinematics of many configurations at once, always inside the limits, by which a section is verified.
 
 Levenberg's method. A step is taken only when it comes nearer; joints at a limit that would push outward are held.
 """

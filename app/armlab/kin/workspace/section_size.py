@@ -299,7 +299,7 @@ def _alone(section: Section) -> float:
 
 
 def _turning(section: Section, pieces: _Pieces, value: float) -> Work[float]:
-    """Return what changes when s is known in every second coarse cell each way alone, as a root mean square of all.
+    """Return the change when s is known only in every second coarse cell each way, as a root mean square of all.
 
     A cell that is left out is told by one beside it: that moves all by half a cell, always to one side, an error of the
     first order which the whole has not. Intervals of s grow evenly from cell to cell, so that it would be most of what

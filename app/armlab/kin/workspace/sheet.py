@@ -72,7 +72,7 @@ class Sheet(ABC):
         return directions(MOST, keeps_upright(self.arm))
 
     def samples(self, count: int, seed: int = 0) -> Iterator[Met]:
-        """Yield what ``count`` random configurations inside the limits make, in chunks.
+        """Yield positions and directions of ``count`` random configurations inside the limits, in chunks.
 
         Configurations that cannot be brought onto the surface are left out.
         """

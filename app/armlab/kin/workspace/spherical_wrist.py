@@ -1,4 +1,4 @@
-"""From which directions a spherical wrist brings the tool to a point, for all points at once.
+"""The directions from which a spherical wrist brings the tool to a point, for all points at once.
 
 The wrist centre is at the distance L from the tool point p. A direction d, from the wrist centre to the tool point, is
 possible at p where an arm with the wrist centre at p - L d exists, inside the limits, whose forearm stands so that the

@@ -1,4 +1,4 @@
-"""Into which directions a spherical wrist can turn the tool while the forearm stands still, its joint limits respected.
+"""The directions into which a spherical wrist can turn the tool with the forearm at rest, within its joint limits.
 
 The direction from the wrist centre to the tool point is d = E_4(q_4) E_5(q_5) E_6(q_6) t, in axes fixed to the forearm.
 Where the tool point lies on axis 6 the last turn does nothing: two values of q_5 give the angle between d and axis 4,

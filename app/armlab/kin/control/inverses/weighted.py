@@ -1,4 +1,4 @@
-"""The weighted pseudo-inverse: of all joint speeds that come closest to v those with the least qdot^T W qdot.
+"""The weighted pseudo-inverse: the joint speeds with the least qdot^T W qdot among those that come closest to v.
 
     qdot = W^-1 J^T (J W^-1 J^T)^-1 v
 

@@ -1,4 +1,4 @@
-"""An arm whose turns are all parallel: it moves a plane in itself, and maybe lifts it.
+"""Arms with parallel revolute axes: they move in a plane, and may lift it.
 
 In the plane a point is a complex number; a turn about c is x -> c + exp(i s q) (x - c), s = ±1 its sense, a slide is
 x -> x + u q, and a lift adds to the height.

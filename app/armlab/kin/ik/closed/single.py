@@ -1,4 +1,4 @@
-"""One joint.
+"""Arms with one joint.
 
 References
 ----------

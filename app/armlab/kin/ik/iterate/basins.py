@@ -42,7 +42,7 @@ MOST_PIXELS = 1_000_000
 
 @dataclass(frozen=True, eq=False)
 class Basins:
-    """A map as far as it is done.
+    """A map of basins of attraction, possibly unfinished.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ def basins(
     locked: Sequence[bool] | None = None,
     solutions: ArrayLike | None = None,
 ) -> Iterator[Basins]:
-    """Yield the map of basins of attraction as far as it is done, again and again; stop asking to cancel.
+    """Yield the map of basins of attraction while it is computed; stop iterating to cancel.
 
     Between two of these comes a short spell of work, so a slow method may yield more than once before rows are added.
 

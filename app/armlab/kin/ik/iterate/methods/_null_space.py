@@ -1,4 +1,4 @@
-"""Self-motion of redundant arms: a step that serves the task and, in what the task leaves over, another aim.
+"""Self-motion of redundant arms: a step that serves the task and, in its null space, a second objective.
 
     dq = J# e + (I - J# J) k grad(objective)
 
