@@ -21,7 +21,7 @@ _SYMBOLS = str.maketrans(
     }
 )
 
-# What follows would run together with a digit before it when its characters are folded: 1½ to 11/2, 3² to 32.
+# These characters would merge with a digit before them when they are folded: 1½ to 11/2, 3² to 32.
 # A number begins where no digit stands before it: to look from each digit on would take the square of their count.
 _MIXED = re.compile(r"(?:(?<!\d)(\d+(?:\.\d*)?)\s*)?([¼½¾⅐-⅞↉])")
 _POWER = re.compile("(?<![ⁱʲᵏⁿᵐ⁰¹²³⁴-⁻])([⁺⁻]?[⁰¹²³⁴-⁹]+)")

@@ -175,7 +175,7 @@ def _grid(entry: Fields) -> tuple[Value, ...]:
         raise entry.fail("step", f"expected a positive number, got {step:g}")
     if high < low:
         raise entry.fail("to", f"expected a number not below from, {low:g}, got {high:g}")
-    # What stands in the file, such as 0.1, is meant as this decimal fraction and not as the float next to it.
+    # A number in the file, such as 0.1, is meant as this decimal fraction, not as the nearest float.
     first, last, by = (Fraction(repr(value)) for value in (low, high, step))
     count = (last - first) // by + 1
     if count > MOST_VALUES:

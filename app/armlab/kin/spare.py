@@ -125,7 +125,7 @@ def _of_axes(arm: Arm, normals: _Normals, kept: list[int]) -> Arm:
         d, theta = float((normal.foot1 - place) @ z), _turn(x, normal.normal, z)
         rows.append(Row(arm.rows[j].kind, normal.a, normal.alpha, d, theta))
         x, place = normal.normal, normal.foot2
-    # What the tool adds makes a length scale of the same order; no test of axes looks at it.
+    # The tool gives a length scale of the same order; no test of axes uses it.
     rows.append(Row(arm.rows[kept[-1]].kind, arm.length_scale))
     return Arm.from_dh(rows, task=arm.task)
 

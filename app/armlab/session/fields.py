@@ -212,7 +212,7 @@ class FieldPart(Part):
             found = new.with_values(values)
         except InputError:
             found = self.for_robot(robot) if origin else new
-        # What looks for changes asks whether it is the same object.
+        # Changes are detected by asking whether it is the same object.
         every = [each.name for each in dataclasses.fields(found)]
         return self if all(_same(getattr(found, name), getattr(self, name)) for name in every) else found
 

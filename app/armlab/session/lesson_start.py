@@ -36,7 +36,7 @@ def set_up(state: State, lesson: Lesson, i: int) -> State:
     if robot is not state[RobotPart].robot:
         state = state.with_robot(robot)
     joints = held(Joints.initial(robot).moved_to(lesson.start), lesson, True)
-    # What the lesson before has switched on would be in the way; what is on besides is a matter of this one.
+    # Switches that the previous lesson turned on would be in the way; this lesson says which are on.
     off = {name: False for name, on in state[Display].switches.items() if not on}
     on = {**off, **state[Display].of_screen(), **dict.fromkeys(lesson.overlays, True)}
     ready = state.replace(

@@ -93,10 +93,10 @@ class Player:
         """Apply a command and wait for the motion to be planned; return the reason of a refusal, or ""."""
         told = self.session.notice
         self.session.apply(command, self.time)
-        self._plan()
+        self._work_out()
         return "" if self.session.notice is told or self.session.notice is None else self.session.notice.text
 
-    def _plan(self) -> None:
+    def _work_out(self) -> None:
         """Compute everything lessons may need, such as the planned motion, as the lab would in the background."""
         of_facts = [(found.job, {found.panel}) for found in benches_of(self.part.facts) if found.job is not None]
         for job, panels in (*((each.job, set[str]()) for each in taught()), *of_facts):

@@ -99,7 +99,7 @@ def _descended(arm: Arm, q: Vector, G: Vector, steps: int) -> tuple[Vector, Vect
         step = damped_steps(J, e, damping)
         stopped = ((q <= low) & (step < 0.0)) | ((q >= high) & (step > 0.0))
         if stopped.any():
-            # What pushes against a limit stays there, and the others make up for it.
+            # Joints that push against a limit stay there, and the others compensate.
             step = damped_steps(np.where(stopped[:, None], 0.0, J), e, damping)
         q = np.clip(q + np.clip(step, -LONGEST, LONGEST) * scales, low, high)
     e = many.linearised(q, G)[1]

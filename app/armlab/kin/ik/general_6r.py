@@ -177,7 +177,7 @@ def _solve(
 ) -> GeneralSolutions:
     """Continue until all roots are accounted for; then verify and sort them."""
     links, passes = search.loop.links, 0 if search.deficient else 1
-    # Of a nearly special arm roots may have come back from infinity: there a second look is taken.
+    # Roots of a nearly special arm may have come back from infinity: a second pass looks for them.
     least = 2 if search.nearly_special else 1
     while 0 < passes < len(PASSES) and (passes < least or not search.is_whole(roots)):
         roots = joined(roots, search.roots(hand[None], passes)[0])

@@ -100,7 +100,7 @@ def split(links: Floats, q: Floats, hand: Floats, reached: Reached) -> Split:
         isolated=isolated,
         singular=losses > 0,
         curves=tuple(curves),
-        # What only nearly stands still is singular nowhere, and a curve.
+        # A family along which the tool nearly stands still is nowhere singular, and a curve.
         freedom=int(np.maximum(losses[~isolated], 1).max(initial=0)),
         members=np.vstack(members) if members else np.empty((0, 6)),
     )

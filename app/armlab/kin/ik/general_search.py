@@ -107,7 +107,7 @@ class Search:
         search = cls(loop, _ranking(loop, hands, moves[0]), moves, starts, False)
         counts, nearly = _counted(search, hands), _has_nearly_zero(loop.links)
         nearly = nearly and any(number < MOST for _, number in counts)
-        # Of other arms roots with large imaginary parts are no farther than the rest, and all of them count.
+        # For other arms roots with large imaginary parts are no farther than the rest, and all of them count.
         return replace(search, counts=counts if nearly else counts[:1], nearly_special=nearly)
 
     @property

@@ -101,7 +101,7 @@ def resolve(search: Search, hand: Floats, roots: Roots, known: Floats) -> Resolv
         among = _among(q)
         q = merged(links, np.concatenate([q, among]), hand) if len(among) else q
         parts = _parted(search, q, hand)
-        # Of roots that two ways lead to, one has lost its own.
+        # When two ways lead to one root, one of them has lost its own.
         lost = len(beside) - len(rest.q) - len(regular.q)
         if whole and lost <= 0 and all(_is_known(q, *end) for end in zip(rest.q, rest.speed, strict=True)):
             return Resolved(q, parts, roots, True)

@@ -144,7 +144,7 @@ def descend_inside(
 
 
 def _is_still(before: Errors, after: Errors) -> bool:
-    # What is not a number is no gain either.
+    # A cost that is nan is no gain either.
     return not before.cost - after.cost >= STILL * before.cost
 
 

@@ -168,7 +168,7 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
     """
     problem, free, iterations = problem_of(begin.arm, method), begin.free, 0
     found, path, converged = None, None, False
-    # Of the methods without damping students ask what they do, and of a record the steps.
+    # For methods without damping students want to see the method itself, and for a record its steps.
     if begin.start is None and method.damped and not keep:
         found = _found_at_once(begin, problem, T, target)
     for number, first in enumerate(begin.starts(target) if found is None else ()):

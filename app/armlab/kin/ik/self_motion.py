@@ -259,7 +259,7 @@ class _Tracer:
         self, q: Vector, heading: Vector, length: float, there: Vector, joint: int
     ) -> tuple[Vector, float] | None:
         """Return the point where a joint is at its limit and its position on the step, by false position (Illinois)."""
-        # Of the limit it has come to: a step across a narrow range begins at the other one.
+        # Use the limit that was reached: a step across a narrow range begins at the other one.
         sign, limit = (1.0, self.high[joint]) if there[joint] > self.high[joint] else (-1.0, self.low[joint])
         out = sign / self.scales[joint]
         least, under = 0.0, float(out * (q[joint] - limit))

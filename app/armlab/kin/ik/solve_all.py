@@ -283,7 +283,7 @@ def _sentence(answer: Answer, inside: int) -> str:
         head = f"{k} solution{'' if k == 1 else 's'}, and no others."
     limits = f" {inside} of them within the joint limits." if 0 < inside < k else ""
     if k and not inside:
-        # Of some solutions nothing follows for the others.
+        # Some of the solutions prove nothing on the others.
         every = answer.completeness == "complete"
         limits = " None of them within the joint limits." if every else " None was found within the joint limits."
     return " ".join(part for part in (head, answer.reason, _distance(answer)) if part) + limits
@@ -309,7 +309,7 @@ def _nearest_pose(T: Vector) -> Vector:
     U, _, V = np.linalg.svd(T[:3, :3])
     pose = T.copy()
     R = U @ V
-    # What is a rotation up to rounding stays as it came.
+    # A rotation up to rounding is not changed.
     if float(np.abs(R - T[:3, :3]).max()) > 1e-14:
         pose[:3, :3] = R
     return pose

@@ -123,7 +123,7 @@ def _motions(arm: Arm, T: Vector, found: list[Vector]) -> tuple[list[SelfMotion]
         if distance_to(arm, q, [motion.q for motion in motions]) <= 2.0 * STEP:
             continue
         if null_dimension(arm, q, T) > 1:
-            # Of the many singular solutions of one pose the first tell what the others are.
+            # The first of the many singular solutions of a pose show the dimension of all.
             dimension = local_dimension(arm, q, T) if len(surface) < PROBED else most
             if dimension > 1:
                 surface.append(q)

@@ -118,7 +118,7 @@ class LawType:
         for need in self.needs:
             if math.isinf(getattr(limits, need)):
                 raise InputError(f"limit of {need}: {self.title} needs one")
-        # What overflows here is refused below in words.
+        # An overflow here is refused below with a sentence.
         with np.errstate(all="ignore"):
             law = self._fastest(limits, length, values)
         computable(law.duration, "limits: the time within them")

@@ -44,7 +44,7 @@ def in_scales(fields: Mapping[str, Field], options: Options, scales: Floats) -> 
     for key, value in options.items():
         field = fields[key].seen(options)
         each = field.kind in ("vector", "rows") and field.unit.startswith("q")
-        # Of another length the maker of the path refuses it by name.
+        # With another length the maker of the path refuses the option by name.
         if each and value is not None and value.shape[-1] == len(scales):
             found[key] = value / scales
     return found

@@ -253,7 +253,7 @@ def _more(
     arm = posture.arm
     count = missing + len(named)
     sets = [*independent_sets(_scaled(arm, posture.q), layout.usual, arm.n)]
-    # What has a name is told already.
+    # Sets with a name are reported already.
     told = [each for each in sets if any(set(each.joints) <= set(known.joints) for known in named)]
     sets = [each for each in sets if not any(each is one for one in told)]
     sets = [*sets, *told[len(named) :]][:missing]

@@ -62,7 +62,7 @@ class Boundary:
         if not self.grid.flat:
             found = with_axis(self.outline, self.grid).contours
             large = tuple(found[k] for k in np.flatnonzero(np.abs(enclosed(found)) >= self.grid.step**2))
-            # What is smaller than a cell is more likely a cell that was missed; a thin region is nothing else.
+            # A line smaller than a cell is more likely a missed cell; a thin region consists of nothing else.
             return large or found
         v = self.grid.v[0]
         return tuple(np.array([[a, v], [b, v], [a, v]]) for a, b in self.spans)

@@ -175,7 +175,7 @@ class Filling:
     def _neighbours(self, shift: tuple[int, int], of: Bools, beside: Bools) -> tuple[Indices, Indices]:
         """Return cells of one kind and their neighbours in a direction that are of another kind."""
         (rows, columns), (di, dj) = self.grid.shape, shift
-        # Of a sliver few cells are filled among many: they are gone through, not all.
+        # A thin section has few filled cells among many: only these are examined.
         i, j = np.divmod(np.flatnonzero(beside), columns)
         on = (i >= di) & (i < rows + di) & (j >= dj) & (j < columns + dj)
         i, j = i[on], j[on]

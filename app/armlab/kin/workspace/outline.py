@@ -96,7 +96,7 @@ class Outline:
         du, dv = np.diff(self.u), np.diff(self.v)
         whole = du[i] * dv[j]
         squares, places, used = self.corners
-        # What is not used falls together with what was used before it, and adds nothing.
+        # An unused corner coincides with the used one before it, and adds nothing.
         places = places.copy()
         for _ in range(2):
             for k in range(8):
@@ -132,7 +132,7 @@ class Outline:
         by_number, where = np.argsort(begin), places.reshape(-1, 2)[cut]
         onward = dict(zip(begin.tolist(), end.tolist(), strict=True))
         lines = _closed(onward)
-        # Of a region that has just been begun there are thousands: they are looked up together.
+        # A region that has just been begun has thousands of lines: they are looked up together.
         numbers = np.fromiter(chain.from_iterable(lines), dtype=np.intp)
         points = where[by_number[np.searchsorted(begin[by_number], numbers)]]
         return tuple(np.split(points, np.cumsum([len(line) for line in lines])[:-1])) if lines else ()

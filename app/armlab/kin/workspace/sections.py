@@ -103,7 +103,7 @@ def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Sect
     if known is not None:
         yield known
     filling.add(first)
-    # What is there already is better than what is begun anew, and copies of many cells take their time.
+    # The known section is better than a new one at its beginning, and copies of many cells take time.
     yield known or _section(filling, None)
     if known is not None:
         for _ in filling.take(known.at(*np.nonzero(known.filled))):

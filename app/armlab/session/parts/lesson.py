@@ -280,7 +280,7 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
     seen = observed(now)
     if not step.check.check.is_met(seen):
         return progress
-    # What follows from the work on a bench is judged again from that work.
+    # Results of the work on a bench are judged again from that work.
     work = {each.part.key: now[each.part].to_json() for each in taught() if getattr(seen, each.key) is not None}
     facts = {"facts": evidence_of(now, step.check.facts)} if step.check.facts else {}
     evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **work, **facts}})
