@@ -22,8 +22,8 @@ from armlab.kin.graph.walker import ORIGIN, Frame, Walker, exact
 from armlab.kin.task import Task
 
 MAX_MINORS = 8
-"""Up to so many joints a redundant arm's w is the root of the sum of squared minors (never negative, accurate near
-singularities); beyond, the number of minors grows too fast and det(J J^T) is factorised instead."""
+"""Largest number of joints for which w of a redundant arm is the root of the sum of squared minors (never negative,
+accurate near singularities); beyond, the number of minors grows too fast and det(J J^T) is factorised instead."""
 
 
 @dataclass(frozen=True)

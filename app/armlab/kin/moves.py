@@ -134,7 +134,7 @@ def matrix_of(move: Move, part: float = 1.0) -> NDArray[np.float64]:
 
 
 def factors(arm: Arm, q: ArrayLike, row: int, progress: float) -> Factors:
-    """Return the four factors of a row when so many of its moves are done, and their product.
+    """Return the four factors of a row when some of its moves are done, and their product.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def factors(arm: Arm, q: ArrayLike, row: int, progress: float) -> Factors:
 
 
 def partial_product(arm: Arm, q: ArrayLike, row: int, progress: float) -> NDArray[np.float64]:
-    """Return the moving frame in the world, base included, when so many moves of a row are done.
+    """Return the moving frame in the world, base included, when some moves of a row are done.
 
     It starts from frame ``row`` at progress 0 and arrives in frame ``row + 1`` at progress 4. The row after the last is
     the step from frame n to the tool: its turn about one axis and its shift grow evenly together.

@@ -26,7 +26,7 @@ class Kind(Protocol):
 
 @dataclass(frozen=True)
 class Chosen:
-    """A kind by its key, and those options that are not left as they come.
+    """A kind by its key, with those options that are not at their defaults.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Chosen:
         return dict(self.given)
 
     def with_option(self, kind: Kind, name: str, value: Value) -> Self:
-        """Return the choice with one option set; None leaves it as it comes.
+        """Return the choice with one option set; None restores its default.
 
         Those given before that cannot be used with it fall, and those that would be in another unit.
 

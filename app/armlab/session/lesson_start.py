@@ -49,7 +49,7 @@ def set_up(state: State, lesson: Lesson, i: int) -> State:
 
 
 def gone_to(state: State, lesson: Lesson, before: int, i: int) -> State:
-    """Return the state with what step i begins with, coming from another; the same state where it goes on with that.
+    """Return the state with the start of step i, coming from another; the same state when the step has none.
 
     Who goes forward finds put in place what the steps on the way begin with; who goes back finds the benches as they
     were for the earlier step.

@@ -54,7 +54,7 @@ def matrices(middle: Floats, hidden: int) -> Floats:
 
 
 def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
-    """Choose phi so that the matrix at half a turn from it is as regular as can be.
+    """Choose phi so that the matrix at half a turn from it is as regular as possible.
 
     Returns
     -------

@@ -214,7 +214,7 @@ def wrapped(
     revolute: NDArray[np.bool_],
     limits: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return the same configuration with each angle, whole turns added, inside its limits and as near as can be.
+    """Return the same configuration with whole turns added to each angle, inside its limits and as near as possible.
 
     Parameters
     ----------
@@ -235,7 +235,7 @@ def wrapped(
 
 
 def turns_inside(value: float, near: float, low: float, high: float) -> float:
-    """Return the whole turns, in radians, that bring an angle inside its limits and as near to another as can be.
+    """Return the whole turns, in radians, that bring an angle inside its limits and nearest to another.
 
     Where no turn leads inside it is brought below the upper limit.
     """

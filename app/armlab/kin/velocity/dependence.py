@@ -173,7 +173,7 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
 
 
 def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Dependence, ...]:
-    """Return so many dependences of which none follows from the others, as small as they are found, if there are.
+    """Return up to ``count`` dependences, none of which follows from the others, as small as they are found.
 
     Where the small sets of `dependent_columns` are too few, sets of more columns from the null space follow.
 

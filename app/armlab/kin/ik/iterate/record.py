@@ -41,7 +41,7 @@ def iterate(
     locked: Sequence[bool] | None = None,
     task: TaskVector | str | None = None,
 ) -> Trace:
-    """Run an iterative method as a lesson shows it, every step as it comes, and record everything.
+    """Run an iterative method for a lesson, with every step unchanged, and record everything.
 
     Parameters
     ----------
