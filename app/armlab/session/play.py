@@ -1,4 +1,4 @@
-"""A lesson played by its own solution, and what is wrong with it."""
+"""Playing a lesson by its own solution, to find its mistakes."""
 
 from __future__ import annotations
 
@@ -35,19 +35,19 @@ from armlab.session.taught import taught
 
 RANDOM_STATES = 100
 MOST_BY_CHANCE = 4
-"""How many of the random states may meet a check."""
+"""Largest number of the random states that may meet a check."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """Something wrong with a lesson that its file does not show.
+    """A mistake of a lesson that its file does not show.
 
     Attributes
     ----------
     step : int
-        From 1.
+        Step, from 1.
     line : int
-        Of the step in the file.
+        Line of the step in the file.
     says : str
     """
 
@@ -63,7 +63,7 @@ class Player:
     ----------
     lesson : Lesson
     planning : bool, optional
-        Whether plans of motions are worked out, which takes time.
+        Whether motions are planned, which takes time.
 
     Attributes
     ----------
@@ -78,23 +78,23 @@ class Player:
         self.refused = self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None))
 
     def go_to(self, i: int) -> str:
-        """Go to a step, from 0; return why it was refused, or nothing."""
+        """Go to a step, from 0; return the reason of a refusal, or ""."""
         return self.do(GoToStep(i))
 
     @property
     def part(self) -> LessonPart:
-        """The lesson as it is now."""
+        """The lesson part of the present state."""
         return self.session.state[LessonPart]
 
     def do(self, command: Command) -> str:
-        """Apply a command, and wait for the plan it asks for; return why it was refused, or nothing."""
+        """Apply a command and wait for the motion to be planned; return the reason of a refusal, or ""."""
         told = self.session.notice
         self.session.apply(command, self.time)
-        self._plan()
+        self._work_out()
         return "" if self.session.notice is told or self.session.notice is None else self.session.notice.text
 
-    def _plan(self) -> None:
-        """Work out what lessons may ask for, such as the plan of the motion, where the lab would."""
+    def _work_out(self) -> None:
+        """Compute everything lessons may need, such as the planned motion, as the lab would in the background."""
         of_facts = [(found.job, {found.panel}) for found in benches_of(self.part.facts) if found.job is not None]
         for job, panels in (*((each.job, set[str]()) for each in taught()), *of_facts):
             wanted = job.wanted(self.session.state, frozenset(panels))
@@ -105,7 +105,7 @@ class Player:
                     self.session.apply(Deliver(job, wanted.inputs, found), self.time)
 
     def act(self, action: actions.Action) -> str:
-        """Do what a solution says; return why it was refused, or nothing."""
+        """Do an action of a solution; return the reason of a refusal, or ""."""
         if isinstance(action, actions.Wait):
             self.time += action.seconds
             return ""
@@ -126,7 +126,7 @@ class Player:
 
 
 def problems(key: str, variant: int = 0) -> list[Problem]:
-    """Return what is wrong with a lesson: played by its solution, with its wrong answers, and with random states.
+    """Return the mistakes of a lesson: played by its solution, with its wrong answers, and with random states.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
     q : array_like, shape (n,)
         Radians and metres.
     step : int
-        From 1.
+        Step, from 1.
     variant : int
 
     Raises
@@ -193,12 +193,12 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
 
 @lru_cache(maxsize=8)
 def _at_start(lesson: Lesson) -> Observation:
-    """Return what is seen when a lesson begins, without any plan of a motion."""
+    """Return the observation at the beginning of a lesson, without any planned motion."""
     return observed(Player(lesson, planning=False).session.state)
 
 
 def _before(player: Player) -> Iterator[str]:
-    """Say when there is nothing left to do at a step before anything is done."""
+    """Yield a mistake when a step is done before anything is done in it."""
     step = player.part.step
     if step is not None and step.check is not None and check_line(player.session.state)[0]:
         yield "its check is met already when the step begins"
@@ -280,7 +280,7 @@ def _seen_at(start: Observation, q: NDArray[np.float64]) -> Observation:
 
 
 def _with_facts(seen: Observation, words: tuple[str, ...], begun: State) -> Observation:
-    """Return what is seen with facts of benches, which stand as they do when the step begins."""
+    """Return the observation with facts of benches, as they are when the step begins."""
     if not words:
         return seen
     state = begun.replace(begun[Joints].moved_to(seen.q))
