@@ -131,6 +131,21 @@ def test_a_tab_stands_where_it_was_left():
     assert shown(state, 1) == ("table",)
 
 
+def test_a_window_that_comes_tells_and_goes_leaves_alone_what_is_typed_in_another():
+    session = Session.fresh("token", PUMA)
+    for command in (
+        OpenWindow(1, Window.on("joints")),
+        OpenWindow(2, Window.on("joints")),
+        SeeTabs(2, frozenset({"joints"})),
+        OpenPanel("film", 2),
+        SeeTabs(2, frozenset({"robot"})),
+        CloseWindow(2),
+    ):
+        session.apply(command, 0.0)
+        assert session.untaken == 0, command
+    assert list(session.state[Panels].windows) == [1]
+
+
 def test_the_browser_is_asked_again_for_a_panel_that_is_opened_again():
     state = windows("joints")
     asked = state[Panels].windows[1].asked

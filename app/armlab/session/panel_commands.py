@@ -87,9 +87,12 @@ class SeeTabs(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with these tabs seen; the same state when they are, or the window has gone."""
+        """Return the state with these tabs seen; the same state when the window has gone.
+
+        Being told the same again is no command that was not taken: fields elsewhere keep what is typed.
+        """
         window = state[Panels].windows.get(self.window)
-        if window is None or frozenset(window.seen) == self.tabs:
+        if window is None:
             return state
         return state.replace(state[Panels].with_window(self.window, window.seeing(self.tabs)))
 

@@ -189,7 +189,7 @@ class View:
         except (ValueError, TypeError):
             log.warning("a page that is not ours told of its tabs")
             return
-        self.post(SeeTabs(self.client.client_id, seen))
+        self._post(SeeTabs(self.client.client_id, seen))
 
     # -- showing -------------------------------------------------------------------------------------------------
 
