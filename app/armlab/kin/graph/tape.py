@@ -1,7 +1,8 @@
 """Run formulas for many configurations: a tape of in-place NumPy ufuncs on columns that stay in the cache.
 
 Work goes through the batch in chunks; each node of the graph is one ufunc call on a whole chunk, its result lies in a
-register (a row of a small scratch array) that is reused as soon as nobody needs it. Nothing else is allocated.
+register (a row of a small scratch array) that is reused as soon as nobody needs it. The memory of that array is kept
+for the next call: the system takes longer to hand out fresh pages than a short batch takes to compute.
 
 In double precision NumPy's tangent is vectorised on common processors and its sine and cosine are not, so both come
 from one tangent of the half angle: t = tan(x/2), r = 2 / (1 + t t), sin x = t r, cos x = r - 1. The absolute error
@@ -11,6 +12,7 @@ precision sine and cosine are the faster ones.
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -49,6 +51,22 @@ LARGE = 4 << 20
 
 FILLED = 3 << 20
 """Bytes of scratch memory that a chunk fills at most: many columns take fewer configurations at a time."""
+
+
+class _Scratch(threading.local):
+    """The memory a thread computes in, as much as its largest call so far has filled, 4 MiB at most."""
+
+    memory = np.empty(0, np.uint8)
+
+    def rows(self, count: int, length: int, dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
+        """Return an array (count, length) with anything in it, which is the caller's until this thread asks again."""
+        size = count * length * dtype.itemsize
+        if size > len(self.memory):
+            self.memory = np.empty(max(size, LARGE if size >= LARGE // 4 else 0), np.uint8)
+        return self.memory[:size].view(dtype).reshape(count, length)
+
+
+_KEPT = _Scratch()
 
 
 class Place(NamedTuple):
@@ -128,7 +146,8 @@ class Tape:
         if dtype == np.float64:
             graph, outputs = half_angle(graph, outputs)
         self.dtype = dtype
-        self.constants = [(k, float(o)) for k, o in enumerate(outputs) if not isinstance(o, Expression)]
+        constants = {k: float(o) for k, o in enumerate(outputs) if not isinstance(o, Expression)}
+        self.constants = np.array(list(constants), dtype=np.intp), np.array(list(constants.values()), dtype)
         self.inputs, self.width = inputs, len(outputs)
         self.steps: list[Step] = []
         self.registers = self._schedule(*_signs_turned(graph, outputs))
@@ -170,17 +189,19 @@ class Tape:
         total, first, count = len(x), len(self.literals), self.inputs
         columns = first + count + self.registers + self.width
         size = min(CHUNK, FILLED // (columns * self.dtype.itemsize), max(total, 1))
-        scratch = _scratch((columns, size + PAD), self.dtype)
+        scratch = _KEPT.rows(columns, size + PAD, self.dtype)
         inputs, outputs = scratch[first : first + count], scratch[first + count + self.registers :]
         scratch[:first] = self.literals[:, None]
-        for k, value in self.constants:
-            outputs[k] = value
+        places, values = self.constants
+        outputs[places] = values[:, None]
         for start in range(0, total, size):
             stop = min(start + size, total)
             used = stop - start
+            if start == 0 or used < size:
+                rows = list(scratch[:, :used])
             inputs[:, :used] = x[start:stop].T
             spoilt = _not_finite(inputs[:, :used])
-            self._evaluate(*scratch[:, :used])
+            self._evaluate(*rows)
             out[start:stop] = outputs[:, :used].T
             if spoilt is not None:
                 out[start:stop][spoilt] = np.nan
@@ -204,13 +225,6 @@ class Tape:
         namespace: dict[str, Any] = {step.ufunc.__name__: step.ufunc for step in self.steps}
         exec("\n".join([f"def evaluate({parameters}):", *lines, "    return"]), namespace)
         return np.array(list(values), self.dtype), namespace["evaluate"]
-
-
-def _scratch(shape: tuple[int, int], dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
-    """Return an array with anything in it, in large pages where it fills half of one."""
-    size = shape[0] * shape[1]
-    least = LARGE if size * dtype.itemsize >= LARGE // 4 else 0
-    return np.empty(max(size, least // dtype.itemsize), dtype)[:size].reshape(shape)
 
 
 def _copy(source: NDArray[np.floating], target: NDArray[np.floating]) -> None:
