@@ -1,12 +1,15 @@
 """The expression graph and its two numeric back-ends."""
 
 import math
+import tracemalloc
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 
 from armlab.kin.graph.expression import Expression, Graph, absolute, cos, live_nodes, sin, square_root
 from armlab.kin.graph.kernel import Kernel
+from armlab.kin.graph.scratch import KEPT
 from armlab.kin.graph.tape import CHUNK, Tape
 
 
@@ -184,6 +187,39 @@ def test_half_angle_sine_and_cosine_are_exact_to_the_last_digits(graph):
     Kernel(graph, [sin(x), cos(x)], 1).batch(angles[:, None], out)
     np.testing.assert_allclose(out[:, 0], np.sin(angles), rtol=0, atol=5e-16)
     np.testing.assert_allclose(out[:, 1], np.cos(angles), rtol=0, atol=5e-16)
+
+
+def test_what_other_calls_left_behind_changes_nothing(graph, rng):
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [sin(x) * y + 0.5, 2.0, cos(x + y)], 2)
+    for dtype in (np.float64, np.float32):
+        values = rng.uniform(-2, 2, (300, 2)).astype(dtype)
+        first, again = np.empty((300, 3), dtype), np.empty((200, 3), dtype)
+        kernel.batch(values, first)
+        KEPT.memory[:] = 0xFF
+        kernel.batch(values[:200], again)
+        np.testing.assert_array_equal(again, first[:200])
+
+
+def test_every_thread_computes_in_memory_of_its_own():
+    own = KEPT.rows(3, 50, np.dtype(float))
+    with ThreadPoolExecutor(1) as other:
+        theirs = other.submit(KEPT.rows, 3, 50, np.dtype(float)).result()
+    assert not np.shares_memory(own, theirs)
+    assert np.shares_memory(own, KEPT.rows(3, 50, np.dtype(float)))
+
+
+def test_a_second_call_asks_for_no_more_memory(graph, rng):
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [sin(x + y * float(k)) for k in range(1, 40)], 2)
+    values, out = rng.uniform(-2, 2, (1000, 2)), np.empty((1000, 39))
+    kernel.batch(values, out)
+    tracemalloc.start()
+    kernel.batch(values, out)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    # Views of some hundred rows; the rows themselves are forty times 8 kB.
+    assert peak < 40_000
 
 
 def test_registers_are_used_again(graph):

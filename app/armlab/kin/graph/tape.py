@@ -12,7 +12,6 @@ precision sine and cosine are the faster ones.
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -21,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.graph.expression import Expression, Graph, Node, Number, absolute, live_nodes, operands, square_root
+from armlab.kin.graph.scratch import KEPT
 
 CHUNK = 4096
 """Configurations at a time: with some thirty registers of doubles this fills about 1 MiB, the second-level cache."""
@@ -46,27 +46,8 @@ PAD = 8
 """Doubles between the rows of the scratch array: rows a power of two apart would all meet in the same few sets of the
 cache, and turning columns into rows would take four times as long."""
 
-LARGE = 4 << 20
-"""Bytes from which on NumPy asks the system for large pages, whose addresses are translated faster."""
-
 FILLED = 3 << 20
 """Bytes of scratch memory that a chunk fills at most: many columns take fewer configurations at a time."""
-
-
-class _Scratch(threading.local):
-    """The memory a thread computes in, as much as its largest call so far has filled, 4 MiB at most."""
-
-    memory = np.empty(0, np.uint8)
-
-    def rows(self, count: int, length: int, dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
-        """Return an array (count, length) with anything in it, which is the caller's until this thread asks again."""
-        size = count * length * dtype.itemsize
-        if size > len(self.memory):
-            self.memory = np.empty(max(size, LARGE if size >= LARGE // 4 else 0), np.uint8)
-        return self.memory[:size].view(dtype).reshape(count, length)
-
-
-_KEPT = _Scratch()
 
 
 class Place(NamedTuple):
@@ -189,7 +170,7 @@ class Tape:
         total, first, count = len(x), len(self.literals), self.inputs
         columns = first + count + self.registers + self.width
         size = min(CHUNK, FILLED // (columns * self.dtype.itemsize), max(total, 1))
-        scratch = _KEPT.rows(columns, size + PAD, self.dtype)
+        scratch = KEPT.rows(columns, size + PAD, self.dtype)
         inputs, outputs = scratch[first : first + count], scratch[first + count + self.registers :]
         scratch[:first] = self.literals[:, None]
         places, values = self.constants

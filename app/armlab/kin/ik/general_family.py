@@ -196,9 +196,7 @@ def _next(links: Floats, q: Floats, hand: Floats, ways: Floats, bend: Floats, re
     parts = np.tile([1.0, 0.5], len(ways))[:, None]
     across, hands = np.repeat(ways, 2, axis=0), np.broadcast_to(hand, (2 * len(ways), 4, 4))
     straight = q + STEP * parts * across
-    found = newton.nearest(
-        links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across
-    )
+    found = newton.nearest(links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across)
     aside = np.linalg.norm(found.q - straight, axis=1) < STEP / 2.0 * parts[:, 0]
     good = aside & _is_reached(found.errors, reached)
     for k in np.flatnonzero(good[::2] & good[1::2]):
