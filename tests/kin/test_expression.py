@@ -9,7 +9,7 @@ import pytest
 
 from armlab.kin.graph.expression import Expression, Graph, absolute, cos, live_nodes, sin, square_root
 from armlab.kin.graph.kernel import Kernel
-from armlab.kin.graph.scratch import KEPT
+from armlab.kin.graph.scratch import KEPT, Scratch
 from armlab.kin.graph.tape import CHUNK, Tape
 
 
@@ -196,17 +196,33 @@ def test_what_other_calls_left_behind_changes_nothing(graph, rng):
         values = rng.uniform(-2, 2, (300, 2)).astype(dtype)
         first, again = np.empty((300, 3), dtype), np.empty((200, 3), dtype)
         kernel.batch(values, first)
-        KEPT.memory[:] = 0xFF
+        block = KEPT.take(1)
+        block[:] = 0xFF
+        KEPT.give_back(block)
         kernel.batch(values[:200], again)
         np.testing.assert_array_equal(again, first[:200])
 
 
-def test_every_thread_computes_in_memory_of_its_own():
-    own = KEPT.rows(3, 50, np.dtype(float))
-    with ThreadPoolExecutor(1) as other:
-        theirs = other.submit(KEPT.rows, 3, 50, np.dtype(float)).result()
-    assert not np.shares_memory(own, theirs)
-    assert np.shares_memory(own, KEPT.rows(3, 50, np.dtype(float)))
+def test_what_one_computes_in_nobody_else_does_until_it_is_given_back():
+    scratch = Scratch()
+    first, second = scratch.take(100), scratch.take(100)
+    assert not np.shares_memory(first, second)
+    scratch.give_back(first)
+    assert scratch.take(50) is first
+    scratch.give_back(second)
+    assert len(scratch.take(200)) >= 200
+
+
+def test_threads_may_compute_at_once(graph, rng):
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [sin(x * y) + cos(y), x - y * 3.0], 2)
+    batches = rng.uniform(-2, 2, (4, 2 * CHUNK + 5, 2))
+    alone, found = np.empty((4, 2 * CHUNK + 5, 2)), np.full((4, 2 * CHUNK + 5, 2), np.nan)
+    for values, out in zip(batches, alone, strict=True):
+        kernel.batch(values, out)
+    with ThreadPoolExecutor(4) as threads:
+        list(threads.map(kernel.batch, batches, found))
+    np.testing.assert_array_equal(found, alone)
 
 
 def test_a_second_call_asks_for_no_more_memory(graph, rng):

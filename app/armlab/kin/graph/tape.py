@@ -170,7 +170,9 @@ class Tape:
         total, first, count = len(x), len(self.literals), self.inputs
         columns = first + count + self.registers + self.width
         size = min(CHUNK, FILLED // (columns * self.dtype.itemsize), max(total, 1))
-        scratch = KEPT.rows(columns, size + PAD, self.dtype)
+        filled = columns * (size + PAD) * self.dtype.itemsize
+        memory = KEPT.take(filled)
+        scratch = memory[:filled].view(self.dtype).reshape(columns, size + PAD)
         inputs, outputs = scratch[first : first + count], scratch[first + count + self.registers :]
         scratch[:first] = self.literals[:, None]
         places, values = self.constants
@@ -186,6 +188,7 @@ class Tape:
             out[start:stop] = outputs[:, :used].T
             if spoilt is not None:
                 out[start:stop][spoilt] = np.nan
+        KEPT.give_back(memory)
 
     def _compiled(self) -> tuple[NDArray[np.floating], Callable[..., None]]:
         """Return the constants, and the steps as a function of the rows of the scratch array.
