@@ -14,7 +14,10 @@ LARGE = 4 << 20
 
 
 class Scratch:
-    """Blocks of memory nobody computes in now: as many as threads have computed at once, 4 MiB each at most."""
+    """Blocks of memory nobody computes in now: as many as threads have computed at once, 4 MiB each at most.
+
+    Any thread may take and give back: each is one operation on a list, which no other thread can interrupt.
+    """
 
     def __init__(self) -> None:
         self._free: list[NDArray[np.uint8]] = []
@@ -34,3 +37,4 @@ class Scratch:
 
 
 KEPT = Scratch()
+"""What all formulas compute in."""
