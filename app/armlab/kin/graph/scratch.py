@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 LARGE = 4 << 20
-"""Bytes from which on NumPy asks the system for large pages, whose addresses are translated faster."""
+"""Size in bytes from which NumPy asks the system for large pages, whose addresses are translated faster."""
 
 
 class Scratch:

@@ -1,0 +1,28 @@
+"""Symbols whose indices are typed after a low line."""
+
+from __future__ import annotations
+
+import re
+
+from armlab.ui.html import Markup, joined, tag
+
+_INDEX = re.compile(r"_([^\s/]+?)(?=, |/|$)")
+
+
+def with_indices(text: str) -> Markup:
+    """Return a symbol with what follows a low line set as its index.
+
+    >>> print(with_indices("Δt_k−1,k"), with_indices("t_a, t_b"), with_indices("T_s/T"))
+    Δt<sub>k−1,k</sub> t<sub>a</sub>, t<sub>b</sub> T<sub>s</sub>/T
+    """
+    parts = _INDEX.split(text)  # texts, and the indices between them
+    return joined(tag("sub", part) if i % 2 else part for i, part in enumerate(parts))
+
+
+def with_symbol(text: str, symbol: str) -> Markup:
+    """Return a text in which one symbol, typed with a low line, has its index lowered wherever it stands.
+
+    >>> print(with_symbol("v < v_d, v_d = 1", "v_d"))
+    v &lt; v<sub>d</sub>, v<sub>d</sub> = 1
+    """
+    return joined(text.split(symbol), between=with_indices(symbol))
