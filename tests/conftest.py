@@ -41,3 +41,9 @@ def url() -> Iterator[str]:
 
     with running_lab() as address:
         yield address
+
+
+@pytest.fixture
+def reads_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a refusal count as read as soon as it is there; otherwise a person has a second for it."""
+    monkeypatch.setattr("armlab.ui.fields.SEEN", 0.0)

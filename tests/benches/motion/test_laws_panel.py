@@ -179,6 +179,7 @@ async def says(browser, text):
     await browser.until(lambda: text in browser.html())
 
 
+@pytest.mark.usefixtures("reads_at_once")
 def test_an_example_a_law_and_its_options(url):
     async def main():
         browser = await at_laws(url)

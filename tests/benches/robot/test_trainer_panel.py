@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from armlab.benches.robot.trainer.exercise import Exercise
 from armlab.content.robots import catalogue
 from support.student import run, student
@@ -41,6 +43,7 @@ def test_a_direction_is_chosen_and_taken_away_again(url):
     run(main())
 
 
+@pytest.mark.usefixtures("reads_at_once")
 def test_what_is_no_number_stays_in_its_cell_with_the_reason_below_the_table(url):
     async def main():
         browser = await at_the_axes(url)
