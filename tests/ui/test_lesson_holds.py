@@ -167,6 +167,25 @@ def test_panels_a_lesson_hides_are_not_there(url):
     run(main())
 
 
+def test_a_bench_a_lesson_hides_is_not_opened_from_the_palette(url):
+    async def main():
+        browser = await in_lesson(url, "hiding")
+        shown = []
+
+        def look(_message, _at):
+            if "al-notes" in browser.html():
+                shown.append(notes(browser)["tab"])
+
+        browser.on_message = look
+        for label in ("Open Joints", "Open Ellipsoid", "Help"):
+            await browser.send({"type": "CommandTriggerMessage", "uuid": browser.control(label)["uuid"]})
+        await browser.until(lambda: notes(browser)["tab"] == "Help")
+        assert not {"Joints", "Velocity"} & set(shown)
+        await browser.close()
+
+    run(main())
+
+
 def test_a_bench_a_lesson_hides_is_not_offered_in_the_index(url):
     async def main():
         browser = await in_lesson(url, "hiding")
