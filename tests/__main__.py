@@ -1,4 +1,4 @@
-"""``python3 tests``: install once, find a browser, then pass all tests, two at a time; or what pytest is told.
+"""``python3 tests``: install once, find a browser, then pass all tests, four at a time; or what pytest is told.
 
 ``python3 tests --quick`` leaves out browsers, processes of their own and what takes long, for an answer in a minute.
 """
@@ -25,6 +25,9 @@ def find_browser(python):
 
 TWO_AT_A_TIME = ["-n", "2", "--dist", "worksteal"]
 
+FOUR_AT_A_TIME = ["-n", "4", "--dist", "worksteal"]
+"""Twice as many as there are processors at least: what talks to a lab, or drives a browser, waits half of its time."""
+
 NOT_QUICK = """
     architecture/test_benches architecture/test_growing benches/control/test_control benches/iterate/test_basins
     benches/motion/test_plan_* benches/workspace/test_* benches/*/test_*_panel benchmarks browser
@@ -41,7 +44,7 @@ NOT_QUICK = """
 os.chdir(str(ROOT))
 if os.environ.pop("PYTHONDONTWRITEBYTECODE", None):
     print("armlab: tests keep compiled modules, since they start Python a hundred times")
-arguments, prepare = sys.argv[1:] or TWO_AT_A_TIME, find_browser
+arguments, prepare = sys.argv[1:] or FOUR_AT_A_TIME, find_browser
 if arguments[0] == "--quick":
     left_out = ["--ignore-glob=tests/%s%s" % (name, "" if "test_" not in name else ".py") for name in NOT_QUICK.split()]
     arguments, prepare = TWO_AT_A_TIME + left_out + arguments[1:], None
