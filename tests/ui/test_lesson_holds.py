@@ -170,17 +170,17 @@ def test_panels_a_lesson_hides_are_not_there(url):
 def test_a_bench_a_lesson_hides_is_not_opened_from_the_palette(url):
     async def main():
         browser = await in_lesson(url, "hiding")
-        shown = []
 
-        def look(_message, _at):
-            if "al-notes" in browser.html():
-                shown.append(notes(browser)["tab"])
-
-        browser.on_message = look
-        for label in ("Open Joints", "Open Ellipsoid", "Help"):
+        async def choose(label):
             await browser.send({"type": "CommandTriggerMessage", "uuid": browser.control(label)["uuid"]})
+
+        await choose("Help")
         await browser.until(lambda: notes(browser)["tab"] == "Help")
-        assert not {"Joints", "Velocity"} & set(shown)
+        looked = browser.counts["SetCameraPositionMessage"]
+        for label in ("Open Joints", "Open Ellipsoid", "Look from the front"):
+            await choose(label)
+        await browser.until(lambda: browser.counts["SetCameraPositionMessage"] > looked)
+        assert notes(browser)["tab"] == "Help"
         await browser.close()
 
     run(main())
