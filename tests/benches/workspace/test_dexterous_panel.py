@@ -49,11 +49,7 @@ def state_of(key, **settings):
 def words(state):
     """Return all that is said of a planar arm."""
     units = units_of(state)
-    return (
-        joined(tool_words(state, units))
-        + joined(regions_table(BareForm(), state, units))
-        + joined(planar_words(state, units))
-    )
+    return joined(tool_words(state, units), regions_table(BareForm(), state, units), planar_words(state, units))
 
 
 # -- over the wire ---------------------------------------------------------------------------------------------------

@@ -66,7 +66,7 @@ def test_specks_are_left_out_until_a_section_is_finished():
 def commands(state, cell, text):
     units, found = units_of(state), found_of(state)
     return asked(
-        lambda form: joined(choices_markup(form, state, units)) + joined(view_markup(form, state, found, units)),
+        lambda form: (choices_markup(form, state, units), view_markup(form, state, found, units)),
         cell,
         text,
     )
