@@ -222,6 +222,14 @@ def test_a_link_that_lost_its_end_says_so():
             from_short(text[:cut])
 
 
+def test_a_link_with_something_behind_its_end_is_refused():
+    text = short(busy(PUMA, np.random.default_rng(2)))
+    packed = base64.urlsafe_b64decode(text[1:] + "===")
+    assert from_short(VERSION + base64.urlsafe_b64encode(packed).decode().rstrip("=")).to_json()
+    with pytest.raises(InputError, match="its end is missing or does not belong to it"):
+        from_short(VERSION + base64.urlsafe_b64encode(packed + b"more").decode().rstrip("="))
+
+
 @pytest.mark.parametrize(
     "change",
     [
