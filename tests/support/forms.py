@@ -10,6 +10,7 @@ from armlab.session.session import Asked
 from armlab.session.state import Command
 from armlab.ui import markup
 from armlab.ui.form import Form
+from armlab.ui.html import Inside, joined
 
 
 class BareFields:
@@ -27,8 +28,8 @@ class BareFields:
     def area(self, cell: str, value: str, label: str, lines: int) -> str:
         return markup.area(self.channel_id, cell, value, label, lines)
 
-    def show(self, content: str) -> None:
-        self.content = content
+    def show(self, *inside: Inside) -> None:
+        self.content = joined(*inside)
 
     def refuse(self, cell: str, text: str, why: str) -> None:
         self.refused = why
@@ -67,7 +68,7 @@ class BareForm(Form):
         return tuple(found)
 
 
-def asked(made: Callable[[Form], str], cell: str, text: str = "") -> tuple[Command, ...]:
+def asked(made: Callable[[Form], Inside], cell: str, text: str = "") -> tuple[Command, ...]:
     """Return what a control of a form asks for; nothing when there is none of this name. `InputError` is raised."""
     form = BareForm()
     form.show(made(form))
