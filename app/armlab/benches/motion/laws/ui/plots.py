@@ -23,7 +23,7 @@ from armlab.ui.widgets import Gui
 Array = NDArray[np.float64]
 
 SAMPLES = 90
-"""Of each law."""
+"""Of the curve of each law."""
 
 BESIDE = 1e-9
 """Of the whole time: a jump is drawn between two samples so near to each other."""
