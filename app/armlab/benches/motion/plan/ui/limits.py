@@ -61,11 +61,11 @@ def _duration(form: Form, state: State) -> Markup:
     if part.duration is not None:
         shown = readable(part.duration, 3)
         typed = form.field("duration", shown, "Duration", lambda text: LastFor(plain_number(text, "duration")))
-        k = None
+        told = None
         if plan is not None and plan.motion is not None:
-            times = part.duration / plan.fastest
-            k = tag("span.dim", f"{times:.2f} times the fastest, {plan.fastest:.2f} s")
-        given = tag("label.option", typed, tag("i", "s")), k
+            k = part.duration / plan.fastest
+            told = tag("span.dim", f"{k:.2f} times the fastest, {plan.fastest:.2f} s")
+        given = tag("label.option", typed, tag("i", "s")), told
     return joined(tag("div.bar", choice), tag("div.options", given))
 
 
