@@ -18,6 +18,7 @@ from armlab.ui.colours import VERDICT, css
 from armlab.ui.format import mathml
 from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
+from armlab.ui.svg import drawing, shape
 from armlab.ui.widgets import Gui
 
 Array = NDArray[np.float64]
@@ -172,16 +173,16 @@ def race_markup(state: State) -> Markup:
 
     def x(law: Law, times: Array) -> list[float]:
         place = (law.at(times) - low) / (high - low)
-        return [round(float(at), 1) for at in MARGIN + (WIDTH - 2 * MARGIN) * np.clip(place, 0.0, 1.0)]
+        places: list[float] = (MARGIN + (WIDTH - 2 * MARGIN) * np.clip(place, 0.0, 1.0)).tolist()
+        return places
 
     lanes = []
     for i, (law, (_, colour)) in enumerate(zip(part.every, names(part), strict=True)):
         y, fill = LANE * i + LANE // 2, css(colour)
         times = np.append(np.arange(0.0, law.duration, step), law.duration)
-        marks = [tag("circle", cx=f"{at}", cy=y, r=2) for at in x(law, times)]
-        now = tag("circle.now", cx=f"{x(law, np.array([t]))[0]}", cy=y, r="5.5")
-        lanes.append(tag("line", x1=MARGIN, x2=WIDTH - MARGIN, y1=y, y2=y))
-        lanes.append(tag("g", marks, now, fill=fill))
+        marks = [shape("circle", cx=at, cy=y, r=2) for at in x(law, times)]
+        (now,) = x(law, np.array([t]))
+        lanes.append(shape("line", x1=MARGIN, x2=WIDTH - MARGIN, y1=y, y2=y))
+        lanes.append(tag("g", marks, shape("circle.now", cx=now, cy=y, r=5.5), fill=fill))
     label = f"Places of the laws each {step:.3g} s"
-    box = f"0 0 {WIDTH} {LANE * len(part.every)}"
-    return tag("svg.law-race", tag("title", label), lanes, viewBox=box, role="img", aria_label=label)
+    return drawing("law-race", WIDTH, LANE * len(part.every), label, tag("title", label), lanes)
