@@ -9,8 +9,9 @@ import pytest
 
 from armlab.session.bench import benches
 from armlab.session.job import jobs
+from armlab.session.pages import pages
 from armlab.session.parts.timeline import clips
-from armlab.ui.plugin import layers, pages, panel
+from armlab.ui.plugin import layers, panel
 from support.sources import PACKAGE, TOP, imports_of
 
 DRAWING = ("armlab.ui", "viser", "trimesh", "latex2mathml")
@@ -115,7 +116,7 @@ def test_what_lies_in_a_bench_is_found_and_nothing_twice():
     assert len(list((PACKAGE / "benches").glob("*/*/ui/scene*.py"))) < len(layers())
     assert len(list((PACKAGE / "benches").glob("*/*/job*.py"))) == len(jobs())
     assert len(list((PACKAGE / "benches").glob("*/*/clip*.py"))) == len(clips())
-    assert len(list((PACKAGE / "benches").glob("*/*/bench.py"))) == len(benches())
+    assert len(list((PACKAGE / "benches").glob("*/*/examples.py"))) == len(benches())
 
 
 WITHOUT = """
@@ -124,7 +125,8 @@ from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from armlab.front.page import make_page
 from armlab.session.play import problems
-from armlab.ui.plugin import layers, pages, panel
+from armlab.session.pages import pages
+from armlab.ui.plugin import layers, panel
 
 async def main(url):
     browser = FakeBrowser(url, cookie_of(url))

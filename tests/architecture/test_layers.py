@@ -9,6 +9,7 @@ from support.sources import PACKAGE, TOP, imports_of, tree_of
 LEVELS = {
     "errors": 0,
     "plugins": 0,
+    "registry": 0,
     "page": 0,
     "resources": 0,
     "version": 0,

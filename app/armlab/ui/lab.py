@@ -17,7 +17,10 @@ from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
 from armlab.session.lesson_commands import ReloadLesson
+from armlab.session.pages import tabs
+from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.panels import Panels
 from armlab.session.parts.timeline import Play, Timeline, clips
 from armlab.session.runner import Runner
 from armlab.session.session import Session
@@ -28,7 +31,7 @@ from armlab.ui import adapter
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.pace import Pace
 from armlab.ui.player import Player
-from armlab.ui.plugin import layers, tabs
+from armlab.ui.plugin import layers
 from armlab.ui.view import View
 from armlab.ui.wished import wished
 
@@ -147,7 +150,6 @@ class Lab:
             self.gallery,
             lambda command: self.worker.post(session, command),
             self.pace,
-            lambda: self._follow_jobs(session),
         )
         pieces, went_on = view.build(), time.perf_counter()
         for more in chain((True for _ in pieces), (False,)):
@@ -226,9 +228,9 @@ class Lab:
 
     def _follow_jobs(self, session: Session) -> None:
         """Have the long work done that somebody looks at."""
-        views = self._of_session.get(session.token)
-        if views:
-            self.runner.follow(session, frozenset[str]().union(*(view.open_panels for view in views)))
+        if self._of_session.get(session.token):
+            state = session.state
+            self.runner.follow(session, frozenset(state[Panels].open(hidden_panels(state))))
 
     def _keep_saving(self) -> None:
         while not self._stopped.wait(SAVE_INTERVAL):

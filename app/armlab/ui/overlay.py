@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 import viser
 
+from armlab.session.panel_commands import hidden_tabs
 from armlab.session.parts.lesson import LessonPart, at_place
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
@@ -21,7 +22,6 @@ from armlab.session.state import Post
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.plugin import hidden_tabs
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
 

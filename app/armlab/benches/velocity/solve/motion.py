@@ -81,11 +81,6 @@ class SlideAlong(Command):
     rests: ClassVar[bool] = True
     label: ClassVar[str] = "self-motion"
 
-    @property
-    def stroke(self) -> object:
-        """One slide is one step."""
-        return type(self)
-
     def apply(self, state: State) -> State:
         """Return the state with the arm there."""
         if not math.isfinite(self.part):
