@@ -21,7 +21,6 @@ from pathlib import Path
 import zstandard
 
 from armlab.errors import ArmlabError
-from armlab.plugins import bench_pages
 
 # The digits of the base-88 code of viser's build: printable ASCII without quotes, brackets and ampersand.
 _DIGITS = "".join(character for character in map(chr, range(0x21, 0x7F)) if character not in "\"&<>'`")
@@ -123,12 +122,16 @@ def _assets(ending: str) -> str:
 def _bench_styles() -> str:
     """Return the stylesheets of the benches, each so that it reaches only the pages of its own tab."""
     found = []
-    for page in bench_pages():
-        file = resources.files(page) / "style.css"
-        if file.is_file():
-            tab = page.split(".")[-2]
-            found.append(f".b-{tab} {{\n{_asset(file)}}}")
+    for tab in _folders(resources.files("armlab") / "benches"):
+        for page in _folders(tab):
+            file = page / "style.css"
+            if file.is_file():
+                found.append(f".b-{tab.name} {{\n{_asset(file)}}}")
     return "\n".join(found)
+
+
+def _folders(place: Traversable) -> list[Traversable]:
+    return sorted((entry for entry in place.iterdir() if entry.is_dir()), key=lambda entry: entry.name)
 
 
 def _hash(code: bytes) -> str:

@@ -34,6 +34,12 @@ from armlab.ui.wished import wished
 
 log = logging.getLogger(__name__)
 
+UNVISITED = 3.0
+"""Seconds after which lessons are read in a lab that nobody has opened yet."""
+
+SETTLING = 1.0
+"""Seconds that a browser has for itself to show the first page it was sent."""
+
 GRANT_PATIENCE = 2.0
 """Seconds to wait for the arm or lesson a link names before the page is built without it."""
 
@@ -70,6 +76,11 @@ class Lab:
         What the front says with every connection; others on this machine cannot.
     port : int
         On loopback; 0 takes a free one.
+
+    Attributes
+    ----------
+    first_page : threading.Event
+        Set when a page is on a screen, or the lab is to end: what nobody waits for is done after it.
     """
 
     def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
@@ -89,7 +100,7 @@ class Lab:
         self._players: dict[str, Player] = {}
         self._due: set[str] = set()
         self._waiting: dict[str, list[asyncio.Future[None]]] = {}
-        self._stopped = threading.Event()
+        self._stopped, self.first_page = threading.Event(), threading.Event()
         self._building = asyncio.Lock()
         self.server.scene.configure_default_lights(False)
         self.server.scene.configure_environment_map(None)
@@ -113,6 +124,7 @@ class Lab:
     def stop(self) -> None:
         """Save everything and end."""
         self._stopped.set()
+        self.first_page.set()
         self.runner.stop()
         self.worker.stop()
         adapter.stop_server(self.server)
@@ -131,10 +143,12 @@ class Lab:
         if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
             log.warning("refused a connection that did not come through the front")
             return
-        # They are still being read when the lab has just opened: meanwhile the first pages load.
-        await self.loop.run_in_executor(None, lessons)
-        session = self.store.get(token)
-        await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
+        # Reading all lessons takes longer than the start: only a page that shows some waits for them.
+        session = await self.loop.run_in_executor(None, self.store.get, token)
+        wish = found.get(adapter.WISH_HEADER.lower(), "")
+        if wish.startswith("lesson") or session.state[LessonPart].open or session.front:
+            await self.loop.run_in_executor(None, lessons)
+        await self._grant(session, wish)
         async with self._building:
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 await self._open(client, session)
@@ -173,6 +187,7 @@ class Lab:
                 session, lambda command: self.worker.post(session, command), lambda: token in self._of_session
             )
         self._players[token].follow()
+        self.loop.call_later(SETTLING, self.first_page.set)
 
     async def _grant(self, session: Session, wish: str) -> None:
         """Do what a readable link asks for, before the page is built.
@@ -236,6 +251,9 @@ class Lab:
             self.store.let_go(frozenset(self._of_session), time.monotonic())
 
     def _keep_looking(self) -> None:
+        self.first_page.wait(UNVISITED)
+        if self._stopped.is_set():
+            return
         said, known = "", lessons()
         self._figure.join()
         _set_aside()
