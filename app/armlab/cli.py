@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import gc
 import logging
 import os
 import queue
@@ -13,14 +14,16 @@ import threading
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 from urllib.parse import quote
 
 from armlab import __version__
 from armlab.errors import ArmlabError, PluginError
 from armlab.front.addresses import addresses
 from armlab.front.room import LONGEST
-from armlab.front.start import Running, Settings, start
+
+if TYPE_CHECKING:
+    from armlab.front.start import Running
 
 DEFAULT_ROBOT = "puma560"
 DEFAULT_PORTS = range(8080, 8100)
@@ -41,6 +44,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         return run_command(arguments)
     options = parser().parse_args(arguments)
+    gc.disable()  # until the first page: of what the start makes nothing is garbage, and looking takes a seventh of it
+    from armlab.front.start import Settings, start
+
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     ended: Ended = queue.SimpleQueue()
     settings = Settings(
@@ -56,6 +62,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         running = start(settings, lambda port: _tell(port, options, ended))
     except ArmlabError as error:
+        gc.enable()
         print(f"armlab: {error}", file=sys.stderr)
         return 1
     return _run(running, ended)
@@ -96,6 +103,7 @@ def _look(running: Running, ended: Ended) -> None:
     from armlab.content.robots import catalogue
 
     running.wait_for_page(UNVISITED)
+    gc.enable()
     if running.stopping:
         return
     if running.lab is not None:

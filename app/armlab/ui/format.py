@@ -7,7 +7,6 @@ import math
 from collections.abc import Sequence
 from functools import lru_cache
 
-import latex2mathml.converter
 import numpy as np
 from numpy.typing import NDArray
 
@@ -80,6 +79,8 @@ def escaped(text: str) -> str:
 @lru_cache(maxsize=4096)
 def mathml(latex: str, block: bool = False) -> str:
     """Return a formula as MathML."""
+    import latex2mathml.converter  # with the first formula: the lab opens without one
+
     converted: str = latex2mathml.converter.convert(latex, display="block" if block else "inline")
     return converted
 
