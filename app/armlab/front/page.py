@@ -24,6 +24,7 @@ from armlab.errors import ArmlabError
 
 # The digits of the base-88 code of viser's build: printable ASCII without quotes, brackets and ampersand.
 _DIGITS = "".join(character for character in map(chr, range(0x21, 0x7F)) if character not in "\"&<>'`")
+_VALUES = bytes(max(0, _DIGITS.find(chr(code))) for code in range(256))
 _LOADER = re.compile(r'<script data-p="([^"]*)" data-ss="(\d+)" data-cs="(\d+)">(.*?)</script>', re.DOTALL)
 
 FRAMES = "'self' http://localhost:* http://127.0.0.1:*"
@@ -92,16 +93,22 @@ def make_page(title: str = "Armlab") -> Page:
 
 
 def decode_base88(text: str) -> bytes:
-    """Return the bytes of a base-88 text: five digits for four bytes, most significant first."""
-    value_of = {character: value for value, character in enumerate(_DIGITS)}
-    decoded = bytearray()
-    for start in range(0, len(text), 5):
-        group = text[start : start + 5]
-        value = 0
-        for character in group:
-            value = value * 88 + value_of[character]
-        decoded += value.to_bytes(len(group) - 1, "big")
-    return bytes(decoded)
+    """Return the bytes of a base-88 text: five digits for four bytes, most significant first.
+
+    All groups are one whole number, four bytes of it each, in which none overflows into the next: so the
+    page is decoded by ten long operations instead of a million short ones.
+    """
+    digits = text.encode().translate(_VALUES)
+    whole = len(digits) // 5
+    groups = 0
+    for place in range(5):
+        lanes = bytearray(4 * whole)
+        lanes[3::4] = digits[place : 5 * whole : 5]
+        groups = 88 * groups + int.from_bytes(lanes, "big")
+    last = 0
+    for digit in digits[5 * whole :]:
+        last = 88 * last + digit
+    return groups.to_bytes(4 * whole, "big") + last.to_bytes(max(0, len(digits) % 5 - 1), "big")
 
 
 def _asset(file: Traversable) -> str:
