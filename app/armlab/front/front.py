@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import hashlib
 import io
 import re
@@ -30,8 +31,10 @@ HEADERS = {
 }
 HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
 PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
-STARTING = 4.0
-"""Seconds for which a socket waits for labs that are being started: viser's page gives up after 5."""
+STARTING = 30.0
+"""Seconds for which a socket waits for labs that are being started."""
+GIVEN_UP = 0.5
+"""Seconds between looks whether its browser waits as well: viser's gives up after 5 and asks anew."""
 HALF_A_YEAR = 180 * 86400
 FOREIGN = ("websocket", "playbackPath")
 """Query parameters of viser that would make the page talk to, or play, something of somebody else."""
@@ -179,8 +182,7 @@ class Front:
         self._open[token] += 1
         try:
             # The lab first: a browser is accepted only when there is something to talk to; it tries again otherwise.
-            if not self._labs:
-                await asyncio.wait_for(self._there.wait(), STARTING)
+            await asyncio.wait_for(self._labs_for(request), STARTING)
             lab = await self._client.ws_connect(
                 f"ws://127.0.0.1:{self._lab_of(token)}",
                 protocols=[protocol],
@@ -209,6 +211,14 @@ class Front:
             await lab.close()
             self._release(token)
         return browser
+
+    async def _labs_for(self, request: web.Request) -> None:
+        """Return when there are labs; raise `TimeoutError` when the browser has given up before, as viser's does."""
+        while not self._labs:
+            if request.transport is None:
+                raise TimeoutError
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._there.wait(), GIVEN_UP)
 
     def _release(self, token: str) -> None:
         self._open[token] -= 1
