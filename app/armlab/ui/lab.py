@@ -115,6 +115,7 @@ class Lab:
         self._figure.start()
         self._looking = threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons")
         self._looking.start()
+        _set_aside()
 
     @property
     def port(self) -> int:
@@ -255,8 +256,6 @@ class Lab:
         if self._stopped.is_set():
             return
         said, known = "", lessons()
-        self._figure.join()
-        _set_aside()
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
                 # What `changed` returns is told once a process, and there may be other labs in this one.
@@ -287,11 +286,10 @@ class Lab:
 def _set_aside() -> None:
     """Have the collector of garbage pass over what is there from the start, once a process.
 
-    These are 140 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
-    time, during which no arm moves.
+    These are 100 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
+    time, during which no arm moves. Before the first page: what belongs to one must be found when it goes.
     """
     if not gc.get_freeze_count():
-        gc.collect()
         gc.freeze()
         first, second, _ = gc.get_threshold()
         gc.set_threshold(first, second, SELDOM)
