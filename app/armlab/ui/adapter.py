@@ -18,6 +18,7 @@ from zipfile import ZipFile
 
 import numpy as np
 import viser
+from markupsafe import Markup
 from numpy.typing import NDArray
 from viser import _gui_api, _gui_handles, _messages
 from viser._assignable_props_api import AssignablePropsBase
@@ -178,8 +179,9 @@ def set_value(handle: Any, value: Any) -> None:
     _queue_gui(handle, {"value": value})
 
 
-def set_content(handle: Any, content: str) -> None:
+def set_content(handle: Any, markup: Markup) -> None:
     """Replace the content of an HTML element."""
+    content = str(markup)
     if is_removed(handle) or handle._impl.props.content == content:
         return
     handle._impl.props.content = content
