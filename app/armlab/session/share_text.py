@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 LONGEST = 1500
-"""Characters of a text: no more than people can send around."""
+"""Most characters of a text."""
 
 TEXT = re.compile(rf"[A-Za-z0-9_-]{{2,{LONGEST}}}\Z")
-"""Letters that need no escape in an address."""
+"""Pattern of a shared state: letters that need no escape in an address, and a length that people can send."""

@@ -36,7 +36,7 @@ async def at_steps(url):
 
 async def choose(browser, key):
     await browser.press("example", key)
-    await browser.until(lambda: EXAMPLES[key].says[:30].replace("'", "&#x27;") in browser.html())
+    await browser.until(lambda: EXAMPLES[key].says[:30].replace("'", "&#39;") in browser.html())
     await browser.until(lambda: '<p class="dim">…</p>' not in browser.html())
 
 
@@ -88,7 +88,7 @@ def test_an_example_is_chosen_played_to_a_row_and_refused_nonsense(url):
         film = with_films(apply(State.initial(catalogue()["planar_2r"]), ChooseExample("step_size")))[Iterations].film
         assert re.findall("<td>([^<]*)</td>", now)[2] == f"{1e3 * film.position_error[3]:.1f}"
         await browser.press("p1-alpha", "much")
-        await browser.until(lambda: "expected a number, got &#x27;much&#x27;" in browser.html())
+        await browser.until(lambda: "expected a number, got &#39;much&#39;" in browser.html())
         await browser.press("p1-alpha", "-1")
         await browser.until(lambda: "step size α: expected 0.0001 to 100, got -1" in browser.html())
         await browser.press("start 0", "NaN")
@@ -171,7 +171,7 @@ def test_the_picture_of_every_example_shows_its_iterates():
         found = solved(example.key, "", example.x0)
         for k in range(found.last + 1):
             place = Place(k, 1.0, 0.5)
-            view = View(found, place)
+            view = View.of(found, place).chart
             assert view.x[0] < found.iterates[k].x < view.x[1]
             drawn = picture(found, place)
             assert "nan" not in drawn
@@ -184,7 +184,7 @@ def test_a_start_at_a_root_shows_the_curve_and_not_a_flat_line():
     from armlab.benches.iterate.runs.one_equation import solved
 
     for text, x0 in (("abs(x)", 0.0), ("sin(x)", math.pi)):
-        view = View(solved("", text, x0), Place(0, 1.0, 0.5))
+        view = View.of(solved("", text, x0), Place(0, 1.0, 0.5)).chart
         assert view.y[1] - view.y[0] > 0.5
 
 

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from armlab.kin.graph.expression import Expression, Graph, Node, Number, absolute, live_nodes, operands, square_root
 
 CHUNK = 4096
-"""Configurations at a time: with some thirty registers of doubles this fills about 1 MiB, the second-level cache."""
+"""Configurations in one chunk: with some thirty registers of doubles they fill about 1 MiB, the second-level cache."""
 
 _UFUNCS: dict[str, np.ufunc] = {
     "add": np.add,
@@ -41,25 +41,25 @@ _UFUNCS: dict[str, np.ufunc] = {
 
 
 PAD = 8
-"""Doubles between the rows of the scratch array: rows a power of two apart would all meet in the same few sets of the
-cache, and turning columns into rows would take four times as long."""
+"""Padding, in doubles, of the rows of the scratch array: rows a power of two apart would share a few sets of the cache,
+and transposing would take four times as long."""
 
 LARGE = 4 << 20
-"""Bytes from which on NumPy asks the system for large pages, whose addresses are translated faster."""
+"""Size in bytes from which NumPy asks the system for large pages, whose addresses are translated faster."""
 
 FILLED = 3 << 20
-"""Bytes of scratch memory that a chunk fills at most: many columns take fewer configurations at a time."""
+"""Largest scratch memory of a chunk, in bytes: with many columns fewer configurations are evaluated at a time."""
 
 
 class Place(NamedTuple):
-    """Where a value lies: an input column, a register, an output column, or a constant."""
+    """The place of a value: an input column, a register, an output column, or a constant."""
 
     where: str
     at: float
 
 
 class Step(NamedTuple):
-    """One ufunc call."""
+    """One call of a NumPy ufunc."""
 
     ufunc: Callable[..., object]
     sources: tuple[Place, ...]
@@ -67,7 +67,7 @@ class Step(NamedTuple):
 
 
 def half_angle(graph: Graph, outputs: Sequence[Number]) -> tuple[Graph, list[Number]]:
-    """Return the same formulas in a new graph with sine and cosine written by the tangent of the half angle."""
+    """Return the same formulas in a new graph, with sine and cosine expressed by the tangent of the half angle."""
     new = Graph()
     moved: dict[int, Number] = {}
     build: dict[str, Callable[..., Number]] = {
@@ -107,7 +107,7 @@ def _reciprocal(angle: Expression) -> Number:
 
 @dataclass
 class _Registers:
-    """Hands out scratch rows and takes them back."""
+    """Free rows of the scratch array: they are taken and given back."""
 
     count: int = 0
 
@@ -122,7 +122,7 @@ class _Registers:
 
 
 class Tape:
-    """Formulas compiled for arrays of one precision."""
+    """Formulas compiled for arrays of one precision: a list of NumPy calls."""
 
     def __init__(self, graph: Graph, outputs: Sequence[Number], inputs: int, dtype: np.dtype[np.floating]) -> None:
         if dtype == np.float64:
@@ -135,7 +135,7 @@ class Tape:
         self.literals, self._evaluate = self._compiled()
 
     def _schedule(self, nodes: Sequence[Node], order: Sequence[int], outputs: Sequence[Number]) -> int:
-        """Fill the tape; return how many registers it needs (linear scan over last uses)."""
+        """Fill the tape and return how many registers it needs, by a scan over the last uses of values."""
         last_use = {i: at for at, index in enumerate(order) for i in operands(nodes[index])}
         wanted: dict[int, list[tuple[int, int]]] = {}
         for k, output in enumerate(outputs):
@@ -160,13 +160,13 @@ class Tape:
         return pool.count
 
     def _deliver(self, source: Place, wanted: Sequence[tuple[int, int]]) -> None:
-        """Copy a value to the further outputs that want it, with their signs."""
+        """Copy a value, with their signs, to the further outputs that need it."""
         for k, sign in wanted:
             if source != Place("output", k):
                 self.steps.append(Step(_copy if sign > 0 else np.negative, (source,), Place("output", k)))
 
     def run(self, x: NDArray[np.floating], out: NDArray[np.floating]) -> None:
-        """Evaluate ``x`` (N, inputs) into ``out`` (N, outputs); a row of x that is not finite gives nan."""
+        """Evaluate ``x`` (N, inputs) into ``out`` (N, outputs); rows of x that are not finite give nan."""
         total, first, count = len(x), len(self.literals), self.inputs
         columns = first + count + self.registers + self.width
         size = min(CHUNK, FILLED // (columns * self.dtype.itemsize), max(total, 1))
@@ -207,19 +207,19 @@ class Tape:
 
 
 def _scratch(shape: tuple[int, int], dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
-    """Return an array with anything in it, in large pages where it fills half of one."""
+    """Return an uninitialised array, in large pages when it fills at least half of one."""
     size = shape[0] * shape[1]
     least = LARGE if size * dtype.itemsize >= LARGE // 4 else 0
     return np.empty(max(size, least // dtype.itemsize), dtype)[:size].reshape(shape)
 
 
 def _copy(source: NDArray[np.floating], target: NDArray[np.floating]) -> None:
-    """Copy, in half the time of `numpy.positive`."""
+    """Copy an array, in half the time of `numpy.positive`."""
     target[...] = source
 
 
 def _not_finite(inputs: NDArray[np.floating]) -> NDArray[np.bool_] | None:
-    """Return which columns are not finite, or None for none, and put zeros there, which raise no warning."""
+    """Return a mask of the columns that are not finite, set to zero to avoid warnings; None when all are finite."""
     with np.errstate(over="ignore", invalid="ignore"):
         if np.isfinite(inputs.sum()):
             return None
@@ -229,7 +229,7 @@ def _not_finite(inputs: NDArray[np.floating]) -> NDArray[np.bool_] | None:
 
 
 def _signs_turned(graph: Graph, outputs: Sequence[Number]) -> tuple[list[Node], list[int], list[Number]]:
-    """Return nodes, their order and outputs, with differences that are only wanted negated written the other way."""
+    """Return nodes, order and outputs; differences that are only needed negated are written the other way round."""
     nodes, order, turned = list(graph.nodes), live_nodes(graph, outputs), list(outputs)
     shared = {i for index in order for i in operands(nodes[index])}
     shared |= {o.node for o in outputs if isinstance(o, Expression) and o.sign > 0}
