@@ -145,6 +145,8 @@ def start(settings: Settings, on_served: Callable[[int], None] = lambda port: No
         on_served(port)
         lab, labs = _open_labs(settings, secret, behind)
         loop.call_soon_threadsafe(front.open_labs, labs)
+        if settings.lessons:
+            _add_lessons(settings.lessons)
         # All is well: what was opened stays open until `Running.stop`.
         return Running(port, opened.pop_all(), lab)
 
@@ -184,8 +186,6 @@ def _try_writing(folder: Path) -> None:
 def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab | None, list[int]]:
     """Open the labs on loopback; return the one of this process, if any, and all ports."""
     sessions = settings.folder / SESSIONS if settings.folder is not None else None
-    if settings.lessons:
-        _add_lessons(settings.lessons)
     if settings.labs:
         processes = LabProcesses(settings.labs, settings.opening, sessions, secret, settings.lessons)
         opened.callback(processes.stop)
@@ -194,7 +194,7 @@ def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab 
     from armlab.content.robots import catalogue
     from armlab.ui.lab import Lab
 
-    lab = Lab(catalogue()[settings.opening], sessions, secret)
+    lab = Lab(catalogue()[settings.opening], sessions, secret, 0, settings.lessons)
     opened.callback(lab.stop)
     return lab, [lab.port]
 

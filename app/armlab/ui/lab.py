@@ -7,12 +7,13 @@ import gc
 import logging
 import threading
 import time
+from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
 
 import viser
 
-from armlab.content.lessons import changed, lessons
+from armlab.content.lessons import add_folder, changed, lessons
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
@@ -76,6 +77,8 @@ class Lab:
         What the front says with every connection; others on this machine cannot.
     port : int
         On loopback; 0 takes a free one.
+    own_lessons : sequence of Path
+        Folders of lessons besides those of the lab, read before a page is built.
 
     Attributes
     ----------
@@ -83,12 +86,14 @@ class Lab:
         Set when a page is on a screen, or the lab is to end: what nobody waits for is done after it.
     """
 
-    def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
+    def __init__(
+        self, opening: Robot, folder: Path | None, secret: str, port: int = 0, own_lessons: Sequence[Path] = ()
+    ) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student; panels take half a second, and
         # are looked at when the lab is open.
         for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
-        self._secret = secret
+        self._secret, self._own_lessons = secret, own_lessons
         self.server = adapter.make_server(port)
         self.loop = self.server.get_event_loop()
         self.gallery, self.pace = Gallery(), Pace()
@@ -144,6 +149,8 @@ class Lab:
         if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
             log.warning("refused a connection that did not come through the front")
             return
+        if self._own_lessons:  # without them, what a student has done in one could not be read
+            await self.loop.run_in_executor(None, self._add_lessons)
         # Reading all lessons takes longer than the start: only a page that shows some waits for them.
         session = await self.loop.run_in_executor(None, self.store.get, token)
         wish = found.get(adapter.WISH_HEADER.lower(), "")
@@ -153,6 +160,11 @@ class Lab:
         async with self._building:
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 await self._open(client, session)
+
+    def _add_lessons(self) -> None:
+        """Add the folders of lessons, which changes nothing when they are there."""
+        for folder in self._own_lessons:
+            add_folder(folder)
 
     async def _open(self, client: viser.ClientHandle, session: Session) -> None:
         """Build the page of a browser in small pieces, with time for others after each."""
