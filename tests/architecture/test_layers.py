@@ -24,7 +24,7 @@ LEVELS = {
 
 ONLY_IN = {
     "viser": ("ui", "benches"),
-    "trimesh": ("ui", "benches"),
+    "trimesh": (),
     "latex2mathml": ("ui", "content", "benches"),
     "markdown_it": ("content",),
     "mdit_py_plugins": ("content",),

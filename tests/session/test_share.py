@@ -30,7 +30,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import OpenShared, Shelf
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
-from armlab.session.share import LONGEST, VERSION, from_short, short
+from armlab.session.share import VERSION, from_short, short
+from armlab.session.share_text import LONGEST
 from armlab.session.state import State, apply
 from support.arms import random_arm, random_q
 

@@ -14,13 +14,15 @@ from collections.abc import Awaitable, Callable, MutableMapping
 from functools import cache
 from typing import Any, get_type_hints
 from weakref import WeakValueDictionary
+from zipfile import ZipFile
 
 import numpy as np
 import viser
 from markupsafe import Markup
 from numpy.typing import NDArray
-from viser import _messages
+from viser import _gui_api, _gui_handles, _messages
 from viser._assignable_props_api import AssignablePropsBase
+from viser._icons import ICONS_DIR
 
 from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.gate import Gate
@@ -47,6 +49,21 @@ def hints_of(props: type) -> dict[str, Any]:
     return get_type_hints(props)
 
 
+@cache
+def _icons() -> ZipFile:
+    return ZipFile(ICONS_DIR / "tabler-icons.zip")
+
+
+@cache
+def icon(name: str) -> str:
+    """Return the SVG of one of `viser.Icon`.
+
+    viser opens its archive of some 4000 anew for every icon, a quarter of a second for those of the first page.
+    """
+    return _icons().read(f"{name}.svg").decode()
+
+
+_gui_api.svg_from_icon = _gui_handles.svg_from_icon = icon  # type: ignore[attr-defined]
 AssignablePropsBase._prop_hints = property(lambda handle: hints_of(type(handle._impl.props)))  # type: ignore[arg-type, assignment]
 
 

@@ -7,12 +7,13 @@ import gc
 import logging
 import threading
 import time
+from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
 
 import viser
 
-from armlab.content.lessons import changed, lessons
+from armlab.content.lessons import add_folder, changed, lessons
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
@@ -36,6 +37,12 @@ from armlab.ui.view import View
 from armlab.ui.wished import wished
 
 log = logging.getLogger(__name__)
+
+UNVISITED = 3.0
+"""Seconds after which lessons are read in a lab that nobody has opened yet."""
+
+SETTLING = 1.0
+"""Seconds that a browser has for itself to show the first page it was sent."""
 
 GRANT_PATIENCE = 2.0
 """Seconds to wait for the arm or lesson a link names before the page is built without it."""
@@ -73,14 +80,23 @@ class Lab:
         What the front says with every connection; others on this machine cannot.
     port : int
         On loopback; 0 takes a free one.
+    own_lessons : sequence of Path
+        Folders of lessons besides those of the lab, read before a page is built.
+
+    Attributes
+    ----------
+    first_page : threading.Event
+        Set when a page is on a screen, or the lab is to end: what nobody waits for is done after it.
     """
 
-    def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
+    def __init__(
+        self, opening: Robot, folder: Path | None, secret: str, port: int = 0, own_lessons: Sequence[Path] = ()
+    ) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student; panels take half a second, and
         # are looked at when the lab is open.
         for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
-        self._secret = secret
+        self._secret, self._own_lessons = secret, own_lessons
         self.server = adapter.make_server(port)
         self.loop = self.server.get_event_loop()
         self.gallery, self.pace = Gallery(), Pace()
@@ -92,7 +108,7 @@ class Lab:
         self._players: dict[str, Player] = {}
         self._due: set[str] = set()
         self._waiting: dict[str, list[asyncio.Future[None]]] = {}
-        self._stopped = threading.Event()
+        self._stopped, self.first_page = threading.Event(), threading.Event()
         self._building = asyncio.Lock()
         self.server.scene.configure_default_lights(False)
         self.server.scene.configure_environment_map(None)
@@ -107,6 +123,7 @@ class Lab:
         self._figure.start()
         self._looking = threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons")
         self._looking.start()
+        _set_aside()
 
     @property
     def port(self) -> int:
@@ -116,6 +133,7 @@ class Lab:
     def stop(self) -> None:
         """Save everything and end."""
         self._stopped.set()
+        self.first_page.set()
         self.runner.stop()
         self.worker.stop()
         adapter.stop_server(self.server)
@@ -134,13 +152,22 @@ class Lab:
         if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
             log.warning("refused a connection that did not come through the front")
             return
-        # They are still being read when the lab has just opened: meanwhile the first pages load.
-        await self.loop.run_in_executor(None, lessons)
-        session = self.store.get(token)
-        await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
+        if self._own_lessons:  # without them, what a student has done in one could not be read
+            await self.loop.run_in_executor(None, self._add_lessons)
+        # Reading all lessons takes longer than the start: only a page that shows some waits for them.
+        session = await self.loop.run_in_executor(None, self.store.get, token)
+        wish = found.get(adapter.WISH_HEADER.lower(), "")
+        if wish.startswith("lesson") or session.state[LessonPart].open or session.front:
+            await self.loop.run_in_executor(None, lessons)
+        await self._grant(session, wish)
         async with self._building:
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 await self._open(client, session)
+
+    def _add_lessons(self) -> None:
+        """Add the folders of lessons, which changes nothing when they are there."""
+        for folder in self._own_lessons:
+            add_folder(folder)
 
     async def _open(self, client: viser.ClientHandle, session: Session) -> None:
         """Build the page of a browser in small pieces, with time for others after each."""
@@ -175,6 +202,7 @@ class Lab:
                 session, lambda command: self.worker.post(session, command), lambda: token in self._of_session
             )
         self._players[token].follow()
+        self.loop.call_later(SETTLING, self.first_page.set)
 
     async def _grant(self, session: Session, wish: str) -> None:
         """Do what a readable link asks for, before the page is built.
@@ -238,9 +266,10 @@ class Lab:
             self.store.let_go(frozenset(self._of_session), time.monotonic())
 
     def _keep_looking(self) -> None:
+        self.first_page.wait(UNVISITED)
+        if self._stopped.is_set():
+            return
         said, known = "", lessons()
-        self._figure.join()
-        _set_aside()
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
                 # What `changed` returns is told once a process, and there may be other labs in this one.
@@ -271,11 +300,10 @@ class Lab:
 def _set_aside() -> None:
     """Have the collector of garbage pass over what is there from the start, once a process.
 
-    These are 140 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
-    time, during which no arm moves.
+    These are 100 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
+    time, during which no arm moves. Before the first page: what belongs to one must be found when it goes.
     """
     if not gc.get_freeze_count():
-        gc.collect()
         gc.freeze()
         first, second, _ = gc.get_threshold()
         gc.set_threshold(first, second, SELDOM)

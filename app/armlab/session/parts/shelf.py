@@ -21,7 +21,8 @@ from armlab.session.parts.lesson import LessonPart, is_place
 from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
-from armlab.session.share import STAYS, TEXT, from_short, state_of_parts
+from armlab.session.share import STAYS, from_short, state_of_parts
+from armlab.session.share_text import TEXT
 from armlab.session.state import Command, Json, Part, PartType, State
 
 HOME, SANDBOX, SHARED = "home", "sandbox", "shared"
