@@ -32,9 +32,9 @@ HEADERS = {
 HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
 PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
 STARTING = 30.0
-"""Seconds for which a socket waits for labs that are being started."""
+"""Longest wait of a socket for labs that are being started, s."""
 GIVEN_UP = 0.5
-"""Seconds between looks whether its browser waits as well: viser's gives up after 5 and asks anew."""
+"""Interval of looking whether its browser waits as well, s: viser's page gives up after 5 and asks anew."""
 HALF_A_YEAR = 180 * 86400
 FOREIGN = ("websocket", "playbackPath")
 """Query parameters of viser that would connect the page to a foreign server, or play a foreign recording."""

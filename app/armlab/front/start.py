@@ -97,7 +97,7 @@ class Running:
     def wait_for_page(self, seconds: float) -> None:
         """Return when the first page is on a screen, the lab is to end, or the time is over.
 
-        What is behind the front of a class it does not know.
+        The labs behind the front of a class it does not know.
         """
         self._first.wait(seconds)
 

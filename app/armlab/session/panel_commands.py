@@ -1,4 +1,4 @@
-"""What opens panels: a window that comes, a person who turns to one, a lesson and its steps."""
+"""Commands that open panels: for a window that comes, a person who turns to one, a lesson and its steps."""
 
 from __future__ import annotations
 

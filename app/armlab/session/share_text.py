@@ -1,4 +1,4 @@
-"""What a link with a shared state looks like from outside; the front lets nothing else through to be unpacked."""
+"""The form of a link with a shared state, by which the front lets nothing else through to be unpacked."""
 
 from __future__ import annotations
 

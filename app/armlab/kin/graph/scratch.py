@@ -37,4 +37,4 @@ class Scratch:
 
 
 KEPT = Scratch()
-"""What all formulas compute in."""
+"""Scratch memory in which all formulas compute."""

@@ -18,7 +18,7 @@ SYMBOL_STEP = 0.02
 """Relative step between the sizes of symbols, so that an arm being edited can use the same again."""
 
 HALF_SIDES = 10
-"""Of the ball of a frame, from pole to pole."""
+"""Rings of the ball of a frame, from pole to pole."""
 
 _DIRECTIONS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 

@@ -13,7 +13,7 @@ FILLED = 0.94
 """Side of a drawn voxel, relative to the true one: the gaps separate them."""
 
 CORNERS = np.array(list(np.ndindex(2, 2, 2))) - 0.5
-"""Of a box with sides of 1, around the origin, shape (8, 3)."""
+"""Corners of a box with sides of 1 around the origin, shape (8, 3)."""
 
 SIDES = np.array(
     [
