@@ -11,7 +11,7 @@ import io
 import logging
 import warnings
 from collections.abc import Awaitable, Callable, MutableMapping
-from functools import cache
+from functools import cache, partial
 from typing import Any, get_type_hints
 from weakref import WeakValueDictionary
 
@@ -47,6 +47,46 @@ def hints_of(props: type) -> dict[str, Any]:
 
 
 AssignablePropsBase._prop_hints = property(lambda handle: hints_of(type(handle._impl.props)))  # type: ignore[arg-type, assignment]
+
+
+def _quick(kind: type[_messages.Message], field: str) -> Callable[..., dict[str, Any]]:
+    """Return what makes a message about the pose of a node ready to be packed, where its numbers are plain ones.
+
+    viser looks up the type of every number, a third of what such a message costs, and a drag is made of them.
+    """
+    general, title = kind.as_serializable_dict, kind.__name__
+
+    def as_serializable_dict(message: Any, binary_buffers: list[memoryview] | None = None) -> dict[str, Any]:
+        numbers = getattr(message, field)
+        if type(numbers) is not tuple or not FLOATS.issuperset(map(type, numbers)):
+            return general(message, binary_buffers)
+        return {"name": message.name, field: numbers, "owner": message.owner, "type": title}
+
+    return as_serializable_dict
+
+
+FLOATS = frozenset({float})
+_messages.SetOrientationMessage.as_serializable_dict = _quick(  # type: ignore[method-assign]
+    _messages.SetOrientationMessage, "wxyz"
+)
+_messages.SetPositionMessage.as_serializable_dict = _quick(  # type: ignore[method-assign]
+    _messages.SetPositionMessage, "position"
+)
+
+
+def _read_pose(general: Callable[[dict[str, Any]], dict[str, Any]], mapping: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of an event of a handle, whose types viser would look up number by number."""
+    wxyz, position = mapping.get("wxyz"), mapping.get("position")
+    if type(wxyz) is not list or len(wxyz) != 4 or type(position) is not list or len(position) != 3:
+        return general(mapping)
+    if not FLOATS.issuperset(map(type, (*wxyz, *position))):
+        return general(mapping)
+    return {**mapping, "wxyz": tuple(wxyz), "position": tuple(position)}
+
+
+_messages.TransformControlsUpdateMessage._from_serializable_dict = partial(  # type: ignore[method-assign]
+    _read_pose, _messages.TransformControlsUpdateMessage._from_serializable_dict
+)
 
 
 def make_server(port: int) -> viser.ViserServer:
@@ -145,6 +185,14 @@ def is_removed(handle: Any) -> bool:
     """Return whether a control or a scene node has been removed; writing to it would raise."""
     removed: bool = handle._impl.removed
     return removed
+
+
+def of_one_page(control: viser.TransformControlsHandle) -> None:
+    """Have the pose of a handle, as a hand moves it, not sent to the other pages that have it: there are none.
+
+    viser would send two messages for each event, which reach nobody and wake up what sends.
+    """
+    control._impl_aux.sync_cb = None
 
 
 def take_value(handle: Any) -> Any:

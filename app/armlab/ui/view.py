@@ -12,6 +12,7 @@ import viser
 
 from armlab.kin.arm import Arm
 from armlab.session.lesson_commands import LookAt
+from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
@@ -80,11 +81,14 @@ class View:
         self.session: Session = session
         self.camera: Camera = Camera(client, lambda: session.state[Joints].q, self._around)
         self._gallery, self._pace = gallery, pace
+        self._hiding = [layer for layer in layers().values() if layer.hides]
         self._loop = asyncio.get_running_loop()
         self._acted = self._loop.time()
         self._canvas: Canvas | None = None
         self._canvases = 0
         self._drawings: list[Drawing] = []
+        self._seen_drawings: list[Drawing] = []
+        self._seen_because: tuple[object, ...] = ()
         self._tabs: dict[str, Tab] = {}
         self._shown: State | None = None
         self._making: Arm | None = None
@@ -154,7 +158,7 @@ class View:
             return frozenset(layers()) - OF_THE_ROOM
         if predicted:
             return frozenset(key for key, layer in layers().items() if not layer.silent)
-        on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
+        on = [layer for layer in self._hiding if layer.switch is not None and layer.switch.on(state)]
         opened = self._opened
         hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))
         return frozenset(key for hides in hiding for key in hides)
@@ -272,9 +276,15 @@ class View:
         open_panels = self.open_panels
         bare = SKELETON.on(state) or any(panel.see_through for panel in self._opened)
         hidden = self._hidden(state)
-        for drawing in self._drawings:
+        # Which layers are seen follows from these alone, and most of them are not.
+        because = (state[Display], open_panels, bare, hidden)
+        same = because == self._seen_because
+        for drawing in self._seen_drawings if same else self._drawings:
             drawing.show(state, open_panels, bare, hidden)
             yield
+        if not same:
+            self._seen_drawings = [drawing for drawing in self._drawings if drawing.seen]
+            self._seen_because = because
 
     def _change_robot(self, state: State) -> None:
         """Draw another arm; a figure that is new is made outside the event loop, and the present one stays so long."""
@@ -306,7 +316,7 @@ class View:
         for drawing in self._drawings:
             if drawing.layer.key != "arm":
                 drawing.canvas.remove()
-        self._drawings = []
+        self._drawings, self._seen_because = [], ()
         if canvas is not None:
             canvas.stop()
             self._loop.call_later(LINGER, lambda: None if self._closed else canvas.remove())
