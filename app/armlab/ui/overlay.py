@@ -48,6 +48,15 @@ class Overlay:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
         elif handle and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
+        shelf, robot, history = session.state[Shelf], session.state[RobotPart], session.history
+        if self._form.shows(
+            line,
+            (shelf.place, shelf.waiting),
+            (history.undo_label, history.redo_label),
+            (robot.own, robot.robot.key, session.state[LessonPart].open, hidden_tabs(session.state)),
+            (self._tab, self._asked),
+        ):
+            return
         hint = f'<div class="al-over al-hint" role="status">{line}</div>' if line else ""
         self._form.show(hint + self._place(session) + self._steps(session) + self._notes(session))
 
