@@ -119,6 +119,8 @@ class View:
             if drawn is not None:
                 yield from self._draw(state, drawn)
             self.show()
+            if not self._refreshed:
+                self._refresh_now()  # part of what the browser gets at once
 
     def post(self, command: Command) -> None:
         """Pass on what the person at this page wants."""
@@ -348,11 +350,15 @@ class View:
         if self._refresh is None:
             wait = max(0.0, self._refreshed + self._pace.interval(PANEL_INTERVAL) - self._loop.time())
             if wait == 0.0:
-                self._refresh_now()
+                self._come_to_panels()
             else:
-                self._refresh = self._loop.call_later(wait, self._refresh_now)
+                self._refresh = self._loop.call_later(wait, self._come_to_panels)
+
+    def _come_to_panels(self) -> None:
+        self._pace.spread.put(self, self._refresh_now)
 
     def _refresh_now(self) -> None:
+        self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
             self._refresh = None
@@ -384,6 +390,7 @@ class View:
     def close(self) -> None:
         """Stop; the browser is gone."""
         self._closed = True
+        self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

@@ -1,0 +1,59 @@
+"""What is shown, spread over turns of the event loop: hands that drag come between what ten others are shown."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Callable, Hashable
+
+PIECE = 0.003
+"""Seconds of a turn of the loop; what has begun is done, the rest follows when messages of all have been looked at."""
+
+
+class Spread:
+    """Calls in the order in which they came, as many each time the loop goes round as fit into `PIECE`.
+
+    Parameters
+    ----------
+    clock : callable
+        Seconds of a steady clock.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.perf_counter) -> None:
+        self._clock = clock
+        self._waiting: dict[Hashable, Callable[[], None]] = {}
+        self._spent, self._calling, self._comes_round = 0.0, False, False
+
+    def put(self, key: Hashable, call: Callable[[], None]) -> None:
+        """Call it now, if there is time in this turn and nothing else waits; the newest of those with one key counts.
+
+        The loop is the running one. What is put from inside such a call comes after it.
+        """
+        self._waiting[key] = call
+        self._go_on()
+
+    def drop(self, key: Hashable) -> None:
+        """Forget what waits with this key, if anything does."""
+        self._waiting.pop(key, None)
+
+    def _go_on(self) -> None:
+        if self._calling:
+            return
+        while self._waiting and self._spent < PIECE:
+            if not self._comes_round:
+                self._comes_round = True
+                asyncio.get_running_loop().call_soon(self._next_turn)
+            self._call_next()
+
+    def _call_next(self) -> None:
+        call = self._waiting.pop(next(iter(self._waiting)))
+        began, self._calling = self._clock(), True
+        try:
+            call()
+        finally:
+            self._calling = False
+            self._spent += self._clock() - began
+
+    def _next_turn(self) -> None:
+        self._spent, self._comes_round = 0.0, False
+        self._go_on()
