@@ -1,4 +1,4 @@
-"""Every private or undocumented part of viser that Armlab touches, in one place, each with a test.
+"""Every private or undocumented part of viser that Armlab touches, here and in `armlab.ui.quick`, each with a test.
 
 viser is pinned to the tested version; when the pin moves, the tests of this module say what has to follow.
 """
@@ -10,20 +10,18 @@ import contextlib
 import io
 import logging
 import warnings
-from collections.abc import AsyncGenerator, Awaitable, Callable, MutableMapping
-from functools import cache, partial
-from typing import Any, get_type_hints
+from collections.abc import Awaitable, Callable, MutableMapping
+from typing import Any
 from weakref import WeakValueDictionary
 
 import numpy as np
 import viser
 from numpy.typing import NDArray
 from viser import _messages
-from viser._assignable_props_api import AssignablePropsBase
-from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.gate import Gate
+from armlab.ui.quick import send_at_once
 from armlab.ui.turns import Turns
 
 log = logging.getLogger(__name__)
@@ -33,64 +31,9 @@ WISH_HEADER = "X-Armlab-Wish"
 SECRET_HEADER = "X-Armlab-Secret"
 ORIGIN_HEADER = "X-Armlab-Origin"
 
-LONGEST_WINDOW = 128
-"""Messages that are sent together."""
-
 CLOSING = 0.5
 """Seconds for the polite end of a connection to the front, which is on this machine. What a page has sent that cannot
 be read would else keep it, with all that was sent behind it, for 10 s."""
-
-
-@cache
-def hints_of(props: type) -> dict[str, Any]:
-    """Return the types of the properties of a kind of node or control.
-
-    viser finds them anew for every single one, a quarter of the time that a page takes, and keeps them with each.
-    """
-    return get_type_hints(props)
-
-
-AssignablePropsBase._prop_hints = property(lambda handle: hints_of(type(handle._impl.props)))  # type: ignore[arg-type, assignment]
-
-
-def _quick(kind: type[_messages.Message], field: str) -> Callable[..., dict[str, Any]]:
-    """Return what makes a message about the pose of a node ready to be packed, where its numbers are plain ones.
-
-    viser looks up the type of every number, a third of what such a message costs, and a drag is made of them.
-    """
-    general, title = kind.as_serializable_dict, kind.__name__
-
-    def as_serializable_dict(message: Any, binary_buffers: list[memoryview] | None = None) -> dict[str, Any]:
-        numbers = getattr(message, field)
-        if type(numbers) is not tuple or not FLOATS.issuperset(map(type, numbers)):
-            return general(message, binary_buffers)
-        return {"name": message.name, field: numbers, "owner": message.owner, "type": title}
-
-    return as_serializable_dict
-
-
-FLOATS = frozenset({float})
-_messages.SetOrientationMessage.as_serializable_dict = _quick(  # type: ignore[method-assign]
-    _messages.SetOrientationMessage, "wxyz"
-)
-_messages.SetPositionMessage.as_serializable_dict = _quick(  # type: ignore[method-assign]
-    _messages.SetPositionMessage, "position"
-)
-
-
-def _read_pose(general: Callable[[dict[str, Any]], dict[str, Any]], mapping: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of an event of a handle, whose types viser would look up number by number."""
-    wxyz, position = mapping.get("wxyz"), mapping.get("position")
-    if type(wxyz) is not list or len(wxyz) != 4 or type(position) is not list or len(position) != 3:
-        return general(mapping)
-    if not FLOATS.issuperset(map(type, (*wxyz, *position))):
-        return general(mapping)
-    return {**mapping, "wxyz": tuple(wxyz), "position": tuple(position)}
-
-
-_messages.TransformControlsUpdateMessage._from_serializable_dict = partial(  # type: ignore[method-assign]
-    _read_pose, _messages.TransformControlsUpdateMessage._from_serializable_dict
-)
 
 
 def make_server(port: int) -> viser.ViserServer:
@@ -116,7 +59,7 @@ def make_server(port: int) -> viser.ViserServer:
 def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns]) -> None:
     """Put a gate before everything a connection sends, and have its messages wait for their turn."""
     gate, handle, turns = Gate(), connection._handle_incoming_message, Turns()
-    _send_at_once(connection.get_message_buffer())
+    send_at_once(connection.get_message_buffer())
     socket: Any = server._websock_server._live_connections.get(connection.client_id)
     if socket is not None:
         token = socket.request.headers.get(TOKEN_HEADER, "")
@@ -139,34 +82,6 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
                 turns.end()
 
     connection._handle_incoming_message = guarded
-
-
-def _send_at_once(buffer: AsyncMessageBuffer) -> None:
-    """Have what is said to one page sent when the loop goes round, together, and not at the pace of pictures.
-
-    viser waits a sixtieth of a second for more, or for a `flush`; that costs it two timers and three tasks a message.
-    What is said between two turns of the loop goes together all the same, and while a page is slow to take it, newer
-    poses take the place of those that wait.
-    """
-
-    async def windows(client_id: int, backlog_done_message: Any = None) -> AsyncGenerator[list[_messages.Message], None]:
-        looked_at = -1
-        while not buffer.done:
-            window = []
-            while buffer.atomic_counter == 0 and looked_at < buffer.message_counter - 1 and len(window) < LONGEST_WINDOW:
-                looked_at += 1
-                with buffer.buffer_lock:
-                    message = buffer.pop_message_locked(looked_at)
-                if message is not None and message.excluded_self_client != client_id:
-                    window.append(message)
-            if window:
-                yield window
-            else:
-                await buffer.message_event.wait()
-                buffer.message_event.clear()
-
-    buffer.window_generator = windows  # type: ignore[method-assign, assignment]
-    buffer.flush = lambda: None  # type: ignore[method-assign]
 
 
 def _in_turn(receive: Callable[[], Awaitable[bytes]], turns: Turns) -> Callable[[], Awaitable[bytes]]:

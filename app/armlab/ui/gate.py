@@ -127,7 +127,7 @@ def _is_vector(value: Any, length: int, is_direction: bool) -> bool:
 def _is_plain(value: Any) -> bool:
     """Return whether a field of a message of the scene is small and finite."""
     if type(value) in NUMBERS:
-        return -FARTHEST <= value <= FARTHEST  # which what is no number is not
+        return bool(-FARTHEST <= value <= FARTHEST)  # which what is no number is not
     if value is None or isinstance(value, bool):
         return True
     if isinstance(value, str):

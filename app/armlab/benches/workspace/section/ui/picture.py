@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.benches.workspace.section.found import Found
+from armlab.benches.workspace.section.found import Found, once_each
 from armlab.benches.workspace.section.marks import Measured, silhouette, target_measured, tool_measured
 from armlab.benches.workspace.section.slice import Slice, in_own_plane, section_picture
 from armlab.benches.workspace.section.ui.pixels import pixels
@@ -31,8 +31,6 @@ SPECK = 16
 
 THIN = 0.25
 """Of such a unit: how far a drawn outline may be from the true one."""
-
-REMEMBERED = 6
 
 SHORT = 0.04
 """Of the larger side: a shorter dimension is not drawn."""
@@ -143,7 +141,7 @@ def _axes(found: Found, whole: Slice | None, frame: Frame) -> str:
     )
 
 
-@lru_cache(maxsize=REMEMBERED)
+@once_each
 def _outlines(found: Found) -> str:
     whole, frame = in_own_plane(found), frame_of(found)
     if whole is None:
@@ -157,12 +155,17 @@ def _outlines(found: Found) -> str:
         y = corner[1] + (np.arange(rows) - 0.5) * whole.plane.height / (rows - 2)
         along = np.full((columns - 1, rows), 0.5), np.full((columns, rows - 1), 0.5)
         lines = Outline(x, y, reached, *along).contours
-    return f'<path class="outline" d="{"".join(_path(frame.at(line)) for line in lines)}"/>'
+    return f'<path class="outline" d="{_paths([frame.at(line) for line in lines])}"/>'
 
 
-def _path(places: Floats) -> str:
-    kept = places[simplified(places, THIN)] if len(places) > 2 else places
-    return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in kept.tolist()) + "z"
+def _paths(lines: Sequence[Floats]) -> str:
+    """Return closed lines as a path, with as few points as look the same; all are looked at together."""
+    if not lines:
+        return ""
+    places, after = np.concatenate(lines), np.cumsum([len(line) for line in lines])
+    kept = simplified(places, THIN, [*after[:-1], *(after - 1)])
+    each = np.split(places[kept], np.searchsorted(kept, after[:-1]))
+    return "".join("M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in line.tolist()) + "z" for line in each)
 
 
 # -- dimensions ------------------------------------------------------------------------------------------------------
