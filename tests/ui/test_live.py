@@ -11,6 +11,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.ui.layer_drawing import Drawing
+from armlab.ui.plugin import layers
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
 from support.student import arm_nodes, run, settled, student
@@ -59,7 +60,8 @@ def test_a_drag_asks_only_the_layers_that_are_seen(url, monkeypatch):
         await browser.close()
 
     run(main())
-    assert {"arm", "gizmo"} <= asked <= {"arm", "gizmo", "gap", "goal", "stage"}
+    assert {"arm", "gizmo"} <= asked
+    assert len(asked) < len(layers()) / 4
 
 
 def test_dragging_the_handle_moves_sliders_numbers_and_verdict(url):

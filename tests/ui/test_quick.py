@@ -64,9 +64,12 @@ async def listened():
     quick.send_at_once(buffer)
     sent = []
 
+    def noted(window):
+        sent.append([(message.name, message.wxyz[1]) for message in window])
+
     async def listen():
         async for window in buffer.window_generator(0):
-            sent.append([(message.name, message.wxyz[1]) for message in window])
+            noted(window)
 
     return buffer, sent, asyncio.create_task(listen())
 

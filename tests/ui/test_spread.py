@@ -1,6 +1,7 @@
 """What is shown to many comes a little each time the loop goes round, and messages are looked at in between."""
 
 import asyncio
+from itertools import pairwise
 
 import pytest
 
@@ -62,7 +63,7 @@ def test_ten_calls_are_spread_so_that_each_turn_takes_little_and_a_message_passe
         message()
         await turns_until(lambda: len(done) == 10)
         assert done == list(range(10))
-        return [of_turn[0], *(after - before for before, after in zip(of_turn, of_turn[1:], strict=False))]
+        return [of_turn[0], *(after - before for before, after in pairwise(of_turn))]
 
     in_a_turn = run(story())
     # What has begun is done: a turn goes over its time by one call at most.
