@@ -143,6 +143,19 @@ def test_many_messages_go_in_several_windows_in_order():
     assert [name for window in sent for name, _ in window] == [str(k) for k in range(2 * quick.LONGEST_WINDOW + 1)]
 
 
+def test_what_is_said_from_another_thread_goes_too():
+    async def story():
+        buffer, sent, listening = await listened()
+        await asyncio.to_thread(buffer.push, turned("a"))
+        while not sent:
+            await asyncio.sleep(0.001)
+        buffer.set_done()
+        await listening
+        return sent
+
+    assert run(story()) == [[("a", 0.0)]]
+
+
 def test_the_pose_of_a_handle_of_one_page_is_sent_to_nobody_else():
     bare = Bare()
     try:

@@ -5,6 +5,8 @@ It says the same; a class that drags takes half the time. `armlab.ui.adapter` pu
 
 from __future__ import annotations
 
+import asyncio
+import threading
 from collections.abc import AsyncGenerator, Callable
 from functools import cache, partial
 from typing import Any, get_type_hints
@@ -97,8 +99,25 @@ def send_at_once(buffer: AsyncMessageBuffer) -> None:
                 await buffer.message_event.wait()
                 buffer.message_event.clear()
 
-    buffer.window_generator = windows  # type: ignore[method-assign]
-    buffer.flush = lambda: None  # type: ignore[method-assign]
+    changed: Any = buffer
+    changed.window_generator, changed.flush = windows, lambda: None
+    changed.event_loop = _SameLoop(buffer.event_loop)
+
+
+class _SameLoop:
+    """A loop that is woken from its own thread, as for every message of the lab, without a way through its socket.
+
+    To be made in that thread.
+    """
+
+    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
+        self._loop, self._thread = loop, threading.get_ident()
+
+    def call_soon_threadsafe(self, call: Callable[..., object], *arguments: object) -> None:
+        if threading.get_ident() == self._thread:
+            self._loop.call_soon(call, *arguments)
+        else:
+            self._loop.call_soon_threadsafe(call, *arguments)
 
 
 def _hints(handle: Any) -> dict[str, Any]:
