@@ -16,6 +16,7 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 import viser
+from markupsafe import Markup
 from numpy.typing import NDArray
 from viser import _messages
 
@@ -157,8 +158,9 @@ def set_value(handle: Any, value: Any) -> None:
     _queue_gui(handle, {"value": value})
 
 
-def set_content(handle: Any, content: str) -> None:
+def set_content(handle: Any, markup: Markup) -> None:
     """Replace the content of an HTML element."""
+    content = str(markup)
     if is_removed(handle) or handle._impl.props.content == content:
         return
     handle._impl.props.content = content

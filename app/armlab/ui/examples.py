@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from armlab.ui.form import Form, Typed
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, joined, old, tag
 
 
 class Shown(Protocol):
@@ -23,14 +23,18 @@ class Shown(Protocol):
         ...
 
 
+def _plain(text: str) -> Inside:
+    return (text,)
+
+
 def examples(
     form: Form,
     known: Mapping[str, Shown],
     chosen: str,
     action: Typed,
     label: str = "Examples",
-    written: Callable[[str], str] = escaped,
-) -> str:
+    written: Callable[[str], Inside] = _plain,
+) -> Markup:
     """Return the choice among examples, and below what to look at.
 
     Parameters
@@ -44,9 +48,9 @@ def examples(
         Gets the key of the one to put in place.
     label : str
     written : callable
-        Returns the markup of what an example says.
+        Returns how an example's sentences are set.
     """
     titles = {"": "Choose …", **{key: example.title for key, example in known.items()}}
     chooser = form.select("example", "Example", titles, chosen, action, "Put one in place")
-    look = f'<p class="kit-look">{written(known[chosen].says)}</p>' if chosen in known else ""
-    return f'<div class="kit-head"><span class="dim">{label}</span>{chooser}</div>{look}'
+    look = tag("p.kit-look", old(written(known[chosen].says))) if chosen in known else None
+    return joined(tag("div.kit-head", tag("span.dim", label), chooser), look)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from armlab.kin.dh import Convention
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.units import Units
 
 FACTORS = {
@@ -14,10 +15,10 @@ FACTORS = {
 """The elementary transforms of A_i in order: turn or shift, axis, and the entry of the table."""
 
 
-def elementary(kind: str, axis: str, text: str) -> str:
+def elementary(kind: str, axis: str, text: str) -> Markup:
     """Return one elementary turn or shift with its number, as MathML; not cached, for numbers that move."""
-    left, right = (f'<mo stretchy="false">{sign}</mo>' for sign in "()")
-    return f"<math><msub><mi>{kind}</mi><mi>{axis}</mi></msub>{left}<mn>{text}</mn>{right}</math>"
+    left, right = (tag("mo", sign, stretchy="false") for sign in "()")
+    return tag("math", tag("msub", tag("mi", kind), tag("mi", axis)), left, tag("mn", text), right)
 
 
 def product_latex(convention: Convention, units: Units, index: str, before: str) -> str:
@@ -29,7 +30,7 @@ def product_latex(convention: Convention, units: Units, index: str, before: str)
     )
 
 
-def turns(axes: str, fixed: bool, texts: Sequence[str]) -> str:
+def turns(axes: str, fixed: bool, texts: Sequence[str]) -> Markup:
     """Return a product of turns with numbers as it is multiplied: about fixed axes the first turn stands last."""
     factors = [elementary("R", axis, text) for axis, text in zip(axes, texts, strict=True)]
-    return " ".join(reversed(factors) if fixed else factors)
+    return joined(reversed(factors) if fixed else factors, between=" ")

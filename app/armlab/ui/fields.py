@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import viser
 
 from armlab.ui import adapter, markup
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, joined, old, tag
 
 log = logging.getLogger(__name__)
 
@@ -86,7 +86,7 @@ class Fields:
         self.html = gui.add_html("")
         self._on_input, self._longest = on_input, longest
         self._revision = self._shown_revision = self._heard = 0
-        self._content = ""
+        self._content = Markup()
         self._mistake: _Mistake | None = None
         self._lock = threading.Lock()
         adapter.on_event(self.channel, "on_update", lambda _: self._receive())
@@ -149,13 +149,13 @@ class Fields:
         """Show the fields as they hold with the next `show`."""
         self._mistake = None
 
-    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> str:
+    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> Markup:
         """Return the markup of one input field; Enter goes on to the field ``below``; ``more`` attributes."""
         value, wrong = self._refused(cell, value)
         attributes = {"inputmode": "decimal", "data_below": below, **more, **wrong}
         return markup.field(self.channel_id, cell, value, label, disabled, **attributes)
 
-    def area(self, cell: str, value: str, label: str, lines: int) -> str:
+    def area(self, cell: str, value: str, label: str, lines: int) -> Markup:
         """Return the markup of an input field of several lines, for a table a person types."""
         value, wrong = self._refused(cell, value)
         return markup.area(self.channel_id, cell, value, label, lines, **wrong)
@@ -177,17 +177,18 @@ class Fields:
         if self.html.visible != on:
             self.html.visible = on
 
-    def show(self, content: str) -> None:
-        """Show this markup, which holds the fields."""
+    def show(self, *inside: Inside) -> None:
+        """Show this, which holds the fields."""
+        content = joined(*map(old, inside))
         self._shown_revision, self._content = self._revision, content
         mistake = self._mistake
         if mistake is not None and mistake.instead is None and mistake.is_over(content):
             mistake = self._mistake = None
         if mistake is not None:
-            content += f'<p class="no" role="alert">✕ {escaped(mistake.why)}</p>'
+            content += tag("p.no", f"✕ {mistake.why}", role="alert")
         # The page numbers what it sends: fields whose text is not in here yet keep it.
-        marks = f'data-revision="{self._revision}" data-heard="{self._heard}"'
-        adapter.set_content(self.html, f'<div class="{self._class}" {marks}>{content}</div>')
+        marks = {"data_revision": self._revision, "data_heard": self._heard}
+        adapter.set_content(self.html, tag("div", content, class_=self._class, **marks))
 
 
 def _cut(said: object, longest: int) -> str:

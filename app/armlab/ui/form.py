@@ -10,6 +10,7 @@ from armlab.session.session import Asked, Refuse, cut
 from armlab.session.state import Command, Post
 from armlab.ui import markup
 from armlab.ui.fields import Fields, OnInput
+from armlab.ui.html import Attribute, Inside, Markup, joined
 
 Wish = Command | Sequence[Command] | None
 """What an action asks for: commands of which all are done or none; None where only this page has changed."""
@@ -22,6 +23,15 @@ Typed = Callable[[str], Wish]
 
 Picked = Callable[[float, float, int], Wish]
 """What a place does, in parts of its box from the upper left; the last is the number of the drag, 0 for a click."""
+
+
+class Marks(dict[str, Attribute]):
+    """Attributes of an element, to be unpacked into `tag`."""
+
+    def __str__(self) -> str:
+        from armlab.ui.html import tag
+
+        return str(tag("i", **self))[2:-5]
 
 
 class Form:
@@ -71,7 +81,7 @@ class Form:
     def button(
         self,
         cell: str,
-        inside: str,
+        inside: Inside,
         action: Pressed,
         kind: str = "",
         hint: str = "",
@@ -79,34 +89,34 @@ class Form:
         pressed: bool | None = None,
         off: bool = False,
         **more: str,
-    ) -> str:
-        """Return a button, whose inside is markup; see `markup.button`. One that is off cannot be pressed."""
+    ) -> Markup:
+        """Return a button; see `markup.button`. One that is off cannot be pressed."""
         self._press(cell, action, off)
         return markup.button(self._fields.channel_id, cell, inside, kind, hint, label, pressed, off, **more)
 
     def chip(
         self, cell: str, text: str, action: Pressed, hint: str = "", pressed: bool | None = None, off: bool = False
-    ) -> str:
+    ) -> Markup:
         """Return a small button with a text."""
         self._press(cell, action, off)
         return markup.chip(self._fields.channel_id, cell, text, hint, pressed, off)
 
-    def chips(self, name: str, texts: Mapping[str, str], chosen: str, hint: str, action: Typed) -> str:
+    def chips(self, name: str, texts: Mapping[str, str], chosen: str, hint: str, action: Typed) -> Markup:
         """Return a chip for each option, key to text, with cells ``name key``; the action gets the key."""
-        return "".join(
+        return joined(
             self.chip(f"{name} {key}", text, _with(action, key), hint, key == chosen) for key, text in texts.items()
         )
 
     def select(
         self, cell: str, label: str, texts: Mapping[str, str], chosen: str, action: Typed, hint: str = ""
-    ) -> str:
+    ) -> Markup:
         """Return a choice among options, key to text; the action gets the key. An empty key chooses nothing."""
         self._binding[cell] = lambda key: action(key) if key and key in texts else ()
         return markup.select(self._fields.channel_id, cell, label, markup.options(texts, chosen), hint)
 
     def select_in_groups(
         self, cell: str, label: str, groups: Mapping[str, Mapping[str, str]], chosen: str, action: Typed
-    ) -> str:
+    ) -> Markup:
         """Return a choice among options in groups, title to key to text; the action gets the key."""
         known = {key for texts in groups.values() for key in texts}
         self._binding[cell] = lambda key: action(key) if key in known else ()
@@ -114,30 +124,30 @@ class Form:
 
     def field(
         self, cell: str, value: str, label: str, action: Typed, below: str = "", off: bool = False, **more: str
-    ) -> str:
+    ) -> Markup:
         """Return a field; Enter goes on to the field ``below``; ``more`` attributes. The action gets the text."""
         if not off:
             self._binding[cell] = action
         return self._fields.field(cell, value, label, off, below, **more)
 
-    def area(self, cell: str, value: str, label: str, lines: int, action: Typed) -> str:
+    def area(self, cell: str, value: str, label: str, lines: int, action: Typed) -> Markup:
         """Return a field of several lines. The action gets the text."""
         self._binding[cell] = action
         return self._fields.area(cell, value, label, lines)
 
-    def place(self, cell: str, action: Picked, drag: bool = False) -> str:
+    def place(self, cell: str, action: Picked, drag: bool = False) -> Marks:
         """Return the attributes of an element in which a place is clicked or, with ``drag``, dragged.
 
         Commands of a drag wait by themselves, so that a newer one may replace them; a refusal of theirs is a notice.
         """
         if drag:
             self._drags.add(cell)
-        return f"{self.bound(cell, lambda text: action(*_place(text)))} data-pick{'=drag' if drag else ''}"
+        return Marks(self.bound(cell, lambda text: action(*_place(text))), data_pick="drag" if drag else True)
 
-    def bound(self, cell: str, action: Typed) -> str:
+    def bound(self, cell: str, action: Typed) -> Marks:
         """Return the attributes of an element of the caller's own that sends a text."""
         self.takes(cell, action)
-        return f'data-chan="{self._fields.channel_id}" data-cell="{cell}"'
+        return Marks(data_chan=self._fields.channel_id, data_cell=cell)
 
     def takes(self, cell: str, action: Typed) -> None:
         """Bind what the page's script says by itself."""
@@ -154,10 +164,10 @@ class Form:
 
     # -- what comes of it ----------------------------------------------------------------------------------------
 
-    def show(self, content: str) -> None:
-        """Show this markup; what was made for it since the last one is what can be pressed now."""
+    def show(self, *inside: Inside) -> None:
+        """Show this; what was made for it since the last one is what can be pressed now."""
         self._bound, self._binding = self._binding, {}
-        self._fields.show(content)
+        self._fields.show(*inside)
 
     def _refused(self, cell: str, text: str, why: str) -> Wish:
         """Say why not, at the field or in a notice."""

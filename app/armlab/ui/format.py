@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-import html
 import math
 from collections.abc import Sequence
 from functools import lru_cache
 
 import latex2mathml.converter
 import numpy as np
+from markupsafe import escape
 from numpy.typing import NDArray
+
+from armlab.ui.html import Inside, Markup, classes, old, tag
 
 MINUS = "\u2212"
 
@@ -72,39 +74,35 @@ def lowered(text: str) -> str:
     return text[:1].lower() + text[1:]
 
 
-def escaped(text: str) -> str:
-    """Return text that cannot become markup."""
-    return html.escape(text, quote=True)
+def escaped(text: str) -> Markup:
+    """Escape."""
+    return escape(text)
 
 
 @lru_cache(maxsize=4096)
-def mathml(latex: str, block: bool = False) -> str:
+def mathml(latex: str, block: bool = False) -> Markup:
     """Return a formula as MathML."""
-    converted: str = latex2mathml.converter.convert(latex, display="block" if block else "inline")
-    return converted
+    return Markup(latex2mathml.converter.convert(latex, display="block" if block else "inline"))
 
 
-def matrix(values: NDArray[np.floating], decimals: int = 3, rule: int | None = None) -> str:
+def matrix(values: NDArray[np.floating], decimals: int = 3, rule: int | None = None) -> Markup:
     """Return a matrix in brackets; zeros are grey, ``rule`` draws a line before that column."""
 
-    def cell(j: int, value: float) -> str:
+    def cell(j: int, value: float) -> Markup:
         zero = abs(value) < 0.5 * 10.0**-decimals
-        classes = [name for name, on in (("zero", zero), ("ruled", j == rule)) if on]
-        mark = f' class="{" ".join(classes)}"' if classes else ""
-        return f"<td{mark}>{'0' if zero else number(value, decimals)}</td>"
+        return tag(classes("td", zero=zero, ruled=j == rule), "0" if zero else number(value, decimals))
 
-    rows = ("".join(cell(j, float(value)) for j, value in enumerate(row)) for row in values)
-    return f'<table class="mat">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'
+    return tag("table.mat", [tag("tr", [cell(j, float(value)) for j, value in enumerate(row)]) for row in values])
 
 
-def pairs(rows: Sequence[tuple[str, str]]) -> str:
-    """Return name and value in two columns; the markup of both is the caller's."""
-    return '<div class="kv">' + "".join(f"<span>{name}</span><span>{value}</span>" for name, value in rows) + "</div>"
+def pairs(rows: Sequence[tuple[Inside, Inside]]) -> Markup:
+    """Return name and value in two columns."""
+    return tag("div.kv", [(tag("span", old(name)), tag("span", old(value))) for name, value in rows])
 
 
-def dot(colour: str) -> str:
+def dot(colour: str) -> Markup:
     """Return a small round mark."""
-    return f'<span class="dot" style="background:{colour}"></span>'
+    return tag("span.dot", style=f"background:{colour}")
 
 
 def scientific(value: float, decimals: int = 1) -> str:

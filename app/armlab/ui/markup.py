@@ -1,34 +1,35 @@
 """Our own buttons, choices and fields as markup: the page's script sends what a person does with them.
 
-Texts and attributes are escaped here; what is called ``inside`` is markup of the caller. ``channel`` is the
-`channel_id` of the `Fields` that gets ``cell`` and the value.
+``channel`` is the `channel_id` of the `Fields` that gets ``cell`` and the value.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, classes, joined, old, tag
+
+SIGNS = {"ok": "✓", "warn": "◐", "todo": "◐", "no": "✕"}
+"""Of the kinds of verdict: no meaning is carried by a colour alone."""
 
 
 def button(
     channel: str,
     cell: str,
-    inside: str,
+    inside: Inside,
     kind: str = "",
     hint: str = "",
     label: str = "",
     pressed: bool | None = None,
     off: bool = False,
     **more: str,
-) -> str:
+) -> Markup:
     """Return a button.
 
     Parameters
     ----------
     channel, cell : str
-    inside : str
-        Markup.
+    inside : str, Markup or several
     kind : str
         Its classes.
     hint, label : str
@@ -40,78 +41,70 @@ def button(
     **more : str
         Further attributes, with ``_`` for ``-``.
     """
-    before = f' class="{kind}"' if kind else ""
-    after = _attributes(title=hint, aria_label=label, **more)
-    if pressed is not None:
-        after += f' aria-pressed="{str(pressed).lower()}"'
-    return (
-        f'<button{before} data-chan="{channel}" data-cell="{escaped(cell)}"{after}{" disabled" if off else ""}>'
-        f"{inside}</button>"
-    )
+    named = _said(class_=kind, title=hint, aria_label=label, **more)
+    state = None if pressed is None else str(pressed).lower()
+    return tag("button", old(inside), data_chan=channel, data_cell=cell, **named, aria_pressed=state, disabled=off)
 
 
-def chip(channel: str, cell: str, text: str, hint: str = "", pressed: bool | None = None, off: bool = False) -> str:
+def chip(channel: str, cell: str, text: str, hint: str = "", pressed: bool | None = None, off: bool = False) -> Markup:
     """Return a small button with a text."""
-    return button(channel, cell, escaped(text), "chip", hint, pressed=pressed, off=off)
+    return button(channel, cell, (text,), "chip", hint, pressed=pressed, off=off)
 
 
-def chips(channel: str, options: Mapping[str, str], chosen: str, hint: str) -> str:
+def chips(channel: str, options: Mapping[str, str], chosen: str, hint: str) -> Markup:
     """Return a chip for each option, key to text, of which one is pressed."""
-    return "".join(chip(channel, key, text, hint, key == chosen) for key, text in options.items())
+    return joined([chip(channel, key, text, hint, key == chosen) for key, text in options.items()])
 
 
-def copy_button(name: str, text: str, kind: str = "copy") -> str:
+def copy_button(name: str, text: str, kind: str = "copy") -> Markup:
     """Return a button that copies a text; the name says in which form."""
-    said = escaped(name)
-    return f'<button class="{kind}" data-copy="{escaped(text)}" title="Copy as {said}">{said}</button>'
+    return tag("button", name, class_=kind, data_copy=text, title=f"Copy as {name}")
 
 
-def select(channel: str, cell: str, label: str, inside: str, hint: str = "") -> str:
+def select(channel: str, cell: str, label: str, inside: Inside, hint: str = "") -> Markup:
     """Return a choice among `options`."""
-    named = _attributes(title=hint, aria_label=label)
-    return f'<select data-chan="{channel}" data-cell="{escaped(cell)}"{named}>{inside}</select>'
+    return tag("select", inside, data_chan=channel, data_cell=cell, **_said(title=hint, aria_label=label))
 
 
-def options(texts: Mapping[str, str], chosen: str) -> str:
+def options(texts: Mapping[str, str], chosen: str) -> Markup:
     """Return the options of a choice, value to text."""
-    return "".join(
-        f'<option value="{escaped(value)}"{" selected" if value == chosen else ""}>{escaped(text)}</option>'
-        for value, text in texts.items()
-    )
+    return joined([tag("option", text, value=value, selected=value == chosen) for value, text in texts.items()])
 
 
-def groups(texts: Mapping[str, Mapping[str, str]], chosen: str) -> str:
+def groups(texts: Mapping[str, Mapping[str, str]], chosen: str) -> Markup:
     """Return the options of a choice in groups, title to value to text; those without a title come by themselves."""
     made = {title: options(of, chosen) for title, of in texts.items()}
-    return "".join(f'<optgroup label="{escaped(title)}">{of}</optgroup>' if title else of for title, of in made.items())
+    return joined([tag("optgroup", of, label=title) if title else of for title, of in made.items()])
 
 
-def field(channel: str, cell: str, value: str, label: str, off: bool = False, **more: str) -> str:
+def field(channel: str, cell: str, value: str, label: str, off: bool = False, **more: str) -> Markup:
     """Return a field to type in; its text is sent when Enter is pressed or the field is left."""
-    named = _attributes(aria_label=label, **more)
-    return (
-        f'<input class="field" autocomplete="off"{named} value="{escaped(value)}" data-chan="{channel}"'
-        f' data-cell="{escaped(cell)}"{" disabled" if off else ""}>'
-    )
+    named = _said(aria_label=label, **more)
+    bound = {"value": value, "data_chan": channel, "data_cell": cell}
+    return tag("input.field", autocomplete="off", **named, **bound, disabled=off)
 
 
-def area(channel: str, cell: str, value: str, label: str, lines: int, **more: str) -> str:
+def area(channel: str, cell: str, value: str, label: str, lines: int, **more: str) -> Markup:
     """Return a field of several lines; its text is sent when the field is left."""
-    named = _attributes(aria_label=label, **more)
-    return (
-        f'<textarea class="field" rows="{lines}" spellcheck="false"{named} data-chan="{channel}"'
-        f' data-cell="{escaped(cell)}">{escaped(value)}</textarea>'
-    )
+    named = _said(aria_label=label, **more)
+    return tag("textarea.field", value, rows=lines, spellcheck="false", **named, data_chan=channel, data_cell=cell)
 
 
-def row(label: str, inside: str, wide: bool = False, cells: bool = False, hint: str = "") -> str:
-    """Return a line of controls after a label, which is markup, too.
+def row(label: Inside, inside: Inside, wide: bool = False, cells: bool = False, hint: str = "") -> Markup:
+    """Return a line of controls after a label.
 
     ``wide`` leaves room for a long label; ``cells`` keeps fields of equal width on one line.
     """
-    kind, around = "row wide" if wide else "row", ' class="cells"' if cells else ""
-    return f'<div class="{kind}"{_attributes(title=hint)}><span>{label}</span><div{around}>{inside}</div></div>'
+    around = tag("div.cells" if cells else "div", old(inside))
+    return tag(classes("div.row", wide=wide), tag("span", old(label)), around, title=hint or None)
 
 
-def _attributes(**values: str) -> str:
-    return "".join(f' {name.replace("_", "-")}="{escaped(value)}"' for name, value in values.items() if value)
+def verdict_box(kind: str, head: Inside, *inside: Inside, sign: str | None = None, role: str | None = None) -> Markup:
+    """Return a coloured card with a heading after the sign of its kind, a key of `SIGNS`, or another sign."""
+    sign = SIGNS[kind] if sign is None else sign
+    return tag(f"div.verdict.{kind}", tag("b", f"{sign} ".lstrip(), head), inside, role=role)
+
+
+def _said(**values: str) -> dict[str, str]:
+    """Return the attributes that have a value."""
+    return {name: value for name, value in values.items() if value}

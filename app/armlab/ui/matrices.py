@@ -12,6 +12,7 @@ from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import number
+from armlab.ui.html import Inside, Markup, classes, joined, old, tag
 from armlab.ui.markup import copy_button
 from armlab.ui.widgets import Gui
 
@@ -42,12 +43,12 @@ class MatrixView:
     def show(
         self,
         state: State,
-        title: str,
+        title: Inside,
         values: Matrix,
         decimals: int = 3,
         rule: int | None = None,
-        columns: Sequence[str] = (),
-        rows: Sequence[str] = (),
+        columns: Sequence[Inside] = (),
+        rows: Sequence[Inside] = (),
     ) -> None:
         """Show the matrix.
 
@@ -55,19 +56,18 @@ class MatrixView:
         ----------
         state : State
             Whose selection is marked.
-        title : str
-            Markup of the heading.
+        title : str, Markup or several
         values : ndarray, shape (m, n)
         decimals : int
         rule : int, optional
             A dashed line stands before this column.
-        columns, rows : sequence of str
-            Markup of their names; a column or row without a name cannot be selected as a whole.
+        columns, rows : sequence of str or Markup
+            Their names; a column or row without a name cannot be selected as a whole.
         """
         chosen = state[Selection].of(self._key) if self._key else Selection()
         table = _Table(values, decimals, rule, chosen, self._form, self._key)
-        head = f'<h3>{title}<span class="copies">{copy_buttons(values)}</span></h3>'
-        self._form.show(head + table.markup(columns, rows))
+        head = tag("h3", old(title), tag("span.copies", copy_buttons(values)))
+        self._form.show(head, table.markup(columns, rows))
 
     def visible(self, on: bool) -> None:
         """Show or hide the matrix."""
@@ -85,43 +85,40 @@ class _Table:
     form: Form
     key: str
 
-    def markup(self, columns: Sequence[str], rows: Sequence[str]) -> str:
+    def markup(self, columns: Sequence[Inside], rows: Sequence[Inside]) -> Markup:
         m, n = self.values.shape
         lines = []
         if columns:
-            heads = "".join(self._head(columns[j], f"column {j + 1}", (None, j)) for j in range(n))
-            lines.append(f'<tr class="heads">{"<th></th>" if rows else ""}{heads}</tr>')
+            heads = [self._head(columns[j], f"column {j + 1}", (None, j)) for j in range(n)]
+            lines.append(tag("tr.heads", tag("th") if rows else None, heads))
         for i in range(m):
-            lead = self._head(rows[i], f"row {i + 1}", (i, None)) if rows else ""
-            top = ' class="top"' if i == 0 else ""
-            lines.append(f"<tr{top}>{lead}{''.join(self._entry(i, j) for j in range(n))}</tr>")
-        wide = " wide" if n > WIDE else ""
-        return f'<div class="scroll"><table class="mat select{wide}">{"".join(lines)}</table></div>'
+            lead = self._head(rows[i], f"row {i + 1}", (i, None)) if rows else None
+            lines.append(tag(classes("tr", top=i == 0), lead, [self._entry(i, j) for j in range(n)]))
+        return tag("div.scroll", tag(classes("table.mat.select", wide=n > WIDE), lines))
 
-    def _head(self, name: str, label: str, which: Place) -> str:
+    def _head(self, name: Inside, label: str, which: Place) -> Markup:
         if not name or not self.key:
-            return f"<th>{name}</th>"
+            return tag("th", old(name))
         pressed = bool(self.chosen.matrix) and (self.chosen.row, self.chosen.column) == which
-        return f"<th>{self._button(which, name, label, pressed)}</th>"
+        return tag("th", self._button(which, name, label, pressed))
 
-    def _entry(self, i: int, j: int) -> str:
+    def _entry(self, i: int, j: int) -> Markup:
         value = float(self.values[i, j])
         zero = abs(value) < 0.5 * 10.0**-self.decimals
         text = "0" if zero else number(value, self.decimals)
         lit = self.chosen.holds(i, j)
-        classes = " ".join(name for name, on in (("zero", zero), ("ruled", j == self.rule), ("lit", lit)) if on)
         inside = self._button((i, j), text, f"row {i + 1}, column {j + 1}: {text}", lit) if self.key else text
-        return f'<td class="{classes}">{inside}</td>' if classes else f"<td>{inside}</td>"
+        return tag(classes("td", zero=zero, ruled=j == self.rule, lit=lit), inside)
 
-    def _button(self, which: Place, inside: str, label: str, pressed: bool) -> str:
+    def _button(self, which: Place, inside: Inside, label: str, pressed: bool) -> Markup:
         cell = ",".join("" if index is None else str(index) for index in which)
         return self.form.button(cell, inside, Select(self.key, *which), label=label, pressed=pressed)
 
 
-def copy_buttons(values: Matrix) -> str:
+def copy_buttons(values: Matrix) -> Markup:
     """Return small buttons that copy a matrix in the languages students hand in."""
     forms = (("NumPy", as_numpy(values)), ("MATLAB", as_matlab(values)), ("LaTeX", as_latex(values)))
-    return "".join(copy_button(name, text) for name, text in forms)
+    return joined(copy_button(name, text) for name, text in forms)
 
 
 def as_numpy(values: Matrix) -> str:

@@ -12,7 +12,8 @@ from armlab.kin.arm import Arm
 from armlab.kin.workspace.measures import measure_named
 from armlab.kin.workspace.section_size import Size
 from armlab.ui.colours import VIRIDIS_CSS
-from armlab.ui.format import capitalised, escaped, mathml, number, readable
+from armlab.ui.format import capitalised, mathml, number, readable
+from armlab.ui.html import Markup, joined, tag
 
 DECADES = 3.0
 """Of a logarithmic scale of colours, from its bright end down: at most."""
@@ -58,25 +59,24 @@ def parts_of(measure: str, low: float, high: float, values: NDArray[Any]) -> NDA
     return np.asarray((values - low) / (high - low))
 
 
-def scale(arm: Arm, key: str, low: float, high: float) -> str:
+def scale(arm: Arm, key: str, low: float, high: float) -> Markup:
     """Return the colours and what they stand for."""
     measure = measure_named(key)
     if high - low <= SAME * abs(high):
-        return f'<div class="kit-scale"><b>{_head(arm, key)}</b> the same everywhere: {figure(high)}</div>'
+        return tag("div.kit-scale", tag("b", _head(arm, key)), f" the same everywhere: {figure(high)}")
     low = _least(low, high) if measure.logarithmic else low
     middle = (low * high) ** 0.5 if measure.logarithmic else 0.5 * (low + high)
     kind = ", logarithmic" if measure.logarithmic else ""
     least = f"≤ {figure(low)}" if low > 0.0 else figure(low)
-    return (
-        f'<div class="kit-scale"><b>{_head(arm, key)}{kind}</b><u style="background:{VIRIDIS_CSS}"></u>'
-        f"<div><i>{least}</i><i>{figure(middle)}</i><i>≥ {figure(high)}</i></div></div>"
-    )
+    ends = [tag("i", text) for text in (least, figure(middle), f"≥ {figure(high)}")]
+    colours = tag("u", style=f"background:{VIRIDIS_CSS}")
+    return tag("div.kit-scale", tag("b", _head(arm, key), kind), colours, tag("div", ends))
 
 
-def _head(arm: Arm, key: str) -> str:
+def _head(arm: Arm, key: str) -> Markup:
     measure = measure_named(key)
     unit = measure.unit(arm)
-    return f"{escaped(capitalised(measure.title))} {mathml(measure.symbol)}{f', {unit}' if unit else ''}"
+    return joined(f"{capitalised(measure.title)} ", mathml(measure.symbol), f", {unit}" if unit else None)
 
 
 def _least(low: float, high: float) -> float:

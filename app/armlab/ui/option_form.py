@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,7 +12,9 @@ from armlab.content.arithmetic import evaluate
 from armlab.errors import InputError
 from armlab.kin.field import Field, seen_fields
 from armlab.ui.form import Form, Typed, Wish
-from armlab.ui.format import capitalised, escaped, readable
+from armlab.ui.format import capitalised, readable
+from armlab.ui.html import Markup, classes, joined, tag
+from armlab.ui.symbols import with_indices
 
 DECIMALS = 4
 
@@ -67,7 +68,7 @@ def option_form(
     given: Mapping[str, Any],
     action: Callable[[str, Any], Wish],
     scales: Sequence[Scale] = PLAIN,
-) -> str:
+) -> Markup:
     """Return fields and choices for the options that can be used with those given.
 
     Parameters
@@ -85,7 +86,7 @@ def option_form(
         in the first (`armlab.benches.motion.plan.paths.joint_scales`).
     """
 
-    def made(kind: Field) -> str:
+    def made(kind: Field) -> Markup:
         value = given.get(kind.key, kind.default)
 
         def taken(text: str) -> Wish:
@@ -93,36 +94,27 @@ def option_form(
 
         return _bound(form, prefix + kind.key, kind, value, taken, scales)
 
-    return "".join(map(made, seen_fields(kinds, given)))
+    return joined(map(made, seen_fields(kinds, given)))
 
 
-def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales: Sequence[Scale]) -> str:
+def _bound(form: Form, cell: str, kind: Field, value: Any, taken: Typed, scales: Sequence[Scale]) -> Markup:
     title = capitalised(kind.title)
     if kind.kind == "choice":
         chooser = form.select(cell, title, dict(kind.choices), str(value), taken)
-        return f'<label class="option wide"><span>{escaped(title)}</span>{chooser}</label>'
+        return tag("label.option.wide", tag("span", title), chooser)
     if kind.kind == "flag":
         pressed = form.chip(cell, "✓ yes" if value else "no", lambda: taken(""), title, pressed=bool(value))
-        return f'<div class="option wide"><span>{escaped(title)}</span>{pressed}</div>'
-    text, unit = _text(kind, value, scales), escaped(_units(kind, scales))
+        return tag("div.option.wide", tag("span", title), pressed)
+    text, unit = _text(kind, value, scales), tag("i", _units(kind, scales))
     if kind.kind == "rows":
-        head = escaped(f"{kind.symbol}: {kind.title}" if kind.symbol else title)
+        head = f"{kind.symbol}: {kind.title}" if kind.symbol else title
         lines = min(max(text.count("\n") + 1, 2), MOST_LINES)
         typed = form.area(cell, text, title, lines, taken)
-        return f'<label class="option wide rows"><span>{head} <i>{unit}</i></span>{typed}</label>'
+        return tag("label.option.wide.rows", tag("span", f"{head} ", unit), typed)
     typed = form.field(cell, text, title, taken)
-    wide = " wide" if kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1) else ""
-    symbol = f"<span>{_symbol(kind.symbol) or escaped(title)}</span>"
-    return f'<label class="option{wide}" title="{escaped(title)}">{symbol}{typed}<i>{unit}</i></label>'
-
-
-def _symbol(text: str) -> str:
-    """Return a symbol with what follows a low line set as its index.
-
-    >>> _symbol("Δt_k−1,k"), _symbol("t_a, t_b"), _symbol("T_s/T")
-    ('Δt<sub>k−1,k</sub>', 't<sub>a</sub>, t<sub>b</sub>', 'T<sub>s</sub>/T')
-    """
-    return re.sub(r"_([^\s/]+?)(?=, |/|$)", r"<sub>\1</sub>", escaped(text))
+    wide = kind.kind == "list" or (kind.kind == "vector" and len(scales) > 1)
+    symbol = tag("span", with_indices(kind.symbol) if kind.symbol else title)
+    return tag(classes("label.option", wide=wide), symbol, typed, unit, title=title)
 
 
 def _units(kind: Field, scales: Sequence[Scale]) -> str:

@@ -20,7 +20,7 @@ from armlab.session.session import Redo, Session, Undo
 from armlab.session.state import Post
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plugin import hidden_tabs
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
@@ -43,39 +43,41 @@ class Overlay:
 
     def show(self, session: Session, handle: bool) -> None:
         """Show the state of a session; without the handle in the scene there is nothing to say about it."""
-        line = ""
+        line: Inside = None
         if handle and session.state[Target].pose is not None:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
         elif handle and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
+        if self._form.shows(line, *self._made_of(session)):
+            return
+        hint = tag("div.al-over.al-hint", line, role="status") if line else None
+        self._form.show(hint, self._place(session), self._steps(session), self._notes(session))
+
+    def _made_of(self, session: Session) -> tuple[object, ...]:
+        """Return all that decides what is shown besides the line."""
         shelf, robot, history = session.state[Shelf], session.state[RobotPart], session.history
-        if self._form.shows(
-            line,
-            (shelf.place, shelf.waiting),
+        return (
+            (shelf.place, _waits(shelf)),
             (history.undo_label, history.redo_label),
             (robot.own, robot.robot.key, session.state[LessonPart].open, hidden_tabs(session.state)),
             (self._tab, self._asked),
-        ):
-            return
-        hint = f'<div class="al-over al-hint" role="status">{line}</div>' if line else ""
-        self._form.show(hint + self._place(session) + self._steps(session) + self._notes(session))
+        )
 
-    def _place(self, session: Session) -> str:
+    def _place(self, session: Session) -> Markup | None:
         """Return where the student is when it is not their lesson or own work, with the way back."""
         shelf = session.state[Shelf]
         if shelf.place == SANDBOX:
-            title = at_place(shelf.waiting).title if shelf.waiting else "my work"
-            says, way = "Your sandbox", self._form.button("home", f"‹ Back to {escaped(title)}", BackToLesson(), "chip")
+            says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:
             says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
         else:
-            return ""
-        return f'<div class="al-over al-place" role="status"><b>{says}</b>{way}</div>'
+            return None
+        return tag("div.al-over.al-place", tag("b", says), way, role="status")
 
     def _tabs_said(self, text: str) -> None:
         self._on_tabs(text)
 
-    def _steps(self, session: Session) -> str:
+    def _steps(self, session: Session) -> Markup:
         labels = {
             "undo": ("↶", Undo(), "Undo", session.history.undo_label, "Ctrl+Z"),
             "redo": ("↷", Redo(), "Redo", session.history.redo_label, "Ctrl+Shift+Z"),
@@ -84,9 +86,9 @@ class Overlay:
         for cell, (sign, command, word, what, key) in labels.items():
             title = f"{word}: {what} ({key})" if what else f"Nothing to {word.lower()}"
             buttons.append(self._form.button(cell, sign, command, hint=title, label=word, off=not what))
-        return f'<div class="al-over al-steps">{"".join(buttons)}</div>'
+        return tag("div.al-over.al-steps", buttons)
 
-    def _notes(self, session: Session) -> str:
+    def _notes(self, session: Session) -> Markup:
         """Return what the page's script reads: the address of this lesson or arm, and the tab to open."""
         self._form.takes("tabs", self._tabs_said)
         robot = session.state[RobotPart]
@@ -100,4 +102,9 @@ class Overlay:
             "hidden": hidden_tabs(session.state),
             "chan": self._form.channel_id,
         }
-        return f'<i id="al-notes" hidden data-notes="{escaped(json.dumps(notes))}"></i>'
+        return tag("i", id="al-notes", hidden=True, data_notes=json.dumps(notes))
+
+
+def _waits(shelf: Shelf) -> str:
+    """Return the name of what a student has left for a while."""
+    return at_place(shelf.waiting).title if shelf.waiting else "my work"

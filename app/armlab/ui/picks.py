@@ -6,19 +6,19 @@ from collections.abc import Sequence
 
 from armlab.errors import ContentError
 from armlab.ui.form import Form, Pressed
-from armlab.ui.format import escaped
+from armlab.ui.html import Markup, tag
+from armlab.ui.markup import verdict_box
 
 
-def pick(form: Form, cell: str, action: Pressed, name: str, aside: str, about: str, here: bool) -> str:
+def pick(form: Form, cell: str, action: Pressed, name: str, aside: str, about: str, here: bool) -> Markup:
     """Return one entry: its name, a word beside it, a line below; ``here`` marks the one in use."""
-    inside = f"<b>{escaped(name)}</b><i>{escaped(aside)}</i><span>{escaped(about)}</span>"
+    inside = (tag("b", name), tag("i", aside), tag("span", about))
     return form.button(cell, inside, action, "pick", aria_current="true" if here else "")
 
 
-def broken_files(kind: str, problems: Sequence[ContentError]) -> str:
+def broken_files(kind: str, problems: Sequence[ContentError]) -> Markup | None:
     """Return what is wrong with files of a kind that cannot be used; nothing without any."""
     if not problems:
-        return ""
-    head = f"✕ {len(problems)} broken {kind} file{'s' if len(problems) > 1 else ''}"
-    texts = "".join(f"<p>{escaped(str(problem))}</p>" for problem in problems)
-    return f'<div class="verdict no"><b>{head}</b>{texts}</div>'
+        return None
+    head = f"{len(problems)} broken {kind} file{'s' if len(problems) > 1 else ''}"
+    return verdict_box("no", head, [tag("p", str(problem)) for problem in problems])

@@ -7,6 +7,7 @@ from armlab.session.amounts import amount
 from armlab.session.parts.timeline import OpenClip, Play, Seek, Timeline
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
+from armlab.ui.html import Markup, tag
 from armlab.ui.units import plain_number
 
 
@@ -19,7 +20,7 @@ def play_button(
     kind: str = "main",
     hint: str = "",
     off: bool = False,
-) -> str:
+) -> Markup:
     """Return the button that plays a film, pauses it, or goes on where it was paused.
 
     Parameters
@@ -43,13 +44,13 @@ def play_button(
     return form.button(f"play-{name}", f"▶ {word}", action, kind, hint, off=off)
 
 
-def clock(form: Form, state: State, clip: str, end: float) -> str:
+def clock(form: Form, state: State, clip: str, end: float) -> Markup:
     """Return the button of a film that takes ``end`` seconds, and the field of its time; cells go by the clip."""
     on = state[Timeline].clip == clip
     now = state[Timeline].time if on else 0.0
     typed = form.field("time", amount(now), "Time in seconds", lambda text: _to_time(text, clip, end, on))
     play = play_button(form, state, clip, clip)
-    return f'<div class="bar kit-clock">{play}<label>t = {typed} <i>of {amount(end, "s")}</i></label></div>'
+    return tag("div.bar.kit-clock", play, tag("label", "t = ", typed, " ", tag("i", f"of {amount(end, 's')}")))
 
 
 def _to_time(text: str, clip: str, end: float, on: bool) -> tuple[Command, ...]:

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from armlab.session.state import Command
 from armlab.ui.colours import VERDICT, Rgb, css
-from armlab.ui.format import dot, escaped
+from armlab.ui.format import dot
+from armlab.ui.html import Inside, old, tag
 
 if TYPE_CHECKING:
     from armlab.ui.widgets import Gui
@@ -94,7 +95,7 @@ class Plot:
     def __init__(
         self,
         gui: Gui,
-        title: str,
+        title: Inside,
         x: str,
         curves: Sequence[Curve],
         file: str,
@@ -107,9 +108,9 @@ class Plot:
         self._x, self._curves, self._limits, self._file = x, tuple(curves), limits, file
         self._table: tuple[NDArray[np.float64], ...] = ()
         self._gui = gui
-        names = "".join(f"<span>{dot(css(curve.colour))}{escaped(curve.name)}</span>" for curve in self._curves)
+        names = [tag("span", dot(css(curve.colour)), curve.name) for curve in self._curves]
         self._head = gui.form(lambda _: None)
-        self._legend = f'<div class="legend">{names}</div>' if legend and len(self._curves) > 1 else ""
+        self._legend = tag("div.legend", names) if legend and len(self._curves) > 1 else None
         self.name(title)
         empty = np.array([0.0, 1.0])
         self._handle: Any = gui.uplot(
@@ -129,10 +130,10 @@ class Plot:
         """Have other curves, whose number may be another, from the next `show` on; for a plot without a legend."""
         self._curves = tuple(curves)
 
-    def name(self, title: str) -> None:
-        """Give the plot a heading: the markup of the quantity and its unit."""
+    def name(self, title: Inside) -> None:
+        """Give the plot a heading: the quantity and its unit."""
         save = self._head.button("csv", "CSV", self._save, "copy", "Save the curves as a table")
-        self._head.show(f'<h3>{title}<span class="copies">{save}</span></h3>{self._legend}')
+        self._head.show(tag("h3", old(title), tag("span.copies", save)), self._legend)
 
     def _save(self) -> tuple[Command, ...]:
         self._gui.save(f"{self._file}.csv", self.csv())
@@ -210,7 +211,7 @@ class Plot:
             low, high = self._table[0][0], self._table[0][-1]
             if high > low and low <= at <= high:
                 mark = f"{(at - low) / (high - low):.5f}"
-        self._cursor.show(f'<i hidden data-cursor="{mark}"></i>')
+        self._cursor.show(tag("i", hidden=True, data_cursor=mark))
 
     def csv(self) -> str:
         """Return the curves as comma-separated values, all points, with names and units in the first line."""

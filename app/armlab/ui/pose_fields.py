@@ -14,6 +14,7 @@ from armlab.kin.rotations import euler_zyx, rotation_from_sequence
 from armlab.kin.transforms import inverse
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import mathml
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import row
 from armlab.ui.units import Units
 
@@ -63,7 +64,7 @@ def _reference(arm: Arm) -> NDArray[np.float64]:
 
 def pose_form(
     form: Form, arm: Arm, pose: Floats, units: Units, action: Callable[[Floats], Wish], prefix: str = ""
-) -> str:
+) -> Markup:
     """Return fields for the components of a pose in the world that an arm controls.
 
     Parameters
@@ -80,7 +81,7 @@ def pose_form(
     task, reference = arm.task, _reference(arm)
     local = inverse(reference) @ pose
 
-    def field(name: str, value: str, unit: str, off: bool = False) -> str:
+    def field(name: str, value: str, unit: str, off: bool = False) -> Markup:
         def taken(text: str) -> Wish:
             return action(typed_component(arm, pose, name, text, units))
 
@@ -96,16 +97,16 @@ def pose_form(
     if task.rotation == "none":
         return position
     if task.rotation == "phi":
-        return position + _row(f"φ about z, {units.angle_unit}", [field("phi", yaw, units.angle_unit)])
+        return joined(position, _row(f"φ about z, {units.angle_unit}", [field("phi", yaw, units.angle_unit)]))
     named = zip(ANGLES, (yaw, pitch, roll), strict=True)
     angles = [field(name, value, units.angle_unit) for name, value in named]
-    return position + _row(f"yaw pitch roll, {units.angle_unit}", angles)
+    return joined(position, _row(f"yaw pitch roll, {units.angle_unit}", angles))
 
 
-def product() -> str:
+def product() -> Markup:
     """Return the product that the three angles stand for."""
-    return f'<div class="eq small">{mathml(PRODUCT)}</div>'
+    return tag("div.eq.small", mathml(PRODUCT))
 
 
-def _row(label: str, cells: list[str]) -> str:
-    return row(label, "".join(cells), wide=True, cells=True)
+def _row(label: str, cells: list[Markup]) -> Markup:
+    return row(label, cells, wide=True, cells=True)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.session.state import Post
 from armlab.ui.colours import RUN_COLOURS
+from armlab.ui.html import Inside, Markup, old, tag
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.widgets import Gui
 
@@ -43,8 +44,8 @@ class _Noted:
         self._made.append(partial(setattr, handle, "visible"))
         return handle
 
-    def html(self, content: str = "") -> Any:
-        element = self._gui.html(content)
+    def html(self, *inside: Inside) -> Any:
+        element = self._gui.html(*inside)
         self._made.append(element.visible)
         return element
 
@@ -61,7 +62,7 @@ class _Noted:
 class RunPlot(Plot):
     """A plot with a curve for each run there is, whatever their number."""
 
-    def __init__(self, gui: Gui, title: str, file: str, values: Values, from_zero: bool = False) -> None:
+    def __init__(self, gui: Gui, title: Inside, file: str, values: Values, from_zero: bool = False) -> None:
         self.values, self._zero = values, from_zero
         self._noted = _Noted(gui)
         self._there: tuple[int, ...] = ()
@@ -70,8 +71,8 @@ class RunPlot(Plot):
         self._title = title
         super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT)
 
-    def _heading(self, unit: str) -> str:
-        return f'<span class="kit-plot">{self._title}{f", {unit}" if unit else ""}</span>'
+    def _heading(self, unit: str) -> Markup:
+        return tag("span.kit-plot", old(self._title), f", {unit}" if unit else None)
 
     def name_unit(self, unit: str) -> None:
         """Give the quantity a unit; none for a pure number."""

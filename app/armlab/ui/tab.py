@@ -13,7 +13,8 @@ from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.plugin import panel as panel_of
 from armlab.ui.widgets import Gui
@@ -60,7 +61,7 @@ class Tab:
         with container:
             head = make_gui()
             # The page's script tells by this mark which tabs are seen.
-            head.html(f'<i hidden data-tab="{pages[0].key}"></i>')
+            head.html(tag("i", hidden=True, data_tab=pages[0].key))
             if len(pages) > 1:
                 self._head = head.form(post)
                 self._show_head()
@@ -92,10 +93,10 @@ class Tab:
     def _show_head(self) -> None:
         if self._head is None:
             return
-        pages = "".join(
+        pages = [
             self._head.button(
                 key,
-                escaped(page.page or page.title),
+                page.page or page.title,
                 partial(self._turned, key),
                 "page",
                 role="tab",
@@ -103,8 +104,8 @@ class Tab:
             )
             for key, page in self.pages.items()
             if key not in self._hidden
-        )
-        self._head.show(f'<div class="pages" role="tablist">{pages}</div>')
+        ]
+        self._head.show(tag("div.pages", pages, role="tablist"))
 
     def show(self, state: State, again: bool = False, hidden: frozenset[str] = frozenset()) -> None:
         """Show a state on the present page.
@@ -159,7 +160,7 @@ class Tab:
         if covered and self._built != COVERED:
             with self._container:
                 self._gui.clear()
-                self._gui.html(f'<p class="dim">{COVERED}</p>')
+                self._gui.html(tag("p.dim", COVERED))
             self._built, self._show, self._shown = COVERED, None, state
         return covered
 
@@ -179,7 +180,7 @@ class Tab:
         self._show = None
         self._gui.clear()
         title = self.pages[self.page].title
-        self._gui.html(f'<div class="verdict no"><b>✕ {escaped(title)} has failed</b>The rest works on.</div>')
+        self._gui.html(verdict_box("no", f"{title} has failed", "The rest works on."))
         return None
 
 

@@ -8,19 +8,20 @@ from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import dot, subscript
+from armlab.ui.html import Markup, tag
 from armlab.ui.units import Units
 
 _SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
 
 
-def dh_table(arm: Arm, units: Units) -> str:
+def dh_table(arm: Arm, units: Units) -> Markup:
     """Return the Denavit-Hartenberg table in the order of the book, the variable in its own cell."""
-    heads = "".join(f"<th>{units.column(field, arm.convention)}</th>" for field in units.book.order)
-    rows = [f"<th>joint</th>{heads}"]
+    heads = [tag("th", units.column(field, arm.convention)) for field in units.book.order]
+    rows = [tag("tr", tag("th", "joint"), heads)]
     for k, row in enumerate(arm.rows):
-        name = f"{dot(css(joint_colour(k)))}{subscript(row.kind, k + 1)}"
-        rows.append(f"<td>{name}</td>" + "".join(_cell(row, k, field, units) for field in units.book.order))
-    return '<table class="dh">' + "".join(f"<tr>{row}</tr>" for row in rows) + "</table>"
+        name = tag("td", dot(css(joint_colour(k))), subscript(row.kind, k + 1))
+        rows.append(tag("tr", name, [_cell(row, k, field, units) for field in units.book.order]))
+    return tag("table.dh", rows)
 
 
 def is_variable(row: Row, field: str) -> bool:
@@ -38,11 +39,11 @@ def without_symbol(text: str) -> str:
     return _SYMBOL.sub("", text).strip()
 
 
-def _cell(row: Row, k: int, field: str, units: Units) -> str:
+def _cell(row: Row, k: int, field: str, units: Units) -> Markup:
     value: float = getattr(row, field)
     if not is_variable(row, field):
-        return '<td class="zero">0</td>' if value == 0.0 else f"<td>{cell_text(value, field, units)}</td>"
-    q = f"<i>{units.variable(k, row.revolute)}</i>"
+        return tag("td.zero", "0") if value == 0.0 else tag("td", cell_text(value, field, units))
+    q = tag("i", units.variable(k, row.revolute))
     if value == 0.0:
-        return f"<td>{q}</td>"
-    return f"<td>{q} {'+' if value > 0 else '−'} {cell_text(abs(value), field, units)}</td>"
+        return tag("td", q)
+    return tag("td", q, f" {'+' if value > 0 else '−'} {cell_text(abs(value), field, units)}")

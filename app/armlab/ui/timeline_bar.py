@@ -13,7 +13,7 @@ from armlab.session.parts.timeline import OpenClip, Play, Seek, Step, Timeline, 
 from armlab.session.state import Command, Post, State
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
 
 _SHAPES = {
     "play": "M4 2v12l10-6z",
@@ -41,45 +41,45 @@ class TimelineBar:
         """Show the timeline of a state; that of a clip of which nothing is to be seen is not shown either."""
         timeline = state[Timeline]
         if not timeline.clip or clips()[timeline.clip].panel not in ("", *open_panels):
-            self._bar.show("")
-            self._clock.show("")
+            self._bar.show()
+            self._clock.show()
             return
         end = duration(state)
         self._bar.show(self._markup(timeline, end, clips()[timeline.clip].stops(state)))
         mark = {"time": timeline.time, "end": end, "rate": timeline.speed if timeline.playing else 0.0}
-        self._clock.show(f'<i id="al-clock" hidden data-clock="{escaped(json.dumps(mark))}"></i>')
+        self._clock.show(tag("i", id="al-clock", hidden=True, data_clock=json.dumps(mark)))
 
-    def _markup(self, timeline: Timeline, end: float, stops: tuple[float, ...]) -> str:
+    def _markup(self, timeline: Timeline, end: float, stops: tuple[float, ...]) -> Markup:
         def button(
-            cell: str, sign: str, title: str, command: Command, key: str = "", pressed: bool | None = None
-        ) -> str:
+            cell: str, sign: Inside, title: str, command: Command, key: str = "", pressed: bool | None = None
+        ) -> Markup:
             return self._bar.button(cell, sign, command, hint=title, label=title, pressed=pressed, data_key=key)
 
-        marks = "".join(f'<i style="left:{100.0 * t / end:.3f}%"></i>' for t in stops if 0.0 < t < end)
+        marks = [tag("i", style=f"left:{100.0 * t / end:.3f}%") for t in stops if 0.0 < t < end]
         speeds = sorted({*SPEEDS, timeline.speed})
         texts = {f"{s:g}": f"{s:g}×" for s in speeds}
         seek = self._bar.bound("seek", lambda text: Seek(_number(text) * end))
         chosen, begin_again = f"{timeline.speed:g}", Set(Timeline, "loop", not timeline.loop)
         play = ("pause", "Pause (space)") if timeline.playing else ("play", "Play (space)")
-        return (
-            '<div class="al-over al-time" role="group" aria-label="Timeline">'
-            f"<b>{escaped(clips()[timeline.clip].title)}</b>"
-            + button("back", _sign("back"), "One step back (comma)", Step(False), "Comma")
-            + button("play", _sign(play[0]), play[1], Play(not timeline.playing), "Space")
-            + button("forward", _sign("forward"), "One step forward (full stop)", Step(True), "Period")
-            + f'<span class="track"><span class="stops">{marks}</span>'
-            f'<input type="range" min="0" max="1" step="any" aria-label="Time" {seek}'
-            ' data-live="1"></span>'
-            f'<span class="now"></span>'
-            + button("loop", "⟳", "Begin again at the end", begin_again, pressed=timeline.loop)
-            + self._bar.select("speed", "Speed", texts, chosen, _speed, "Speed")
-            + button("close", "✕", "Close", OpenClip(""))
-            + "</div>"
+        thumb = tag("input", type="range", min=0, max=1, step="any", aria_label="Time", data_live=1, **seek)
+        return tag(
+            "div.al-over.al-time",
+            tag("b", clips()[timeline.clip].title),
+            button("back", _sign("back"), "One step back (comma)", Step(False), "Comma"),
+            button("play", _sign(play[0]), play[1], Play(not timeline.playing), "Space"),
+            button("forward", _sign("forward"), "One step forward (full stop)", Step(True), "Period"),
+            tag("span.track", tag("span.stops", marks), thumb),
+            tag("span.now"),
+            button("loop", "⟳", "Begin again at the end", begin_again, pressed=timeline.loop),
+            self._bar.select("speed", "Speed", texts, chosen, _speed, "Speed"),
+            button("close", "✕", "Close", OpenClip("")),
+            role="group",
+            aria_label="Timeline",
         )
 
 
-def _sign(name: str) -> str:
-    return f'<svg viewBox="0 0 16 16" width="13" height="13" aria-hidden="true"><path d="{_SHAPES[name]}"/></svg>'
+def _sign(name: str) -> Markup:
+    return tag("svg", tag("path", d=_SHAPES[name]), viewBox="0 0 16 16", width=13, height=13, aria_hidden="true")
 
 
 def _speed(text: str) -> Command:

@@ -11,6 +11,7 @@ from armlab.kin.dh import Convention
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
 from armlab.ui.format import number, subscript, trimmed
+from armlab.ui.html import Markup, joined, tag
 
 
 @dataclass(frozen=True)
@@ -144,12 +145,12 @@ class Units:
             return subscript("q", i + 1)
         return self.symbol("theta" if revolute else "d", i + 1)
 
-    def column(self, field: str, convention: Convention) -> str:
+    def column(self, field: str, convention: Convention) -> Markup:
         """Return the head of a column of the table, with its unit."""
         before = convention == "modified" and field in ("a", "alpha")
         index = f"{self.book.index}−1" if before else self.book.index
         unit = self.angle_unit if field in ("alpha", "theta") else self.length_unit
-        return f"{self.book.symbols[field]}<sub>{index}</sub>, {unit}"
+        return joined(self.book.symbols[field], tag("sub", index), f", {unit}")
 
     def read(self, text: str, revolute: bool, where: str) -> float:
         """Return radians or metres from what a person typed: a number in the unit on screen, or with π or a unit.

@@ -6,10 +6,10 @@ import math
 
 from armlab.kin.ik import Verdict
 from armlab.session.parts.target import Judged
-from armlab.ui.format import capitalised, escaped
+from armlab.ui.format import capitalised
+from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import SIGNS, verdict_box
 from armlab.ui.units import Units
-
-SIGNS = {"ok": "✓", "warn": "◐", "no": "✕"}
 
 
 def verdict_kind(verdict: Verdict) -> str:
@@ -41,20 +41,20 @@ def _shortfall(verdict: Verdict, units: Units) -> str:
     return ", ".join(said) or f"within {units.length(1e-4)} and {units.angle(math.radians(0.1))}"
 
 
-def verdict_card(verdict: Verdict, units: Units) -> str:
+def verdict_card(verdict: Verdict, units: Units) -> Markup:
     """Return the verdict as a coloured card with a sign and words."""
     kind = verdict_kind(verdict)
     head, body = verdict_words(verdict, units)
-    notes = "".join(f"<p>{capitalised(escaped(note))}.</p>" for note in notes_of(verdict))
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {capitalised(escaped(head))}</b>{escaped(body)}{notes}</div>'
+    notes = [tag("p", f"{capitalised(note)}.") for note in notes_of(verdict)]
+    return verdict_box(kind, capitalised(head), body, notes)
 
 
-def verdict_line(verdict: Verdict, units: Units) -> str:
+def verdict_line(verdict: Verdict, units: Units) -> Markup:
     """Return the verdict in one line."""
     kind = verdict_kind(verdict)
     head, body = verdict_words(verdict, units)
-    notes = "".join(f'<i class="note">{escaped(note)}</i>' for note in notes_of(verdict))
-    return f'<b class="{kind}">{SIGNS[kind]} {escaped(head)}</b> {escaped(body)}{notes}'
+    notes = [tag("i.note", note) for note in notes_of(verdict)]
+    return joined(tag(f"b.{kind}", f"{SIGNS[kind]} {head}"), f" {body}", notes)
 
 
 def notes_of(verdict: Verdict) -> tuple[str, ...]:

@@ -17,6 +17,7 @@ from armlab.ui import adapter, markup
 from armlab.ui.camera import Camera
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
+from armlab.ui.html import Inside, old, tag
 from armlab.ui.png import rgba_png
 
 log = logging.getLogger(__name__)
@@ -91,9 +92,9 @@ class Html:
     def __init__(self, handle: Any, scope: str = "") -> None:
         self.handle, self._class = handle, f"al {scope}".rstrip()
 
-    def show(self, content: str) -> None:
-        """Show this markup."""
-        adapter.set_content(self.handle, f'<div class="{self._class}">{content}</div>')
+    def show(self, *inside: Inside) -> None:
+        """Show this."""
+        adapter.set_content(self.handle, tag("div", *map(old, inside), class_=self._class))
 
     def visible(self, on: bool) -> None:
         """Show or hide the element."""
@@ -197,7 +198,7 @@ class Gui:
         segments.show(value)
         return segments
 
-    def confirm(self, title: str, text: str, yes: str, on_yes: Callable[[], None]) -> None:
+    def confirm(self, title: str, text: Inside, yes: str, on_yes: Callable[[], None]) -> None:
         """Ask before something that cannot be undone."""
         modal = self._gui.add_modal(title)
 
@@ -207,7 +208,7 @@ class Gui:
                 on_yes()
 
         with modal:
-            self._gui.add_html(f'<div class="al"><p>{text}</p></div>')
+            self._gui.add_html(str(tag("div.al", tag("p", old(text)))))
             for label, agreed in ((yes, True), ("No, go back", False)):
                 handle = self._gui.add_button(label, color=None if agreed else "gray")
                 adapter.on_event(handle, "on_click", partial(answer, agreed))
@@ -218,15 +219,15 @@ class Gui:
         adapter.on_event(handle, "on_click", lambda _: on_click())
         return handle
 
-    def html(self, content: str = "") -> Html:
+    def html(self, *inside: Inside) -> Html:
         """Add markup."""
         element = Html(self._keep(self._gui.add_html("")), self.scope)
-        element.show(content)
+        element.show(*inside)
         return element
 
-    def heading(self, text: str) -> None:
-        """Add a heading; the markup of the text is the caller's."""
-        self.html(f"<h3>{text}</h3>")
+    def heading(self, *inside: Inside) -> None:
+        """Add a heading."""
+        self.html(tag("h3", *map(old, inside)))
 
     def fields(self, on_input: Callable[[str, str], None], longest: int | None = None) -> Fields:
         """Add markup with input fields; ``on_input`` gets the cell and the text; see `Fields`."""

@@ -9,7 +9,8 @@ from armlab.content.question import Choices, Field, Grid, Question, Verdict
 from armlab.content.question import Form as Answered
 from armlab.session.lesson_commands import Answer
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 
 UNIT_SIGNS = {"deg": "°", "m^2": "m²", "cm^2": "cm²", "mm^2": "mm²", "Nm": "N m"}
 """How units are written where they are not so in lesson files."""
@@ -101,7 +102,7 @@ def _entry(text: str) -> str:
     return text
 
 
-def asked(form: Form, question: Question, typed: str, draft: Draft, settled: bool, order: Sequence[int] = ()) -> str:
+def asked(form: Form, question: Question, typed: str, draft: Draft, settled: bool, order: Sequence[int] = ()) -> Markup:
     """Return the question with what it is answered with.
 
     Parameters
@@ -116,49 +117,49 @@ def asked(form: Form, question: Question, typed: str, draft: Draft, settled: boo
     order : sequence of int, optional
         In which options are shown, from 1.
     """
-    note = ""
-    if question.hide:
-        said = "Your prediction is noted." if settled else "Predict: your first answer counts."
-        note = f'<p class="dim">{said}</p>'
-    return f'<div class="ask">{question.html}{note}{_form(form, question.form, typed, draft, settled, order)}</div>'
+    note = "Your prediction is noted." if settled else "Predict: your first answer counts."
+    fields = _form(form, question.form, typed, draft, settled, order)
+    return tag("div.ask", Markup(question.html), tag("p.dim", note) if question.hide else None, fields)
 
 
-def _form(form: Form, kind: Answered, typed: str, draft: Draft, settled: bool, order: Sequence[int]) -> str:
-    check = "" if settled else form.button(CHECK, "Check", draft.hand_in, "chip")
+def _form(form: Form, kind: Answered, typed: str, draft: Draft, settled: bool, order: Sequence[int]) -> Inside:
+    check = None if settled else form.button(CHECK, "Check", draft.hand_in, "chip")
     if isinstance(kind, Field):
-        unit = escaped(UNIT_SIGNS.get(kind.unit, kind.unit))
+        unit = UNIT_SIGNS.get(kind.unit, kind.unit)
         label = f"Your answer in {unit}" if unit else "Your answer"
         line = form.field(
             ANSWER, typed, label, Answer, off=settled, inputmode="", spellcheck="false", placeholder="your answer"
         )
-        return f'<div class="answer">{line}<i>{unit}</i>{check}</div>'
+        return tag("div.answer", line, tag("i", unit), check)
     if isinstance(kind, Choices):
-        return _choices(form, kind, draft, settled, check if kind.several else "", order)
+        return _choices(form, kind, draft, settled, check if kind.several else None, order)
     return _grid(form, kind, draft, settled, check)
 
 
-def _choices(form: Form, kind: Choices, draft: Draft, settled: bool, check: str, order: Sequence[int]) -> str:
-    def offered(k: int) -> str:
-        chosen, said = k in draft.chosen, kind.options[k - 1]
+def _choices(
+    form: Form, kind: Choices, draft: Draft, settled: bool, check: Markup | None, order: Sequence[int]
+) -> Inside:
+    def offered(k: int) -> Markup:
+        chosen, said = k in draft.chosen, Markup(kind.options[k - 1])
         return form.button(f"{CHOICE}{k}", said, lambda: draft.choose(k), "choice", pressed=chosen, off=settled)
 
-    hint = '<p class="dim">Choose all that hold.</p>' if kind.several else ""
-    return f'{hint}<div class="choices">{"".join(map(offered, order or range(1, len(kind.options) + 1)))}</div>{check}'
+    hint = tag("p.dim", "Choose all that hold.") if kind.several else None
+    return hint, tag("div.choices", map(offered, order or range(1, len(kind.options) + 1))), check
 
 
-def _grid(form: Form, kind: Grid, draft: Draft, settled: bool, check: str) -> str:
-    def entry(i: int, j: int) -> str:
+def _grid(form: Form, kind: Grid, draft: Draft, settled: bool, check: Markup | None) -> Inside:
+    def entry(i: int, j: int) -> Markup:
         label, value = f"Row {i + 1}, column {j + 1}", draft.entries.get((i, j), "")
         return form.field(
             f"{ENTRY}{i}-{j}", value, label, lambda text: draft.enter(i, j, text), off=settled, inputmode=""
         )
 
-    rows = [f"<div>{''.join(entry(i, j) for j in range(kind.columns))}</div>" for i in range(kind.rows)]
-    unit = f"<i>{escaped(UNIT_SIGNS.get(kind.unit, kind.unit))}</i>" if kind.unit else ""
-    return f'<div class="entries">{"".join(rows)}</div><div class="answer">{unit}{check}</div>'
+    rows = [tag("div", [entry(i, j) for j in range(kind.columns)]) for i in range(kind.rows)]
+    unit = tag("i", UNIT_SIGNS.get(kind.unit, kind.unit)) if kind.unit else None
+    return tag("div.entries", rows), tag("div.answer", unit, check)
 
 
-def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> str:
+def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> Markup | None:
     """Return the verdict on the last answer; nothing before one is given.
 
     Parameters
@@ -170,11 +171,9 @@ def said(verdict: Verdict | None, settled: bool = False, stays: str = "") -> str
         An earlier answer that was right: with it the step stays done.
     """
     if verdict is None:
-        return ""
+        return None
     if verdict.right:
-        return f'<div class="verdict ok" role="status"><b>✓ {verdict.says}</b></div>'
+        return verdict_box("ok", Markup(verdict.says), role="status")
     head = "Not as predicted" if settled else "Not right" if stays else "Not yet"
-    kept = (
-        f'<p class="dim">Your answer {escaped(stays)} was right and counts: the step stays done.</p>' if stays else ""
-    )
-    return f'<div class="verdict no" role="status"><b>✕ {head}</b>{verdict.says}{kept}</div>'
+    kept = tag("p.dim", f"Your answer {stays} was right and counts: the step stays done.") if stays else None
+    return verdict_box("no", head, Markup(verdict.says), kept, role="status")

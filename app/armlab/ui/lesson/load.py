@@ -5,12 +5,11 @@ from __future__ import annotations
 from armlab.session.hand_in import MOST
 from armlab.session.hand_in_open import OpenWork
 from armlab.ui.form import Form
+from armlab.ui.html import Markup, tag
 
 
-def load_work(form: Form) -> str:
+def load_work(form: Form) -> Markup:
     """Return the button."""
     hint = "Go on with work that you have saved, also at another computer"
-    return (
-        f'<label class="chip" title="{hint}">Open saved work'
-        f'<input type="file" accept=".json" data-most="{MOST}" {form.bound("lesson-load", OpenWork)}></label>'
-    )
+    chosen = tag("input", type="file", accept=".json", data_most=MOST, **form.bound("lesson-load", OpenWork))
+    return tag("label.chip", "Open saved work", chosen, title=hint)

@@ -22,10 +22,11 @@ from armlab.session.parts.lesson import LessonPart, check_line, has_its_arm
 from armlab.session.parts.shelf import ToSandbox
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Wish
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.lesson.asking import Draft, asked, said
 from armlab.ui.lesson.load import load_work
 from armlab.ui.lesson.text import step_text, words_of
+from armlab.ui.markup import verdict_box
 from armlab.ui.widgets import Gui
 
 STEP = "lesson-step-"
@@ -61,7 +62,7 @@ class LessonPage:
         if lesson is None or step is None:
             return
         choice = _choice(self._head, lesson, lambda: self._begin_again(part))
-        self._head.show(choice + _strips(self._head, lesson, part))
+        self._head.show(choice, _strips(self._head, lesson, part))
         self._text.show(step_text(state, lesson, part.index))
         self._task.show(_task(self._task, state, lesson))
         self._show_question(part, lesson)
@@ -70,14 +71,14 @@ class LessonPage:
 
     def fail(self) -> None:
         """Say that the lesson cannot be shown; what was there before may not hold."""
-        self._text.show('<div class="verdict no"><b>✕ The lesson has failed</b>The rest works on.</div>')
+        self._text.show(verdict_box("no", "The lesson has failed", "The rest works on."))
         for fields in (self._task, self._question):
-            fields.show("")
+            fields.show()
 
     def _show_question(self, part: LessonPart, lesson: Lesson) -> None:
         question = lesson.steps[part.index].question
         if question is None:
-            self._question.show("")
+            self._question.show()
             return
         typed, settled = part.progress.answers.get(part.name, ""), part.progress.committed(lesson, part.index)
         key = (part.open, part.name, typed, question.form)
@@ -90,7 +91,7 @@ class LessonPage:
         order = choices.order(lesson.variant, part.name) if choices else ()
         fields = asked(self._question, question, typed, self._draft[1], settled, order)
         right = part.progress.right.get(part.name)
-        self._question.show(fields + said(part.verdict, settled, right.typed if right else ""))
+        self._question.show(fields, said(part.verdict, settled, right.typed if right else ""))
 
     def _begin_again(self, part: LessonPart) -> Wish:
         key, _, variant = part.open.partition("/")
@@ -114,7 +115,7 @@ def _variant(part: LessonPart, text: str) -> OpenLesson:
     return OpenLesson(part.open.partition("/")[0], variant=int(text))
 
 
-def _choice(form: Form, lesson: Lesson, anew: Callable[[], Wish]) -> str:
+def _choice(form: Form, lesson: Lesson, anew: Callable[[], Wish]) -> Markup:
     """Return the list of lessons by chapter, with the buttons beside it."""
     there = lessons().lessons
     groups: dict[str, dict[str, str]] = {}
@@ -123,15 +124,15 @@ def _choice(form: Form, lesson: Lesson, anew: Callable[[], Wish]) -> str:
     for each in there.values():
         groups.setdefault(each.chapter, {})[each.key] = each.title
     again, close = "Begin this lesson again", "Close the lesson"
-    return (
-        f'<div class="lesson-head">{form.select_in_groups("lesson-key", "Lesson", groups, lesson.key, OpenLesson)}'
-        + form.button("lesson-anew", "↺", anew, "chip", again, again)
-        + form.button("lesson-close", "✕", CloseLesson(), "chip", close, close)
-        + "</div>"
+    return tag(
+        "div.lesson-head",
+        form.select_in_groups("lesson-key", "Lesson", groups, lesson.key, OpenLesson),
+        form.button("lesson-anew", "↺", anew, "chip", again, again),
+        form.button("lesson-close", "✕", CloseLesson(), "chip", close, close),
     )
 
 
-def _strips(form: Form, lesson: Lesson, part: LessonPart) -> str:
+def _strips(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
     """Return one strip for each step: done, shown, or to come."""
     passed = part.progress.passed(lesson)
     strips = []
@@ -141,59 +142,57 @@ def _strips(form: Form, lesson: Lesson, part: LessonPart) -> str:
         shown = "step" if i == part.index else ""
         title = f"Step {i + 1}{done}: {step.title}"
         strips.append(form.button(f"{STEP}{i}", "", GoToStep(i), kind, title, title, aria_current=shown))
-    return f'<div class="strips">{"".join(strips)}</div>'
+    return tag("div.strips", strips)
 
 
-def _task(form: Form, state: State, lesson: Lesson) -> str:
+def _task(form: Form, state: State, lesson: Lesson) -> Markup | None:
     """Return how the check stands, or the way back to the lesson's arm."""
     if not has_its_arm(state):
         name = lesson.robot_used.name
-        return (
-            f'<div class="verdict warn"><b>◐ Another arm is on the table</b>This lesson is about the {escaped(name)}. '
-            f"{form.chip('lesson-arm', f'Bring back the {name}', TakeLessonArm())}</div>"
-        )
+        back = form.chip("lesson-arm", f"Bring back the {name}", TakeLessonArm())
+        return verdict_box("warn", "Another arm is on the table", f"This lesson is about the {name}. ", back)
     step = state[LessonPart].step
     if step is None or step.check is None:
-        return ""
+        return None
     if state[LessonPart].hides:
-        return ""
+        return None
     met, says = check_line(state, words_of(state))
     if met:
-        return '<div class="verdict ok" role="status"><b>✓ Done</b></div>'
+        return verdict_box("ok", "Done", role="status")
     if not state[LessonPart].progress.tried:  # nobody has moved anything, so nothing is wrong yet
-        return '<div class="verdict todo"><b>◐ To do</b>What is still missing is said here as soon as you begin.</div>'
-    return f'<div class="verdict todo"><b>◐ Not there yet</b>{says}</div>'
+        return verdict_box("todo", "To do", "What is still missing is said here as soon as you begin.")
+    return verdict_box("todo", "Not there yet", Markup(says))
 
 
-def _foot(form: Form, lesson: Lesson, part: LessonPart) -> str:
+def _foot(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
     """Return the way back and on, with the next hint between."""
     i, last, progress = part.index, len(lesson.steps) - 1, part.progress
     passed = progress.passed(lesson)
-    back = form.button("lesson-back", "‹ Back", GoToStep(i - 1), "way") if i else "<span></span>"
+    back = form.button("lesson-back", "‹ Back", GoToStep(i - 1), "way") if i else tag("span")
     hint = _hint(form, lesson, part, i)
     if i < last:
         word, kind = ("Next ›", "way on") if i in passed else ("Skip ›", "way")
-        return f'<div class="lesson-foot">{back}{hint}{form.button("lesson-next", word, GoToStep(i + 1), kind)}</div>'
-    return f'<div class="lesson-foot">{back}{hint}{_end(form, last, passed)}</div>'
+        return tag("div.lesson-foot", back, hint, form.button("lesson-next", word, GoToStep(i + 1), kind))
+    return tag("div.lesson-foot", back, hint, _end(form, last, passed))
 
 
-def _hint(form: Form, lesson: Lesson, part: LessonPart, i: int) -> str:
+def _hint(form: Form, lesson: Lesson, part: LessonPart, i: int) -> Markup | None:
     count, shown = len(lesson.steps[i].hints), part.progress.hints.get(part.name, 0)
     if shown >= count or i in part.progress.passed(lesson):
-        return ""
+        return None
     return form.button("lesson-hint", f"Hint {shown + 1} of {count}" if count > 1 else "Hint", UnlockHint(), "way")
 
 
-def _end(form: Form, last: int, passed: frozenset[int]) -> str:
+def _end(form: Form, last: int, passed: frozenset[int]) -> Inside:
     missing = [str(k + 1) for k in range(last + 1) if k not in passed]
     if missing:
-        return f'<span class="dim" title="Not done yet: step {", ".join(missing)}">{len(missing)} to do</span>'
-    return f'<b class="ok">✓ Lesson done</b>{form.button("lesson-close", "Close", CloseLesson(), "way on")}'
+        return tag("span.dim", f"{len(missing)} to do", title=f"Not done yet: step {', '.join(missing)}")
+    return tag("b.ok", "✓ Lesson done"), form.button("lesson-close", "Close", CloseLesson(), "way on")
 
 
-def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]) -> str:
+def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]) -> Markup:
     """Return what is needed now and then: the own sandbox, the variant, and the work to hand in."""
-    variant = ""
+    variant = None
     if lesson.varies:
         number = form.field(
             "lesson-variant",
@@ -202,16 +201,19 @@ def _more(form: Form, lesson: Lesson, part: LessonPart, save: Callable[[], Wish]
             lambda text: _variant(part, text),
             inputmode="numeric",
         )
-        variant = f'<div class="row"><span>Variant</span><div class="answer">{number}</div></div>'
+        variant = tag("div.row", tag("span", "Variant"), tag("div.answer", number))
     name = form.field(
         "lesson-name", part.student, "Your name", SignAs, inputmode="", placeholder="your name", maxlength="80"
     )
     again, own = "Arm and example as this step finds them; your answers stay", "An arm of your own; the lesson waits"
-    return (
-        f'<details class="lesson-more"><summary>Sandbox, save my work</summary>{variant}'
-        f'<div class="row"><span>Name</span><div class="answer">{name}</div></div>'
-        f'<div class="chips">{form.chip("lesson-save", "Save my work", save, "A file to hand in or to go on with")}'
-        f"{load_work(form)}"
-        f"{form.chip('lesson-setup', 'Set up again', TakeLessonArm(), again)}"
-        f"{form.chip('lesson-sandbox', 'My sandbox', ToSandbox(), own)}</div></details>"
+    chips = tag(
+        "div.chips",
+        form.chip("lesson-save", "Save my work", save, "A file to hand in or to go on with"),
+        load_work(form),
+        form.chip("lesson-setup", "Set up again", TakeLessonArm(), again),
+        form.chip("lesson-sandbox", "My sandbox", ToSandbox(), own),
+    )
+    summary = tag("summary", "Sandbox, save my work")
+    return tag(
+        "details.lesson-more", summary, variant, tag("div.row", tag("span", "Name"), tag("div.answer", name)), chips
     )

@@ -14,7 +14,7 @@ from armlab.content.markdown import IN_METRES
 from armlab.session.parts.lesson import LessonPart, observed
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
-from armlab.ui.format import escaped
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.plugin import pages, switches
 from armlab.ui.units import units_of
 
@@ -37,24 +37,22 @@ def _titles() -> dict[str, str]:
     return films | named | {switch.name: switch.title for switch in switches()}
 
 
-def step_text(state: State, lesson: Lesson, i: int) -> str:
+def step_text(state: State, lesson: Lesson, i: int) -> Markup:
     """Return everything there is to read at a step."""
     part = state[LessonPart]
     step, progress, name = lesson.steps[i], part.progress, part.name
-    intro = lesson.intro_html
-    if intro:
-        intro = f"<details><summary>About this lesson</summary>{intro}</details>"
-    title = f"<h2><small>{i + 1} of {len(lesson.steps)}</small> {escaped(step.title)}</h2>"
-    shown = progress.hints.get(name, 0)
-    hints = "".join(
-        f'<div class="hint"><b>Hint {k} of {len(step.hints)}</b>{hint}</div>'
-        for k, hint in enumerate(step.hints[:shown], start=1)
+    about = (
+        tag("details", tag("summary", "About this lesson"), Markup(lesson.intro_html)) if lesson.intro_html else None
     )
-    reveal = step.reveal_html if revealed(part, lesson, i) else ""
-    if reveal:
-        reveal = f'<div class="reveal">{reveal}</div>'
-    text = f"{intro if i == 0 else ''}{title}{step.html}{hints}{reveal}{intro if i else ''}"
-    return f'<div class="lesson-text">{_with_values(state, text)}</div>'
+    title = tag("h2", tag("small", f"{i + 1} of {len(lesson.steps)}"), f" {step.title}")
+    hints = [
+        tag("div.hint", tag("b", f"Hint {k} of {len(step.hints)}"), Markup(hint))
+        for k, hint in enumerate(step.hints[: progress.hints.get(name, 0)], start=1)
+    ]
+    seen = step.reveal_html if revealed(part, lesson, i) else ""
+    reveal = tag("div.reveal", Markup(seen)) if seen else None
+    text = joined(about if i == 0 else None, title, Markup(step.html), hints, reveal, about if i else None)
+    return tag("div.lesson-text", _with_values(state, text))
 
 
 def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
@@ -65,7 +63,7 @@ def revealed(part: LessonPart, lesson: Lesson, i: int) -> bool:
     return step.check is None or part.name in part.progress.met
 
 
-def _with_values(state: State, html: str) -> str:
+def _with_values(state: State, html: Markup) -> Markup:
     """Return the text with the present values in it."""
     if 'class="live"' not in html:
         return html
@@ -81,6 +79,6 @@ def _with_values(state: State, html: str) -> str:
         else:
             shown = NONE if live is None else live(seen, units)
         text = HIDDEN if hidden else shown
-        return f"{found[1]}{escaped(text)}"
+        return joined(Markup(found[1]), text)
 
-    return _LIVE.sub(value, html)
+    return Markup(_LIVE.sub(value, html))

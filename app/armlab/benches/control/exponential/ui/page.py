@@ -23,11 +23,11 @@ from armlab.ui.colours import BLUE, GREY, css
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, escaped, mathml, number, readable, scientific
+from armlab.ui.markup import SIGNS
 from armlab.ui.matrices import copy_buttons
 from armlab.ui.plot import Curve, Plot
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import plain_number
-from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
 Array = NDArray[np.float64]

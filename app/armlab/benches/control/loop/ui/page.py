@@ -19,13 +19,12 @@ from armlab.ui.colours import GREY
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import escaped, mathml, number, pairs
-from armlab.ui.markup import row
+from armlab.ui.markup import SIGNS, row
 from armlab.ui.option_form import option_form
 from armlab.ui.playing import clock
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
 VELOCITIES, ERRORS = "v_d,\\;v", "e=v_d-v"

@@ -12,10 +12,10 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import escaped, number, scientific
+from armlab.ui.markup import SIGNS
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import plain_number
-from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
 FORMULA = "<i>x</i><sub>n+1</sub> = <i>x</i><sub>n</sub> − f(<i>x</i><sub>n</sub>) / f′(<i>x</i><sub>n</sub>)"

@@ -10,9 +10,9 @@ from armlab.kin.task import Task
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.format import capitalised, escaped, subscript
+from armlab.ui.markup import SIGNS
 from armlab.ui.small_numbers import NO_BREAK, with_unit
 from armlab.ui.units import Units
-from armlab.ui.verdicts import SIGNS
 
 GOING = ("most", "going", "limit", "jumped")
 """Statuses of runs that have not failed for good: more steps, or others, might do."""

@@ -25,8 +25,8 @@ from armlab.kin.motion.breaks import ORDERS
 from armlab.session.amounts import amount
 from armlab.ui.form import Form
 from armlab.ui.format import escaped
+from armlab.ui.markup import SIGNS
 from armlab.ui.option_form import PLAIN, option_form
-from armlab.ui.verdicts import SIGNS
 
 Value = Callable[[Law], str]
 

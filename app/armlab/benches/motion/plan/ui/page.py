@@ -24,9 +24,9 @@ from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, escaped
+from armlab.ui.markup import SIGNS
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
-from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
 MOST_LINES = 6

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.ui.format import escaped, number, scientific
+from armlab.ui.markup import SIGNS
 from armlab.ui.units import Units
-from armlab.ui.verdicts import SIGNS
 
 Row = tuple[str, str, Sequence[str]]
 """Name, unit, and the cells: x, y, z and the norm."""

@@ -24,9 +24,9 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, subscript
+from armlab.ui.markup import SIGNS
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
 CASES = {"skew": "Skew", "parallel": "Parallel", "intersecting": "Intersecting", "coincident": "Coincident"}

@@ -28,9 +28,9 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.format import mathml, number, pairs, subscript, trimmed
+from armlab.ui.markup import SIGNS
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
-from armlab.ui.verdicts import SIGNS
 from armlab.ui.widgets import Gui
 
 SMALLEST = r"\sigma_{min}"

@@ -14,8 +14,8 @@ from armlab.session.fields import Set
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, escaped, number, scientific, subscript, trimmed
+from armlab.ui.markup import SIGNS
 from armlab.ui.units import Units
-from armlab.ui.verdicts import SIGNS
 
 Array = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from armlab.kin.task import Task
 from armlab.kin.velocity.answer import full_rank_inverse
 from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
 from armlab.ui.format import dot, escaped, mathml, number, pairs, scientific, trimmed
+from armlab.ui.markup import SIGNS
 from armlab.ui.units import Units
-from armlab.ui.verdicts import SIGNS
 
 Array = NDArray[np.float64]
 

@@ -21,8 +21,8 @@ from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, scientific, subscript, trimmed
+from armlab.ui.markup import SIGNS
 from armlab.ui.units import units_of
-from armlab.ui.verdicts import SIGNS
 
 Array = NDArray[np.float64]
 

@@ -25,9 +25,8 @@ from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, dot, escaped, mathml, matrix, number, pairs, scientific
-from armlab.ui.markup import row
+from armlab.ui.markup import SIGNS, row
 from armlab.ui.units import Units, units_of
-from armlab.ui.verdicts import SIGNS
 
 Floats = NDArray[np.float64]
 
