@@ -10,6 +10,7 @@ from armlab.session.session import Asked
 from armlab.session.state import Command
 from armlab.ui import markup
 from armlab.ui.form import Form
+from armlab.ui.html import Inside, Markup, joined
 
 
 class BareFields:
@@ -19,16 +20,16 @@ class BareFields:
     stale = False
 
     def __init__(self, on_input: Callable[[str, str], None]) -> None:
-        self.send, self.content, self.refused = on_input, "", ""
+        self.send, self.content, self.refused = on_input, Markup(), ""
 
-    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> str:
+    def field(self, cell: str, value: str, label: str, disabled: bool = False, below: str = "", **more: str) -> Markup:
         return markup.field(self.channel_id, cell, value, label, disabled, **more)
 
-    def area(self, cell: str, value: str, label: str, lines: int) -> str:
+    def area(self, cell: str, value: str, label: str, lines: int) -> Markup:
         return markup.area(self.channel_id, cell, value, label, lines)
 
-    def show(self, content: str) -> None:
-        self.content = content
+    def show(self, *inside: Inside) -> None:
+        self.content = joined(inside)
 
     def refuse(self, cell: str, text: str, why: str) -> None:
         self.refused = why
@@ -67,7 +68,7 @@ class BareForm(Form):
         return tuple(found)
 
 
-def asked(made: Callable[[Form], str], cell: str, text: str = "") -> tuple[Command, ...]:
+def asked(made: Callable[[Form], Inside], cell: str, text: str = "") -> tuple[Command, ...]:
     """Return what a control of a form asks for; nothing when there is none of this name. `InputError` is raised."""
     form = BareForm()
     form.show(made(form))

@@ -52,7 +52,7 @@ def test_zeros_of_a_matrix_are_grey():
 
 
 def test_text_cannot_become_markup():
-    assert fmt.escaped('<img src=x onerror="x">') == "&lt;img src=x onerror=&quot;x&quot;&gt;"
+    assert fmt.escaped('<img src=x onerror="x">') == "&lt;img src=x onerror=&#34;x&#34;&gt;"
 
 
 def test_formulas_are_kept_but_not_for_ever():

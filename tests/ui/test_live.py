@@ -189,7 +189,7 @@ def test_a_typed_target_that_is_no_number_is_refused_at_the_field(url):
         before = slider_values(browser)
         await browser.open("joints", "target")
         await browser.press("x", "six hundred")
-        refused = "x: expected a number in mm, got &#x27;six hundred&#x27;"
+        refused = "x: expected a number in mm, got &#39;six hundred&#39;"
         await browser.until(lambda: f'role="alert">✕ {refused}' in browser.html())
         assert slider_values(browser) == before
         await browser.close()

@@ -10,6 +10,7 @@ from armlab.content.robots import catalogue
 from armlab.session.fields import Set
 from armlab.session.session import Redo, Session, Undo
 from armlab.ui import markup
+from armlab.ui.html import styles
 from armlab.ui.overlay import Overlay
 from support.forms import BareFields
 
@@ -77,3 +78,9 @@ def test_what_lies_over_the_scene_steps_back_and_forth_where_there_is_something(
     made[0].send("undo", "")
     made[0].send("redo", "")
     assert posted == ["Pose", Undo(), Redo()]
+
+
+def test_a_style_sheet_stands_as_it_is_and_holds_no_element():
+    assert styles(["[id='a'] > p { left: 5% }"]) == "<style>[id='a'] > p { left: 5% }</style>"
+    with pytest.raises(ValueError, match="expected rules of a style sheet"):
+        styles(["p { }", "</style><b>"])

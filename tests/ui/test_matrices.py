@@ -23,6 +23,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import State, apply
 from armlab.ui.factors import turns
+from armlab.ui.html import joined
 from armlab.ui.matrices import MatrixView, as_latex, as_matlab, as_numpy
 from armlab.ui.units import Units
 from support.forms import BareForm
@@ -221,12 +222,12 @@ def test_the_axis_of_the_turn_stays_where_it_is(rng):
 )
 def test_what_is_selected_is_said(selected, words):
     T = transform(rotation_from_axis_angle([0.0, 0.0, 1.0], math.pi / 3), [1.0, 2.0, -2.0])
-    assert words in in_words(PoseView(6), selected, Pair(np.eye(4), T, T), UNITS)
+    assert words in joined(in_words(PoseView(6), selected, Pair(np.eye(4), T, T), UNITS))
 
 
 def test_a_transform_is_written_as_the_product_of_its_steps():
     def letters(reference, frame):
-        return re.sub(r"<[^>]*>|\s|[^\x21-\x7e]", "", html.unescape(chain(PoseView(6, reference, frame))))
+        return re.sub(r"<[^>]*>|\s|[^\x21-\x7e]", "", html.unescape(joined(chain(PoseView(6, reference, frame)))))
 
     assert letters("0", "3") == "0T3=A1A2A3"
     assert letters("3", "0") == letters("0", "3")

@@ -18,6 +18,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
 from armlab.ui.format import mathml
+from armlab.ui.html import joined
 from armlab.ui.units import Units, units_of
 from support.student import run, student
 
@@ -114,7 +115,7 @@ def test_lines_that_snapped_say_within_what_in_the_students_units():
 
 def test_lines_without_a_cross_product_say_how_x_is_taken():
     state = State.initial(catalogue()["puma560"])
-    said = {kind: normal._products(apply(state, PlaceLines(kind))[Lines]) for kind in normal.CASES}
+    said = {kind: joined(normal._products(apply(state, PlaceLines(kind))[Lines])) for kind in normal.CASES}
     assert "straight across" in said["parallel"]
     assert "perpendicular to the line" in said["coincident"]
     assert "n=0" not in said["skew"]
@@ -123,7 +124,7 @@ def test_lines_without_a_cross_product_say_how_x_is_taken():
 
 def test_angles_that_move_do_not_fill_the_memory():
     state = State.initial(catalogue()["puma560"])
-    first = joints._readout(state[Joints], units_of(state))
+    first = joined(joints._readout(state[Joints], units_of(state)))
     assert "<msub><mi>R</mi><mi>z</mi></msub>" in first
     before = mathml.cache_info().currsize
     rng = np.random.default_rng(1)

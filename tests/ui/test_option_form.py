@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.kin.motion.path_types import path_type
+from armlab.ui.html import Markup
 from armlab.ui.option_form import Scale, option_form, option_value
 
 DEG, MM = Scale("°", np.pi / 180.0), Scale("mm", 1e-3)
@@ -15,16 +16,16 @@ class Form:
     """What is needed of `armlab.ui.form.Form`: cells that show their text."""
 
     def field(self, cell, text, title, action):
-        return f"<input {cell}={text}>"
+        return Markup(f"<input {cell}={text}>")
 
     def area(self, cell, text, title, lines, action):
-        return f"<textarea {cell}={text}>"
+        return Markup(f"<textarea {cell}={text}>")
 
     def select(self, cell, title, texts, chosen, action):
-        return f"<select {cell}>"
+        return Markup(f"<select {cell}>")
 
     def chip(self, cell, text, action, hint, pressed):
-        return f"<button {cell}>"
+        return Markup(f"<button {cell}>")
 
 
 def form(key, scales, **given):

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from armlab.ui.html import joined
 from armlab.ui.plot import MOST_POINTS, TIME, Curve, Plot
 from support.forms import BareForm
 from support.student import run, student
@@ -19,8 +20,8 @@ class Markup:
     def __init__(self):
         self.shown, self.channel_id = "", "channel"
 
-    def show(self, content):
-        self.shown = content
+    def show(self, *inside):
+        self.shown = joined(inside)
 
 
 class FakeGui:

@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from markupsafe import Markup, escape
 
-__all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "tag"]
+__all__ = ["Attribute", "Inside", "Markup", "classes", "joined", "styles", "tag"]
 
 Inside = str | Iterable["Inside"] | None
 """What stands in an element: a text, which is escaped; markup; several of these one after the other; or nothing."""
@@ -59,6 +59,14 @@ def joined(*inside: Inside, between: str = "") -> Markup:
     if between:
         return _new(Markup, escape(between).join([_text(each) for each in _flat(inside)]))
     return _new(Markup, _text(inside))
+
+
+def styles(rules: Iterable[str]) -> Markup:
+    """Return rules of a style sheet in an element, where nothing is escaped: `ValueError` for one that could end it."""
+    text = "".join(rules)
+    if "<" in text:
+        raise ValueError(f"expected rules of a style sheet, got {text!r}")
+    return _new(Markup, f"<style>{text}</style>")
 
 
 def classes(kind: str, **more: bool) -> str:

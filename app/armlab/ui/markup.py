@@ -41,9 +41,18 @@ def button(
     **more : str
         Further attributes, with ``_`` for ``-``.
     """
-    named = _said(class_=kind, title=hint, aria_label=label, **more)
+    named = _said(title=hint, aria_label=label, **more)
     state = None if pressed is None else str(pressed).lower()
-    return tag("button", old(inside), data_chan=channel, data_cell=cell, **named, aria_pressed=state, disabled=off)
+    return tag(
+        "button",
+        old(inside),
+        class_=kind or None,
+        data_chan=channel,
+        data_cell=cell,
+        **named,
+        aria_pressed=state,
+        disabled=off,
+    )
 
 
 def chip(channel: str, cell: str, text: str, hint: str = "", pressed: bool | None = None, off: bool = False) -> Markup:
@@ -97,6 +106,11 @@ def row(label: Inside, inside: Inside, wide: bool = False, cells: bool = False, 
     """
     around = tag("div.cells" if cells else "div", old(inside))
     return tag(classes("div.row", wide=wide), tag("span", old(label)), around, title=hint or None)
+
+
+def progress_bar(done: float) -> Markup:
+    """Return a bar that is filled so far; the words beside it say the same, so that it is not read aloud."""
+    return tag("div.progress", style=f"--part:{100.0 * done:.0f}%")
 
 
 def verdict_box(kind: str, head: Inside, *inside: Inside, sign: str | None = None, role: str | None = None) -> Markup:

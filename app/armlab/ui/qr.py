@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import segno
 
+from armlab.ui.html import Markup
+
 MOST = 900
 """Characters: 101 squares a side, each 3 pixels of a panel; a telephone still reads it from a projector."""
 
@@ -11,9 +13,9 @@ QUIET = 4
 """White squares around the code, as its standard asks for."""
 
 
-def qr_svg(text: str) -> str | None:
+def qr_svg(text: str) -> Markup | None:
     """Return the code of a text as inline SVG that fills its place; None when the text is longer than `MOST`."""
     if len(text) > MOST:
         return None
     code = segno.make(text, error="l", micro=False)
-    return code.svg_inline(border=QUIET, omitsize=True, dark="#000", light="#fff", title="QR code of the link")
+    return Markup(code.svg_inline(border=QUIET, omitsize=True, dark="#000", light="#fff", title="QR code of the link"))

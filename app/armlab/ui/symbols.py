@@ -17,3 +17,12 @@ def with_indices(text: str) -> Markup:
     """
     parts = _INDEX.split(text)  # texts, and the indices between them
     return joined(tag("sub", part) if i % 2 else part for i, part in enumerate(parts))
+
+
+def with_symbol(text: str, symbol: str) -> Markup:
+    """Return a text in which one symbol, typed with a low line, has its index lowered wherever it stands.
+
+    >>> print(with_symbol("v < v_d, v_d = 1", "v_d"))
+    v &lt; v<sub>d</sub>, v<sub>d</sub> = 1
+    """
+    return joined(text.split(symbol), between=with_indices(symbol))

@@ -8,10 +8,20 @@ from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.format import dot, subscript
-from armlab.ui.html import Markup, tag
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import Units
 
 _SYMBOL = re.compile(r"^\s*(?:q|theta|th|[θϑd])_?[0-9₀-₉]*\s*(?=$|[-+−])", re.IGNORECASE)
+
+
+def head_line(*names: Inside) -> Markup:
+    """Return the line of a table that names its columns."""
+    return tag("tr", [tag("th", name) for name in names])
+
+
+def line(*cells: Inside, name: Inside = None) -> Markup:
+    """Return a line of a table, after its name if it has one."""
+    return tag("tr", None if name is None else tag("th", name), [tag("td", cell) for cell in cells])
 
 
 def dh_table(arm: Arm, units: Units) -> Markup:

@@ -126,7 +126,7 @@ def test_values_are_typed_and_refused_and_a_copy_is_compared(url):
     async def main():
         browser = await at_runs(url)
         await browser.press("w-speed", "fast")
-        await browser.until(lambda: "expected numbers separated by blanks, got &#x27;fast&#x27;" in browser.html())
+        await browser.until(lambda: "expected numbers separated by blanks, got &#39;fast&#39;" in browser.html())
         await browser.press("w-speed", "-3")
         await browser.until(lambda: "expected no negative number" in browser.html())
         await browser.press("remove 2")

@@ -27,6 +27,7 @@ from armlab.session.fields import Set
 from armlab.session.parts.joints import MoveJoint
 from armlab.session.state import State, apply
 from armlab.ui.colours import BLUE, GREY, ORANGE
+from armlab.ui.html import joined
 from armlab.ui.units import units_of
 from support.forms import asked
 from support.student import run, student
@@ -92,7 +93,7 @@ def state():
 
 def test_the_shares_of_the_legend_are_those_of_the_pixels(state):
     found = state[Basins].map
-    text = legend(found, units_of(state))
+    text = joined(legend(found, units_of(state)))
     assert "Elbow down" in text
     assert "Elbow up" in text
     for value in (0, 1):
@@ -108,7 +109,7 @@ def test_marks_follow_the_arm_and_the_map_of_another_target_says_so(state):
     moved = apply(state, MoveJoint(0, 1.5))
     assert places(moved) != before
     assert ".ba-arm{--x:73.87%" in places(moved)  # 1.5 rad of a turn from -pi
-    assert standing(state) == ""
+    assert joined(standing(state)) == ""
     begun = apply(moved, StartInMap(0.25, 0.5))
     assert ".ba-start{--x:25.78%" in places(begun)  # the middle of the pixel
 

@@ -36,7 +36,7 @@ async def at_steps(url):
 
 async def choose(browser, key):
     await browser.press("example", key)
-    await browser.until(lambda: EXAMPLES[key].says[:30].replace("'", "&#x27;") in browser.html())
+    await browser.until(lambda: EXAMPLES[key].says[:30].replace("'", "&#39;") in browser.html())
     await browser.until(lambda: '<p class="dim">…</p>' not in browser.html())
 
 
@@ -88,7 +88,7 @@ def test_an_example_is_chosen_played_to_a_row_and_refused_nonsense(url):
         film = with_films(apply(State.initial(catalogue()["planar_2r"]), ChooseExample("step_size")))[Iterations].film
         assert re.findall("<td>([^<]*)</td>", now)[2] == f"{1e3 * film.position_error[3]:.1f}"
         await browser.press("p1-alpha", "much")
-        await browser.until(lambda: "expected a number, got &#x27;much&#x27;" in browser.html())
+        await browser.until(lambda: "expected a number, got &#39;much&#39;" in browser.html())
         await browser.press("p1-alpha", "-1")
         await browser.until(lambda: "step size α: expected 0.0001 to 100, got -1" in browser.html())
         await browser.press("start 0", "NaN")

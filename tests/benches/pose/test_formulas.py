@@ -13,6 +13,7 @@ from armlab.kin.symbolic import constants, pose_formulas
 from armlab.kin.transforms import inverse
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State
+from armlab.ui.html import joined
 from armlab.ui.units import Units
 
 START = State.initial(catalogue()["puma560"])
@@ -24,15 +25,15 @@ class FakePage:
     def __init__(self):
         self.shown = []
 
-    def html(self, content=""):
-        self.shown.append(content)
+    def html(self, *inside):
+        self.show(*inside)
         return self
 
-    def show(self, content):
-        self.shown.append(content)
+    def show(self, *inside):
+        self.shown.append(joined(inside))
 
-    def heading(self, text):
-        self.shown.append(text)
+    def heading(self, *inside):
+        self.show(*inside)
 
 
 SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉−ϑ", "0123456789-θ")

@@ -1,12 +1,12 @@
 """The live table through the protocol: what a person types and presses, and what comes back."""
 
 import asyncio
-import html
 import json
 import re
 
 import numpy as np
 import pytest
+from markupsafe import escape
 
 from armlab.benches.robot.table.ui.editor import DhEditor
 from armlab.benches.robot.table.ui.ends import ends_markup
@@ -22,6 +22,7 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State, apply
 from armlab.ui.file_names import file_name
+from armlab.ui.html import joined
 from armlab.ui.units import Units, units_of
 from support.fake_browser import cookie_of
 from support.forms import BareForm, asked
@@ -132,7 +133,7 @@ def test_a_field_of_base_tool_or_point_changes_one_number():
 
 
 def free(facts, chosen):
-    return axes_section(BareForm(), facts, chosen, Units(Notation()), lambda chosen: None)
+    return joined(axes_section(BareForm(), facts, chosen, Units(Notation()), lambda chosen: None))
 
 
 def test_each_pair_of_axes_is_flagged_with_its_freedom():
@@ -162,18 +163,18 @@ def test_remainders_of_a_conversion_are_told_both_ways():
     state = State.initial(catalogue()["planar_2r"])
     a = state[RobotPart].robot.arm.rows[1].a
     units = units_of(state)
-    assert moved_lines(state[RobotPart], units) == ""
+    assert joined(moved_lines(state[RobotPart], units)) == ""
     modified = apply(state, Convert("modified"))
-    assert f"tool: T<sub>x</sub>({units.constant(a, False)}) moved here from row 2" in moved_lines(
-        modified[RobotPart], units
+    assert f"tool: T<sub>x</sub>({units.constant(a, False)}) moved here from row 2" in joined(
+        moved_lines(modified[RobotPart], units)
     )
     back = apply(modified, Convert("standard"))
-    assert f"row 2: T<sub>x</sub>({units.constant(a, False)}) moved here from the tool" in moved_lines(
-        back[RobotPart], units
+    assert f"row 2: T<sub>x</sub>({units.constant(a, False)}) moved here from the tool" in joined(
+        moved_lines(back[RobotPart], units)
     )
     panda = apply(State.initial(catalogue()["panda"]), SetCell(0, "alpha", -np.pi / 2))
     turned = apply(panda, Convert("standard"))
-    assert "base: R<sub>x</sub>(−90°) moved here from row 1" in moved_lines(turned[RobotPart], units)
+    assert "base: R<sub>x</sub>(−90°) moved here from row 1" in joined(moved_lines(turned[RobotPart], units))
 
 
 def test_a_conversion_that_cannot_keep_the_task_says_so():
@@ -181,13 +182,13 @@ def test_a_conversion_that_cannot_keep_the_task_says_so():
     units = units_of(tilted)
     there = apply(tilted, Convert("standard"))[RobotPart]
     assert there.robot.arm.task.key == "xy phi"
-    assert "in the axes of the other frame 0; it is now position (x, y) and" in moved_lines(there, units)
+    assert "in the axes of the other frame 0; it is now position (x, y) and" in joined(moved_lines(there, units))
     read = RobotPart.from_json(json.loads(json.dumps(there.to_json())), there.robot)
-    assert moved_lines(read, units) == moved_lines(there, units)
+    assert joined(moved_lines(read, units)) == joined(moved_lines(there, units))
     with pytest.raises(InputError, match="moved"):
         RobotPart.from_json({**there.to_json(), "task_kept": "no"}, there.robot)
     kept = apply(State.initial(catalogue()["planar_2r"]), Convert("modified"))[RobotPart]
-    assert "it is now" not in moved_lines(kept, units)
+    assert "it is now" not in joined(moved_lines(kept, units))
     assert "task_kept" not in kept.to_json()
 
 
@@ -243,10 +244,10 @@ def test_wrong_input_stays_marked_with_the_reason_below_until_the_next(url, cell
         await browser.press(cell, text)
         # Written anew with another revision, so that the page drops what was typed.
         await browser.until(lambda: field["props"]["content"] != before)
-        assert value_of(browser, cell) == html.escape(text)
+        assert value_of(browser, cell) == escape(text)
         assert re.search(rf'<input[^>]*aria-invalid="true"[^>]*{re.escape(marker)}', browser.html())
         told = field["props"]["content"].rsplit('role="alert">', 1)[1]
-        assert html.escape(words) in told
+        assert escape(words) in told
         await browser.press(cell, old)  # as it was: nothing is wrong
         await browser.until(lambda: "aria-invalid" not in browser.html())
         assert value_of(browser, cell) == old

@@ -1,9 +1,11 @@
 """The page of the trainer as a browser gets it: choices, cells, and what is said of nonsense."""
 
+import asyncio
 import re
 
 from armlab.benches.robot.trainer.exercise import Exercise
 from armlab.content.robots import catalogue
+from armlab.ui.fields import SEEN
 from support.student import run, student
 
 AXES = Exercise(catalogue()["planar_2r"]).solution
@@ -53,6 +55,7 @@ def test_what_is_no_number_stays_in_its_cell_with_the_reason_below_the_table(url
         await browser.until(lambda: 'aria-invalid="true"' in field(browser, "trainer-cell-1-a"))
         assert 'value="long"' in field(browser, "trainer-cell-1-a")
         assert re.search(r'role="alert">✕ row 1, a₁?: expected a number in mm', browser.html())
+        await asyncio.sleep(SEEN)
         await browser.press("trainer-cell-1-alpha", "0")
         await browser.until(lambda: "aria-invalid" not in browser.html())
         assert 'value=""' in field(browser, "trainer-cell-1-a")

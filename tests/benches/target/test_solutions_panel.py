@@ -16,6 +16,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.target import Said, Target, verdict
 from armlab.session.state import State
+from armlab.ui.html import joined
 from armlab.ui.scene._sticks import corners_of, drawn_sticks, turns_to
 from armlab.ui.units import Units
 from armlab.ui.verdicts import verdict_card, verdict_line
@@ -164,7 +165,7 @@ def test_the_numbers_of_a_line_have_units_and_both_signs():
     shown = []
     at = by_hand._Line.__new__(by_hand._Line)
     at._units = Units(Notation(angle="rad", length="m"))
-    at._numbers = type("Html", (), {"show": lambda self, text: shown.append(text)})()
+    at._numbers = type("Html", (), {"show": lambda self, *inside: shown.append(joined(inside))})()
     at.show(line, False)
     assert "<i>+</i><i>−</i>" in shown[0]
     assert shown[0].count("rad") == 2

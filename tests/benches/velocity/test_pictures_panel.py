@@ -16,6 +16,8 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.form import Marks
+from armlab.ui.html import joined
 from armlab.ui.units import Units, units_of
 from support.forms import asked
 from support.student import run, student
@@ -29,7 +31,7 @@ def example(key):
 
 def picked(state, cell, text):
     def made(form):
-        return pictures.head_markup(form, state, UNITS) + pictures.maps_markup(form, state, square(state), UNITS)
+        return joined(pictures.head_markup(form, state, UNITS), pictures.maps_markup(form, state, square(state), UNITS))
 
     return asked(made, cell, text)
 
@@ -109,7 +111,7 @@ def test_a_press_on_the_torus_is_where_it_is_drawn():
 
 def test_the_torus_shows_the_singular_set_the_arm_and_its_velocity():
     state = example("one")
-    markup = torus_markup("", square(state))
+    markup = torus_markup(Marks(), square(state))
     assert markup.count('class="singular') == 2
     style = torus_style(state, flat(state))
     (x, _), _ = projected(np.radians([40.0, 55.0]))

@@ -81,7 +81,7 @@ def test_forces_without_torque_are_named():
 def test_the_table_of_dual_subspaces_counts_dimensions():
     shown = duality_markup(put("torques_2r"))
     numbers = [
-        cell.split("<")[0] for cell in shown.split("<td")[1:] if cell[0] == ">" or cell.startswith(" class=zero")
+        cell.split("<")[0] for cell in shown.split("<td")[1:] if cell[0] == ">" or cell.startswith(' class="zero"')
     ]
     counts = [text.rsplit(">", 1)[1] for text in numbers if text.rsplit(">", 1)[1].isdecimal()]
     # R(J), N(J^T), R(J^T), N(J); each for whole wrenches, forces, moments.

@@ -34,6 +34,7 @@ from armlab.session.parts.target import PlaceTarget
 from armlab.session.state import State, apply
 from armlab.ui.colours import GREEN, ORANGE, VERMILLION, viridis
 from armlab.ui.format import number
+from armlab.ui.html import joined
 from armlab.ui.measured import with_error
 from armlab.ui.units import units_of
 from support.forms import BareForm, asked
@@ -48,7 +49,7 @@ def state_of(key, **settings):
 def words(state):
     """Return all that is said of a planar arm."""
     units = units_of(state)
-    return tool_words(state, units) + regions_table(BareForm(), state, units) + planar_words(state, units)
+    return joined(tool_words(state, units), regions_table(BareForm(), state, units), planar_words(state, units))
 
 
 # -- over the wire ---------------------------------------------------------------------------------------------------
@@ -146,34 +147,34 @@ def test_limits_are_not_passed_over_in_silence():
     assert "without joint limits" in words(state)
     assert "without joint limits" not in words(state_of("planar_3r"))
     found = study_of(state)
-    assert "others may have been missed" in proven(state, found, units_of(state))
-    assert "in its cell" in tool_line(state, found)
+    assert "others may have been missed" in joined(proven(state, found, units_of(state)))
+    assert "in its cell" in joined(tool_line(state, found))
 
 
 def test_what_is_known_of_a_wrist_counts_its_limits_and_samples_say_at_least():
     state = studied(state_of("puma560"))
     found = study_of(state)
-    said = proven(state, found, units_of(state))
+    said = joined(proven(state, found, units_of(state)))
     assert "those of the wrist too" in said
     assert "upper bound" not in said
     assert "closed form" in said
     assert "none" in said
-    assert "at most" not in tool_line(state, found)
+    assert "at most" not in joined(tool_line(state, found))
     # The limits of joint 5 alone leave (1 + sin 10°) / 2 of the sphere, and not all of that.
     assert "Largest share" in said
     assert 0.5 < found.wrist.fraction.max() < 0.5 * (1.0 + math.sin(math.radians(10.0))) + 0.1
     state = studied(apply(state, Set(Dexterous, "method", "sampled")))
     found = study_of(state)
-    assert "at least" in proven(state, found, units_of(state))
-    assert "at least" in tool_line(state, found)
+    assert "at least" in joined(proven(state, found, units_of(state)))
+    assert "at least" in joined(tool_line(state, found))
     aside = apply(state, MoveJoint(0, 2.0))
-    assert "beside this slice" in tool_line(aside, study_of(aside))
+    assert "beside this slice" in joined(tool_line(aside, study_of(aside)))
 
 
 def test_the_scale_of_solutions_names_each_number_that_is_there():
     state = studied(state_of("scara", method="count"))
     found = study_of(state)
-    said = scale(state, found)
+    said = joined(scale(state, found))
     numbers = np.unique(found.map.values[np.isfinite(found.map.values)])
     assert all(f"</i>{number:.0f}</span>" in said for number in numbers)
     assert len({count_colour(number) for number in (1.0, 2.0, 3.0, 4.0, 8.0, math.inf)}) == 6
@@ -181,7 +182,7 @@ def test_the_scale_of_solutions_names_each_number_that_is_there():
 
 def chosen(state):
     """Return the choices of the page as a browser gets them."""
-    return choices_markup(BareForm(), state, units_of(state))
+    return joined(choices_markup(BareForm(), state, units_of(state)))
 
 
 def test_where_no_point_has_the_share_of_a_body_another_is_named():
@@ -199,17 +200,17 @@ def test_a_volume_without_the_limits_of_the_wrist_is_called_so_and_no_bound():
     state = studied(apply(State.initial(own_robot(arm, "sliding")), Set(Dexterous, "count", COUNTS[0])))
     found = study_of(state)
     assert found.wrist.volume > 0.0
-    said = proven(state, found, units_of(state))
+    said = joined(proven(state, found, units_of(state)))
     assert "WS₂ without wrist limits" in said
     assert "upper bound" in said
     assert with_error(Size(found.wrist.volume, found.wrist.volume_error, "m³")) in said
-    assert "at most" in tool_line(state, found)
+    assert "at most" in joined(tool_line(state, found))
 
 
 def test_a_tool_that_never_turns_has_one_orientation_and_no_share():
     state = studied(state_of("cartesian_3p", method="sampled"))
     found = study_of(state)
-    said = proven(state, found, units_of(state)) + tool_line(state, found) + scale(state, found)
+    said = joined(proven(state, found, units_of(state))) + joined(tool_line(state, found)) + joined(scale(state, found))
     assert "The tool never turns: one orientation" in said
     assert "64" not in said
     assert "none met" not in said
@@ -221,16 +222,16 @@ def test_a_tool_that_never_turns_has_one_orientation_and_no_share():
 )
 def test_what_a_short_arm_cannot_have_is_said_as_known_and_not_as_sampled(key, known):
     state = studied(state_of(key, method="sampled"))
-    said = proven(state, study_of(state), units_of(state))
+    said = joined(proven(state, study_of(state), units_of(state)))
     assert known in said
     assert "none met" not in said
     full = studied(state_of("scara", method="sampled"))
-    assert "singular points" not in proven(full, study_of(full), units_of(full))
+    assert "singular points" not in joined(proven(full, study_of(full), units_of(full)))
 
 
 def test_the_slice_is_named_within_one_turn_and_in_the_units_chosen():
     state = state_of("ur5e")
-    (command,) = asked(lambda form: choices_markup(form, state, units_of(state)), "slice", "1e9")
+    (command,) = asked(lambda form: joined(choices_markup(form, state, units_of(state))), "slice", "1e9")
     shown = apply(state, command)
     assert f'value="{number(math.remainder(1e9, 360.0), 1)}"' in chosen(shown)
     radians = apply(apply(state, Set(Dexterous, "s", 2.0)), Set(Notation, "angle", "rad"))

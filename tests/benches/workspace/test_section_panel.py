@@ -21,6 +21,7 @@ from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.html import joined
 from armlab.ui.measured import with_error
 from armlab.ui.units import units_of
 from support.forms import BareForm, asked
@@ -64,14 +65,18 @@ def test_specks_are_left_out_until_a_section_is_finished():
 
 def commands(state, cell, text):
     units, found = units_of(state), found_of(state)
-    return asked(lambda form: choices_markup(form, state, units) + view_markup(form, state, found, units), cell, text)
+    return asked(
+        lambda form: (choices_markup(form, state, units), view_markup(form, state, found, units)),
+        cell,
+        text,
+    )
 
 
 @pytest.mark.parametrize("key", ARMS)
 def test_no_page_holds_a_number_that_is_none(key):
     state = whole(key, Set(SectionView, "colour", "sigma_min"))
     found, units = found_of(state), units_of(state)
-    page = view_markup(BareForm(), state, found, units) + facts(found, units)
+    page = joined(view_markup(BareForm(), state, found, units)) + joined(facts(found, units))
     assert not re.search(r"\bnan\b|\binf\b|∞", page)
     assert "data:image/png;base64," in image_rule(found, "x")
     assert ("Area" in page) == (key == "planar_2r_unequal")
@@ -103,20 +108,20 @@ def test_the_reach_is_told_from_where_it_is_measured(apart, label):
     points = arm.position(np.random.default_rng(3).uniform(*arm.limits.T, (20_000, arm.n)))
     far = np.linalg.norm(points - joint.origin, axis=1).max()
     assert far <= found.reach.farthest + 1e-9 < far + 0.02
-    words = re.sub(r"<[^>]+>", " ", facts(found, units_of(State.initial(catalogue()["elbow_3r"]))))
+    words = re.sub(r"<[^>]+>", " ", joined(facts(found, units_of(State.initial(catalogue()["elbow_3r"])))))
     assert re.search(rf"Farthest from\s+{label}\s", words)
 
 
 @pytest.mark.parametrize(("alpha", "label"), [(0.0, "Height over frame 0"), (np.pi / 2, "Along axis 1")])
 def test_only_what_is_along_z0_is_called_a_height(alpha, label):
     found = found_of_arm(Row("R", alpha=alpha), Row("R", a=0.2, alpha=np.pi / 2), Row("R", a=1.0))
-    page = facts(found, units_of(State.initial(catalogue()["elbow_3r"])))
+    page = joined(facts(found, units_of(State.initial(catalogue()["elbow_3r"]))))
     assert f"<span>{label}</span>" in page
 
 
 def test_the_directions_across_a_sliding_joint_1_have_names():
     state = whole("cartesian_3p")
-    page = facts(found_of(state), units_of(state))
+    page = joined(facts(found_of(state), units_of(state)))
     assert "<span>Along x₀</span>" in page
     assert "<span>Along y₀</span>" in page
 
@@ -124,17 +129,17 @@ def test_the_directions_across_a_sliding_joint_1_have_names():
 @pytest.mark.parametrize(("unit", "shown"), [("deg", "−29.8"), ("rad", "−0.520")])
 def test_the_place_of_the_slice_has_the_usual_decimals(unit, shown):
     state = apply(apply(whole("elbow_3r"), PlaceSlice(-0.52)), Set(Notation, "angle", unit))
-    assert f'value="{shown}"' in choices_markup(BareForm(), state, units_of(state))
+    assert f'value="{shown}"' in joined(choices_markup(BareForm(), state, units_of(state)))
 
 
 def test_what_is_still_averaged_is_said_in_a_sentence():
     found = replace(found_of(whole("elbow_3r", Set(SectionView, "colour", "manipulability"))), coloured=False)
-    assert "each cell. Being averaged …</p>" in scale(found)
+    assert "each cell. Being averaged …</p>" in joined(scale(found))
 
 
 def test_a_measure_that_is_the_same_everywhere_has_no_scale():
     found = found_of(whole("cartesian_3p", Set(SectionView, "colour", "sigma_min")))
-    assert "the same everywhere: 1</div>" in scale(found)
+    assert "the same everywhere: 1</div>" in joined(scale(found))
 
 
 def test_what_is_pressed_and_typed_becomes_commands():

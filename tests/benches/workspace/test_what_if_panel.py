@@ -32,6 +32,7 @@ from armlab.kin.workspace.first_joint import first_joint
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.html import joined
 from armlab.ui.units import units_of
 from support.forms import BareForm, asked
 from support.student import run, student
@@ -54,7 +55,9 @@ def commands(state, cell, text=""):
     part, units = state[WhatIf], units_of(state)
     return asked(
         lambda form: (
-            choices_markup(form, part, units) + exact_markup(form, part, units) + told_markup(form, state, units)
+            choices_markup(form, part, units),
+            exact_markup(form, part, units),
+            told_markup(form, state, units),
         ),
         cell,
         text,
@@ -101,33 +104,32 @@ def test_quantities_have_the_names_of_the_table():
 
 def test_changes_are_listed_in_the_units_on_screen():
     state = opened("puma560", Suppose(1, "a", 0.5), Suppose(1, "high", 1.0))
-    words = plain(changes_markup(BareForm(), state[WhatIf], units_of(state)))
+    words = plain(joined(changes_markup(BareForm(), state[WhatIf], units_of(state))))
     assert words == "Changes in thought a₂ 431.8 mm → 500.0 mm × q₂ to 225.0° → 57.3° ×"
     state = apply(apply(state, Set(Notation, "length", "m")), Set(Notation, "angle", "rad"))
-    words = plain(changes_markup(BareForm(), state[WhatIf], units_of(state)))
+    words = plain(joined(changes_markup(BareForm(), state[WhatIf], units_of(state))))
     assert words == "Changes in thought a₂ 0.4318 m → 0.5000 m × q₂ to 3.927 rad → 1.000 rad ×"
 
 
 def test_the_verdict_says_how_much_larger_or_that_it_cannot_be_told():
     larger = known("planar_2r", Suppose(1, "a", 1.2))
     exact = 3.141592653589793 * 4 * 1.2
-    words = plain(verdict_markup(larger))
+    words = plain(joined(verdict_markup(larger)))
     assert words.startswith("▲ The area is larger, +20.0 % +2.51")
     size = larger[WhatIf].found.figures[1].size
     assert abs(size.value - exact) <= size.error
     smaller = known("planar_2r", Suppose(1, "a", 0.8))
-    assert plain(verdict_markup(smaller)).startswith("▼ The area is smaller, −20.0 %")
+    assert plain(joined(verdict_markup(smaller))).startswith("▼ The area is smaller, −20.0 %")
     same = known("planar_2r", Suppose(0, "a", 1.000001))
-    assert plain(verdict_markup(same)).startswith("≈ The same area The difference is within the errors, ±0.00")
-    assert verdict_markup(known("planar_2r")) == ""
+    assert plain(joined(verdict_markup(same))).startswith("≈ The same area The difference is within the errors, ±0.00")
+    assert joined(verdict_markup(known("planar_2r"))) == ""
     bent = known("planar_2r", Suppose(0, "alpha", 0.5))
-    assert plain(verdict_markup(bent)) == "The area becomes a volume m² and m³ cannot be compared."
-    assert re.search(
-        r"Size 12\.56\d+ ± 0\.0\d+ m² \d\.\d+ ± 0\.\d+ m³", plain(figures_markup(bent[WhatIf].found, units_of(bent)))
-    )
+    assert plain(joined(verdict_markup(bent))) == "The area becomes a volume m² and m³ cannot be compared."
+    figures = plain(joined(figures_markup(bent[WhatIf].found, units_of(bent))))
+    assert re.search(r"Size 12\.56\d+ ± 0\.0\d+ m² \d\.\d+ ± 0\.\d+ m³", figures)
     # Until the numbers are those of the present change, none is told.
     ahead = apply(larger, Suppose(1, "a", 1.3))
-    assert plain(verdict_markup(ahead)) == "… The boundary is being followed."
+    assert plain(joined(verdict_markup(ahead))) == "… The boundary is being followed."
 
 
 def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
@@ -135,7 +137,7 @@ def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
     part = state[WhatIf]
 
     def said(found):
-        return plain(verdict_markup(state.replace(replace(part, found=found))))
+        return plain(joined(verdict_markup(state.replace(replace(part, found=found)))))
 
     rough = replace(part.found, figures=tuple(replace(each, refined=False) for each in part.found.figures))
     assert said(rough) == "▲ Larger, about +20 % The boundary is being followed."
@@ -144,7 +146,7 @@ def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
     line = known("planar_2r", Suppose(1, "a", 0.0))
     nothing = replace(line[WhatIf].found, figures=(line[WhatIf].found.figures[1],) * 2)
     assert nothing.figures[0].size.value == 0.0
-    assert plain(verdict_markup(line.replace(replace(line[WhatIf], found=nothing)))).startswith(
+    assert plain(joined(verdict_markup(line.replace(replace(line[WhatIf], found=nothing))))).startswith(
         "No area The tool point"
     )
 
@@ -152,16 +154,16 @@ def test_before_the_boundary_is_known_a_large_difference_is_told_roughly():
 def test_figures_stand_side_by_side_with_their_errors():
     state = known("planar_2r", Suppose(1, "a", 0.5))
     found, units = state[WhatIf].found, units_of(state)
-    words = plain(figures_markup(found, units))
+    words = plain(joined(figures_markup(found, units)))
     assert "as it is what if" in words
     assert re.search(r"Area, m² 12\.56\d+ ± 0\.0\d+ 6\.28\d+ ± 0\.0\d+", words)
     assert re.search(r"From axis 1 0\.\d … (2000\.\d|1999\.\d) (500|499)\.\d … (1500|1499)\.\d", words)
     assert "Along axis 1" not in words
     rough = replace(found, figures=tuple(replace(each, refined=False) for each in found.figures))
-    assert "≈ 12.6 ≈ 6.3" in plain(figures_markup(rough, units))
+    assert "≈ 12.6 ≈ 6.3" in plain(joined(figures_markup(rough, units)))
     unknown = replace(found, figures=tuple(replace(each, size=None, refined=False) for each in found.figures))
-    assert "Area, m² … …" in plain(figures_markup(unknown, units))
-    assert "of samples so far" in plain(figures_markup(unknown, units))
+    assert "Area, m² … …" in plain(joined(figures_markup(unknown, units)))
+    assert "of samples so far" in plain(joined(figures_markup(unknown, units)))
 
 
 @pytest.mark.parametrize(
@@ -176,36 +178,36 @@ def test_the_directions_across_a_sliding_joint_1_are_named(alpha, names):
 
 def test_the_figures_of_a_box_have_a_row_for_each_direction_across_joint_1():
     state = known("cartesian_3p")
-    words = plain(figures_markup(state[WhatIf].found, units_of(state)))
+    words = plain(joined(figures_markup(state[WhatIf].found, units_of(state))))
     assert re.search(r"Along x₀ \S+ … \S+ Along y₀ \S+ … \S+$", words)
     assert "Reach" not in words
     turning = known("elbow_3r")
-    assert re.search(r"Reach 1900\.0$", plain(figures_markup(turning[WhatIf].found, units_of(turning))))
+    assert re.search(r"Reach 1900\.0$", plain(joined(figures_markup(turning[WhatIf].found, units_of(turning)))))
 
 
 def test_the_legend_names_the_colours_that_are_there():
     state = known("planar_2r", Suppose(1, "a", 0.5))
     found = state[WhatIf].found
-    assert "lost" in legend_markup(found)
-    assert "the arm with the changes" in legend_markup(found)
-    early = legend_markup(replace(found, lost=None, gained=None))
+    assert "lost" in joined(legend_markup(found))
+    assert "the arm with the changes" in joined(legend_markup(found))
+    early = joined(legend_markup(replace(found, lost=None, gained=None)))
     assert "what if" in early
     assert "lost" not in early
-    alone = legend_markup(known("planar_2r")[WhatIf].found)
+    alone = joined(legend_markup(known("planar_2r")[WhatIf].found))
     assert plain(alone) == "as it is"
 
 
 def test_sections_are_drawn_one_over_the_other_of_arms_in_space():
     state = known("elbow_3r", Suppose(1, "a", 0.5))
     found, units = state[WhatIf].found, units_of(state)
-    drawn = picture(found, units)
+    drawn = joined(picture(found, units))
     assert drawn.count("<path") == 2
     numbers = [float(each) for each in re.findall(r"[ML](-?[\d.]+) ", drawn)]
     assert min(numbers) >= 0.0
     assert max(numbers) <= 320.0
-    assert picture(known("elbow_3r")[WhatIf].found, units).count("<path") == 1
-    assert picture(replace(found, sections=None), units) == ""
-    assert picture(known("planar_2r")[WhatIf].found, units) == ""
+    assert joined(picture(known("elbow_3r")[WhatIf].found, units)).count("<path") == 1
+    assert joined(picture(replace(found, sections=None), units)) == ""
+    assert joined(picture(known("planar_2r")[WhatIf].found, units)) == ""
 
 
 def test_what_is_drawn_belongs_in_the_picture():
@@ -226,7 +228,7 @@ def test_a_student_changes_a_number_sees_what_it_does_and_takes_it_over(url):
         clouds = [name for name in browser.nodes if "/what_if/" in name]
         assert any(name.endswith("/gained") for name in clouds) or browser.counts["PointCloudMessage"] > 0
         await browser.press("value", "far")
-        await browser.until(lambda: "expected a number in mm, got &#x27;far&#x27;" in browser.html())
+        await browser.until(lambda: "expected a number in mm, got &#39;far&#39;" in browser.html())
         # Directly below the field, and no longer than what was typed is about the number at hand.
         assert re.search(r"now 1000\.0 mm</span></div></div><p class=\"no\" role=\"alert\">✕ a₁", browser.html())
         await browser.press("field alpha")

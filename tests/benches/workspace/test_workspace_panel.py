@@ -13,6 +13,7 @@ from armlab.errors import InputError
 from armlab.kin.workspace.measures import MEASURES
 from armlab.session.state import State, apply
 from armlab.ui.colours import viridis
+from armlab.ui.html import joined
 from armlab.ui.measured import DECADES
 from armlab.ui.units import units_of
 from support.forms import asked
@@ -83,7 +84,7 @@ def test_the_scale_of_colours_is_that_of_the_points(measure):
     found = sampled(apply(state, SampleWorkspace()))[Workspace].found
     ends = [found.high * 10.0 ** (-DECADES), found.high] if MEASURES[measure].logarithmic else [found.low, found.high]
     np.testing.assert_allclose(parts_of(found, np.array(ends)), [0.0, 1.0], atol=1e-9)
-    text = scale(found)
+    text = joined(scale(found))
     assert MEASURES[measure].title.capitalize()[1:] in text
     assert "≥" in text
 
@@ -111,7 +112,7 @@ def test_only_voxels_that_can_be_seen_are_drawn(rng):
 def test_wrong_input_is_said(cell, text):
     state = apply(State.initial(catalogue()["elbow_3r"]), LookAtWorkspace(cut="x"))
     with pytest.raises(InputError, match="expected"):
-        asked(lambda form: choices_markup(form, state, units_of(state)), cell, text)
+        asked(lambda form: joined(choices_markup(form, state, units_of(state))), cell, text)
 
 
 def test_numbers_of_samples_are_readable():

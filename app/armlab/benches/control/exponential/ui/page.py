@@ -22,11 +22,13 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE, GREY, css
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, dot, escaped, mathml, number, readable, scientific
-from armlab.ui.markup import SIGNS
+from armlab.ui.format import capitalised, dot, mathml, number, readable, scientific
+from armlab.ui.html import Inside, Markup, classes, joined, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.matrices import copy_buttons
 from armlab.ui.plot import Curve, Plot
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.tables import line
 from armlab.ui.units import plain_number
 from armlab.ui.widgets import Gui
 
@@ -36,16 +38,16 @@ SYSTEM, EXPONENTIAL = r"\dot x=Ax,\quad x(t)=e^{At}x(0)", "e^{At}"
 SERIES, PRODUCT, PRINTED = r"\sum_k\frac{(At)^k}{k!}", r"T\,e^{\Lambda t}\,T^{-1}", r"T^{-1}e^{\Lambda t}\,T"
 
 DECIMALS, WIDEST = 4, 1e4
-"""Of entries, and from where on they have a power of ten."""
+"""Decimals of an entry, and the size from which it is written with a power of ten."""
 
 FLOOR, LOWEST = 1e-17, -17.5
-"""Errors that are smaller are drawn here, for the logarithm of 0 is not a number; and the lower end of the plot."""
+"""Smaller errors are drawn as the first, because 0 has no logarithm; the plot ends at the second, a logarithm."""
 
 FEWEST = 12
-"""Terms that are in the plot at least."""
+"""Least number of terms in the plot."""
 
 STEPS = 500
-"""Of the slider of t."""
+"""Number of steps of the slider of t."""
 
 SEEN = 5e-4
 """A difference of the printed formula below this is shown as none."""
@@ -69,7 +71,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             time.handle.max, time.handle.step = part.end, part.end / STEPS
         time.show(part.t)
         terms.show(float(part.terms))
-        drawn.show(f"{plane(part)}{_eigen(part.found)}")
+        drawn.show(plane(part), _eigen(part.found))
         results.show(results_markup(part))
         plot.show_part(part)
 
@@ -81,12 +83,12 @@ class _ErrorPlot(Plot):
 
     def __init__(self, gui: Gui) -> None:
         curves = [Curve("log₁₀ of the error", BLUE), Curve("log₁₀ of its bound", GREY, 1.2, dash=(4, 3))]
-        title = "<span>log₁₀ of the error (grey: bound)</span>"
+        title = tag("span", "log₁₀ of the error (grey: bound)")
         super().__init__(gui, title, "terms of the series", curves, "series_error", legend=False)
         self._part: Exponential | None = None
 
     def show_part(self, part: Exponential) -> None:
-        """Show the curves when they are others, and where the present number of terms is."""
+        """Show the curves if they have changed, and mark the present number of terms."""
         if part != self._part:
             self._part = part
             self._draw(part)
@@ -108,51 +110,51 @@ class _ErrorPlot(Plot):
         self.show(np.arange(1.0, count + 1.0), [error, above])
 
 
-def head_markup(form: Form, part: Exponential) -> str:
+def head_markup(form: Form, part: Exponential) -> Markup:
     """Return the choice of an example, and the fields of matrix, start and end."""
     chooser = examples(form, EXAMPLES, part.example, ChooseExponentialExample)
     values = {"x1": part.x0[0], "x2": part.x0[1], "end": part.end}
     values |= {f"a{i + 1}{j + 1}": part.A[i][j] for i in (0, 1) for j in (0, 1)}
 
-    def cell(key: str) -> str:
+    def cell(key: str) -> Markup:
         return form.field(
             key, readable(values[key], 4), ENTRIES[key], lambda text: SetEntry(key, plain_number(text, ENTRIES[key]))
         )
 
-    matrix = "".join(f"<tr><td>{cell(f'a{i}1')}</td><td>{cell(f'a{i}2')}</td></tr>" for i in (1, 2))
-    start = "".join(f"<tr><td>{cell(key)}</td></tr>" for key in ("x1", "x2"))
-    return (
-        f"{chooser}"
-        f'<div class="eq small" title="Notes 1.50-1.52, 1.58 corrected">&emsp;{mathml(SYSTEM)}'
-        f'</div><div class="exp-typed"><span>A =</span><table class="mat">{matrix}</table><i>1/s</i>'
-        f'<span>x(0) =</span><table class="mat">{start}</table>'
-        f"<label><span>until</span>{cell('end')}<i>s</i></label></div>"
+    typed = tag(
+        "div.exp-typed",
+        tag("span", "A ="),
+        tag("table.mat", [line(cell(f"a{i}1"), cell(f"a{i}2")) for i in (1, 2)]),
+        tag("i", "1/s"),
+        tag("span", "x(0) ="),
+        tag("table.mat", [line(cell(key)) for key in ("x1", "x2")]),
+        tag("label", tag("span", "until"), cell("end"), tag("i", "s")),
     )
+    system = tag("div.eq.small", "\N{EM SPACE}", mathml(SYSTEM), title="Notes 1.50-1.52, 1.58 corrected")
+    return joined(chooser, system, typed)
 
 
-def results_markup(part: Exponential) -> str:
+def results_markup(part: Exponential) -> Markup:
     """Return the three results below each other, with how far they are from SciPy's."""
     found = part.found
-    count = f"{part.terms} term{'' if part.terms == 1 else 's'} of {mathml(SERIES)}"
+    count = f"{part.terms} term{'' if part.terms == 1 else 's'} of ", mathml(SERIES)
     series = float(found.errors[part.terms - 1])
     rows = [_result(count, found.sums[part.terms - 1], f"off by {scientific(series)}")]
     if found.product is None:
-        rows.append(f'<div class="exp-result"><div>{mathml(PRODUCT)}<p class="dim">T has no inverse</p></div></div>')
+        rows.append(_result(mathml(PRODUCT), None, "T has no inverse"))
     else:
         off = float(np.abs(found.product - found.whole).max())
         rows.append(_result(mathml(PRODUCT), found.product, f"off by {scientific(off)}"))
     rows.append(_result("SciPy", found.whole, "the others are compared with this"))
     kind = KINDS[found.basis.basis]
     said = capitalised(found.basis.says)
-    printed = ""
+    printed = None
     if found.printed is not None:
         off_by = f"here off by {number(found.printed, 3)}" if found.printed >= SEEN else "the same with this T"
-        printed = f"<p>Notes 1.58 print {mathml(PRINTED)}: {off_by}.</p>"
-    card = f'<div class="verdict {kind}"><b>{SIGNS[kind]} {_condition(found)}</b>{escaped(said)}.{printed}</div>'
-    title = (
-        f'<h3>{mathml(EXPONENTIAL)} at t = {amount(part.t, "s")}<span class="copies">{copy_buttons(found.whole)}</span>'
-    )
-    return f"{title}</h3>{''.join(rows)}{card}"
+        printed = tag("p", "Notes 1.58 print ", mathml(PRINTED), f": {off_by}.")
+    copies = tag("span.copies", copy_buttons(found.whole))
+    title = tag("h3", mathml(EXPONENTIAL), f" at t = {amount(part.t, 's')}", copies)
+    return joined(title, rows, verdict_box(kind, _condition(found), f"{said}.", printed))
 
 
 def _condition(found: Found) -> str:
@@ -161,39 +163,37 @@ def _condition(found: Found) -> str:
     return f"cond(T) = {text if found.basis.basis != 'none' else '∞'}"
 
 
-def _result(name: str, values: Array, said: str) -> str:
-    return f'<div class="exp-result"><div>{name}<p class="dim">{said}</p></div>{_matrix(values)}</div>'
+def _result(name: Inside, values: Array | None, said: str) -> Markup:
+    matrix = None if values is None else _matrix(values)
+    return tag("div.exp-result", tag("div", name, tag("p.dim", said)), matrix)
 
 
-def _matrix(values: Array) -> str:
-    def cell(value: float) -> str:
+def _matrix(values: Array) -> Markup:
+    def cell(value: float) -> Markup:
         zero = abs(value) < 0.5 * 10.0**-DECIMALS
         text = "0" if zero else number(value, DECIMALS) if abs(value) < WIDEST else scientific(value, 3)
-        return f"<td{' class=zero' if zero else ''}>{text}</td>"
+        return tag(classes("td", zero=zero), text)
 
-    rows = "".join(f"<tr>{''.join(cell(float(value)) for value in row)}</tr>" for row in values)
-    return f'<table class="mat">{rows}</table>'
+    return tag("table.mat", [tag("tr", [cell(float(value)) for value in row]) for row in values])
 
 
-def _eigen(found: Found) -> str:
+def _eigen(found: Found) -> Markup:
     """Return eigenvalues, and real eigenvectors with the colours of their lines."""
     basis = found.basis
     if not basis.real:
         real, imaginary = float(basis.values[0].real), abs(float(basis.values[0].imag))
-        return f'<p class="dim">λ₁,₂ = {amount(real)} ± {amount(imaginary)} j, 1/s; complex eigenvectors.</p>'
+        return tag("p.dim", f"λ₁,₂ = {amount(real)} ± {amount(imaginary)} j, 1/s; complex eigenvectors.")
     if basis.basis == "none" and basis.values[0] == basis.values[1]:
         vector = ", ".join(number(float(value), 3) for value in basis.T.real[:, 0])
         value = amount(float(basis.values[0].real), "1/s")
-        return (
-            f'<p class="exp-eigen">{dot(css(EIGEN[0]))}λ₁ = λ₂ = {value}, a double eigenvalue with one eigenvector: '
-            f"v = ({vector})</p>"
-        )
-    said = [
-        f"{dot(css(EIGEN[i]))}λ{'₁₂'[i]} = {amount(float(basis.values[i].real), '1/s')}, "
-        f"v = ({', '.join(number(float(value), 3) for value in basis.T.real[:, i])})"
-        for i in (0, 1)
-    ]
-    return f'<p class="exp-eigen">{"<br>".join(said)}</p>'
+        double = f"λ₁ = λ₂ = {value}, a double eigenvalue with one eigenvector: v = ({vector})"
+        return tag("p.exp-eigen", dot(css(EIGEN[0])), double)
+    said = []
+    for i in (0, 1):
+        value = amount(float(basis.values[i].real), "1/s")
+        vector = ", ".join(number(float(part), 3) for part in basis.T.real[:, i])
+        said.append(joined(dot(css(EIGEN[i])), f"λ{'₁₂'[i]} = {value}, v = ({vector})"))
+    return tag("p.exp-eigen", joined(said, between=tag("br")))
 
 
 PANEL = Panel((Exponential,), build, rebuilds=())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from armlab.benches.control.follow.chosen import MOST_RUNS, Setup
 from armlab.benches.control.follow.commands import AddRun, RemoveRun, SelectRun
@@ -13,51 +14,53 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import RUN_COLOURS, css
 from armlab.ui.form import Form
-from armlab.ui.format import dot, escaped, number, scientific
+from armlab.ui.format import dot, number, scientific
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import verdict_box
+from armlab.ui.symbols import with_indices
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
 SMALL = 5e-3
-"""In the unit on screen; what is smaller than that and not nothing has a power of ten."""
+"""In the unit on screen: smaller numbers are written with a power of ten."""
 
 ROUNDING = 1e-9
-"""m or rad, and a second: what is smaller comes of rounding, not of the law."""
+"""In m or rad, also per second: smaller numbers come from rounding, not from the law."""
 
-ZERO = '<span class="zero">0</span>'
+ZERO = tag("span.zero", "0")
 
-Row = tuple[str, list[str]]
+Row = tuple[Inside, list[Inside]]
 
 
-def runs_markup(form: Form, state: State) -> str:
-    """Return all runs, a name for the selected one, and a button for one more."""
+def runs_markup(form: Form, state: State) -> Markup:
+    """Return the list of runs, and the button that adds one."""
     part = state[Control]
     full = len(part.runs) == MOST_RUNS
-    rows = "".join(_run(form, part, i, run) for i, run in enumerate(part.runs))
+    rows = [_run(form, part, i, run) for i, run in enumerate(part.runs)]
     hint = f"At most {MOST_RUNS} runs" if full else "Keep this run for comparison, and change a copy of it"
     more = form.button("add", "+ Run", AddRun(), "chip", hint, off=full)
-    return f'<h3>Runs<span class="copies">{more}</span></h3><div class="ct-runs">{rows}</div>'
+    return joined(tag("h3", "Runs", tag("span.copies", more)), tag("div.ct-runs", rows))
 
 
-def _run(form: Form, part: Control, i: int, run: Setup) -> str:
-    mark = f"{dot(css(RUN_COLOURS[run.colour]))}<span>{escaped(run.title)}</span>"
+def _run(form: Form, part: Control, i: int, run: Setup) -> Markup:
+    mark = dot(css(RUN_COLOURS[run.colour])), tag("span", run.title)
     hint, selected = "Show and play this run", i == part.selected
     chosen = form.button(f"select {i}", mark, SelectRun(i), "chip", hint, f"Run {i + 1}", pressed=selected)
-    away = ""
+    away = None
     if len(part.runs) > 1:
         away = form.button(f"remove {i}", "✕", RemoveRun(i), "chip", "Remove this run", f"Remove run {i + 1}")
-    return f'<div class="ct-run">{chosen}{away}</div>'
+    return tag("div.ct-run", chosen, away)
 
 
-def card_markup(state: State) -> str:
+def card_markup(state: State) -> Markup:
     """Return the results side by side, and what there is to say about runs that did not come to their end."""
     part, units = state[Control], units_of(state)
     found = [_current(state, i) for i in range(len(part.runs))]
-    heads = "".join(f"<th>{dot(css(RUN_COLOURS[run.colour]))}{i + 1}</th>" for i, run in enumerate(part.runs))
+    heads = [(dot(css(RUN_COLOURS[run.colour])), str(i + 1)) for i, run in enumerate(part.runs)]
     rows = _rows(state, [None if each is None else each.figures for each in found], units)
-    body = "".join(
-        f"<tr><td>{name}</td>{''.join(f'<td>{value}</td>' for value in values)}</tr>" for name, values in rows
-    )
-    said = "".join(_said(i, each, units) for i, each in enumerate(found))
-    return f'<table class="ct-card"><tr><th></th>{heads}</tr>{body}</table>{said}'
+    body = [line(name, *values) for name, values in rows]
+    said = [_said(i, each, units) for i, each in enumerate(found)]
+    return joined(tag("table.ct-card", head_line(None, *heads), body), said)
 
 
 def _current(state: State, i: int) -> Outcome | None:
@@ -67,30 +70,28 @@ def _current(state: State, i: int) -> Outcome | None:
     return outcome if outcome is not None and outcome.question == state.derived(questions)[i] else None
 
 
-def _said(i: int, outcome: Outcome | None, units: Units) -> str:
+def _said(i: int, outcome: Outcome | None, units: Units) -> Inside:
     if outcome is None:
-        return ""
+        return None
     if outcome.run is None:
-        return f'<div class="verdict no"><b>✕ Run {i + 1} cannot be made</b>{escaped(outcome.refused)}</div>'
-    said = ""
+        return verdict_box("no", f"Run {i + 1} cannot be made", outcome.refused)
+    said = []
     if outcome.run.stopped:
         text = f"Run {i + 1} ends at {number(outcome.run.duration, 2)} s"
-        said = f'<div class="verdict warn"><b>! {text}</b>{escaped(outcome.run.stopped)}.</div>'
+        said.append(verdict_box("warn", text, f"{outcome.run.stopped}.", sign="!"))
     if outcome.figures is not None and outcome.figures.left_range is not None:
-        said += _left(i, outcome, *outcome.figures.left_range, units)
+        said.append(_left(i, outcome, *outcome.figures.left_range, units))
     return said
 
 
-def _left(i: int, outcome: Outcome, joint: int, time: float, units: Units) -> str:
+def _left(i: int, outcome: Outcome, joint: int, time: float, units: Units) -> Markup:
     """Return that a joint leaves its range: a run does not keep joint limits."""
     arm = outcome.question.arm
     turns = bool(arm.revolute[joint])
     low, high = (units.text(float(limit), turns) for limit in arm.limits[joint])
     where = f"{low} to {high} {units.unit(turns)}"
-    return (
-        f'<div class="verdict warn"><b>! Run {i + 1} leaves the range of joint {joint + 1} at {number(time, 2)} s</b>'
-        f"A real arm would stop there: {where}.</div>"
-    )
+    head = f"Run {i + 1} leaves the range of joint {joint + 1} at {number(time, 2)} s"
+    return verdict_box("warn", head, f"A real arm would stop there: {where}.", sign="!")
 
 
 def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row]:
@@ -98,8 +99,9 @@ def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row
     rows: list[Row] = []
     for i in range(arm.n):
         revolute = bool(arm.revolute[i])
-        name = f"peak q̇{_index(i)}, {units.unit(revolute)}/s"
-        rows.append((name, [_cell(each, lambda f, i=i, r=revolute: _peak(f.speeds[i], r, units)) for each in figures]))
+        name = "peak q̇", tag("sub", str(i + 1)), f", {units.unit(revolute)}/s"
+        fastest = [None if each is None else each.speeds[i] for each in figures]
+        rows.append((name, ["…" if peak is None else _peak(peak, revolute, units) for peak in fastest]))
     if arm.task.position:
         unit = units.length_unit
         rows.append(
@@ -125,7 +127,7 @@ def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row
     sigma = sigma_unit(arm)
     rows.append(
         (
-            f"smallest σ_min{f', {sigma}' if sigma else ''}".replace("_min", "<sub>min</sub>"),
+            ("smallest ", with_indices("σ_min"), f", {sigma}" if sigma else None),
             [_cell(each, lambda f: _sigma(f.sigma_min)) for each in figures],
         )
     )
@@ -135,25 +137,21 @@ def _rows(state: State, figures: list[Figures | None], units: Units) -> list[Row
     return rows
 
 
-def _cell(figures: Figures | None, text: object) -> str:
-    return "…" if figures is None else text(figures)  # type: ignore[operator]
+def _cell(figures: Figures | None, text: Callable[[Figures], Inside]) -> Inside:
+    return "…" if figures is None else text(figures)
 
 
-def _index(i: int) -> str:
-    return f"<sub>{i + 1}</sub>"
-
-
-def _peak(peak: Peak, revolute: bool, units: Units) -> str:
-    """Return a largest value, and below it when."""
+def _peak(peak: Peak, revolute: bool, units: Units) -> Inside:
+    """Return a largest value with its time below it."""
     text = small(peak.value, revolute, units)
-    return text if text == ZERO else f"{text}<small>{number(peak.time, 2)} s</small>"
+    return text if text == ZERO else (text, tag("small", f"{number(peak.time, 2)} s"))
 
 
-def _sigma(peak: Peak) -> str:
-    return f"{number(peak.value, 3)}<small>{number(peak.time, 2)} s</small>"
+def _sigma(peak: Peak) -> Inside:
+    return number(peak.value, 3), tag("small", f"{number(peak.time, 2)} s")
 
 
-def small(value: float, revolute: bool, units: Units) -> str:
+def small(value: float, revolute: bool, units: Units) -> Inside:
     """Return an error or a speed, not negative, without its unit; a power of ten where it is very small."""
     if value < ROUNDING:
         return ZERO

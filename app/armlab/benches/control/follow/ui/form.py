@@ -29,6 +29,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, trimmed
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.option_form import PLAIN, Scale, option_form
 from armlab.ui.units import Units, units_of
 
@@ -36,7 +37,7 @@ PERCENT = (Scale("%", 0.01),)
 
 
 def scales_of(key: str, units: Units) -> Sequence[Scale]:
-    """Return what stands on screen for the unit ``q`` of a value of a run."""
+    """Return the unit on screen of a value of a run whose unit is ``q``."""
     if key in ("speed", "radius", "slide_limit"):
         return (Scale(units.length_unit, units.factor(False)),)
     if key == "limit":
@@ -44,57 +45,58 @@ def scales_of(key: str, units: Units) -> Sequence[Scale]:
     return PERCENT if key == "wrong" else PLAIN
 
 
-def reference_markup(form: Form, state: State) -> str:
-    """Return what is followed, and from where."""
+def reference_markup(form: Form, state: State) -> Markup:
+    """Return the controls of the reference, of its start and of the initial error."""
     run, units = state[Control].run, units_of(state)
     chooser = form.select("ref", "Reference", REFERENCES, run.reference, ChooseReference, "What the tool is to follow")
     level = "z" not in state[Joints].arm.task.position
     way = _values(form, run, [each for each in WAY if not (level and each.key == "elevation")], units)
-    found = f'<h3>Reference</h3><div class="kit-head">{chooser}</div>'
-    found += f'<div class="options">{way}</div>' if way else ""
+    found = [tag("h3", "Reference"), tag("div.kit-head", chooser), _group(way)]
     if run.reference == "target":
-        found += _target(form, state, units)
+        found.append(_target(form, state, units))
     if run.reference != "planned":
         hint = "Let the reference begin where the arm stands"
         here = form.button("here", "Present pose", SetStart(), "chip", hint)
-        found += _joints(form, state, "start", run.start, SetStart, "Start", here)
-    return found + _joints(form, state, "offset", run.offset, SetOffset, "Initial error", "")
+        found.append(_joints(form, state, "start", run.start, SetStart, "Start", here))
+    return joined(found, _joints(form, state, "offset", run.offset, SetOffset, "Initial error"))
 
 
-def law_markup(form: Form, state: State) -> str:
+def _group(fields: Markup) -> Markup | None:
+    return tag("div.options", fields) if fields else None
+
+
+def law_markup(form: Form, state: State) -> Markup:
     """Return law and inverse with their formulas and options, and the self-motion of a redundant arm."""
     run, arm, units = state[Control].run, state[Joints].arm, units_of(state)
     sigma = sigma_unit(arm)
     laws = {key: law.title for key, law in control_laws().items()}
-    found = (
-        "<h3>Control law</h3>"
-        + f'<div class="kit-head">{form.select("law", "Control law", laws, run.law, ChooseLaw)}</div>'
-        + f'<p class="ct-formula">{mathml(run.kind.formula)}</p>'
-        + _options(form, "law", _gains(run.kind.fields, arm), dict(run.law_options), sigma)
-    )
+    found: list[Inside] = [
+        tag("h3", "Control law"),
+        tag("div.kit-head", form.select("law", "Control law", laws, run.law, ChooseLaw)),
+        tag("p.ct-formula", mathml(run.kind.formula)),
+        _options(form, "law", _gains(run.kind.fields, arm), dict(run.law_options), sigma),
+    ]
     if run.kind.inverts:
         inverses = {key: method.title for key, method in rate_inverses().items()}
         chooser = form.select("inverse", "Inverse of J", inverses, run.inverse, ChooseInverse)
-        found += (
-            f'<div class="kit-head">{chooser}</div>'
-            + f'<p class="ct-formula">{mathml(run.method.formula)}</p>'
-            + _options(form, "inverse", run.method.fields, dict(run.inverse_options), sigma)
-        )
+        found += [
+            tag("div.kit-head", chooser),
+            tag("p.ct-formula", mathml(run.method.formula)),
+            _options(form, "inverse", run.method.fields, dict(run.inverse_options), sigma),
+        ]
         if arm.n > arm.task.m:
-            found += f'<div class="options">{_values(form, run, NULL, units)}</div>'
-    return found
+            found.append(tag("div.options", _values(form, run, NULL, units)))
+    return joined(found)
 
 
-def plant_markup(form: Form, state: State) -> str:
-    """Return what is not ideal about the arm."""
+def plant_markup(form: Form, state: State) -> Markup:
+    """Return the fields for what is not ideal about the arm."""
     run, units, arm = state[Control].run, units_of(state), state[Joints].arm
     motors = tuple(
         each for each in MOTORS if each.key == "saturation" or bool((arm.revolute == (each.key == "limit")).any())
     )
     encoder = KNOWLEDGE if run.counts else tuple(each for each in KNOWLEDGE if each.key not in ("shaft", "ratio"))
-    return "".join(
-        f'<div class="options">{_values(form, run, group, units)}</div>' for group in (motors, CLOCK, encoder)
-    )
+    return joined(tag("div.options", _values(form, run, group, units)) for group in (motors, CLOCK, encoder))
 
 
 def plant_words(run: Setup) -> str:
@@ -113,18 +115,17 @@ def plant_words(run: Setup) -> str:
     return ", ".join(found) or "ideal"
 
 
-def _values(form: Form, run: Setup, group: Sequence[Field], units: Units) -> str:
+def _values(form: Form, run: Setup, group: Sequence[Field], units: Units) -> Markup:
     """Return the fields of a group that can be used, each in its own unit."""
     seen = run.seen(tuple(group))
-    return "".join(option_form(form, "w-", (each,), run.given, SetValue, scales_of(each.key, units)) for each in seen)
+    return joined(option_form(form, "w-", (each,), run.given, SetValue, scales_of(each.key, units)) for each in seen)
 
 
-def _options(form: Form, of: str, kinds: Sequence[Field], given: dict[str, Any], sigma: str) -> str:
+def _options(form: Form, of: str, kinds: Sequence[Field], given: dict[str, Any], sigma: str) -> Markup | None:
     """Return the options of a law or an inverse, with the units of singular values as they are for this arm."""
     texts = {"sigma": sigma or "1", "sigma²": f"{sigma}²" if sigma else "1", "1/sigma²": f"{sigma}⁻²" if sigma else "1"}
     shown = [replace(each, unit=texts.get(each.unit, each.unit)) for each in kinds]
-    markup = option_form(form, f"{of}-", shown, given, partial(SetOption, of))
-    return f'<div class="options">{markup}</div>' if markup else ""
+    return _group(option_form(form, f"{of}-", shown, given, partial(SetOption, of)))
 
 
 def _gains(kinds: Sequence[Field], arm: Arm) -> list[Field]:
@@ -140,12 +141,12 @@ def _joints(
     values: Sequence[float],
     command: Callable[[tuple[float, ...]], Command],
     title: str,
-    more: str,
-) -> str:
+    more: Markup | None = None,
+) -> Markup:
     """Return a field for each joint; the command gets the values of all."""
     units, arm = units_of(state), state[Joints].arm
 
-    def field(i: int, revolute: bool, label: str) -> str:
+    def field(i: int, revolute: bool, label: str) -> Markup:
         def typed(text: str) -> Command:
             value = units.read(text, revolute, f"{cell} of joint {i + 1}")
             return command((*values[:i], value, *values[i + 1 :]))
@@ -156,18 +157,17 @@ def _joints(
     for i in range(len(values)):
         revolute = bool(arm.revolute[i])
         name, unit = units.variable(i, revolute), units.unit(revolute)
-        cells.append(
-            f"<label><span>{name}</span>{field(i, revolute, f'{title} of {name} in {unit}')}<i>{unit}</i></label>"
-        )
-    copies = f'<span class="copies">{more}</span>' if more else ""
-    return f'<div class="ct-joints"><b>{title}</b>{copies}<div class="kit-numbers">{"".join(cells)}</div></div>'
+        typed = field(i, revolute, f"{title} of {name} in {unit}")
+        cells.append(tag("label", tag("span", name), typed, tag("i", unit)))
+    copies = tag("span.copies", more) if more else None
+    return tag("div.ct-joints", tag("b", title), copies, tag("div.kit-numbers", cells))
 
 
-def _target(form: Form, state: State, units: Units) -> str:
+def _target(form: Form, state: State, units: Units) -> Markup:
     place = ", ".join(units.text(float(value), False) for value in state[Control].target[:3, 3])
     hint = "Take the target of the lab; dragged, it is taken by itself"
     take = form.button("aim", "From the handle", AimAt(), "chip", hint)
-    return f'<div class="bar"><span>Target ({place}) {units.length_unit}</span>{take}</div>'
+    return tag("div.bar", tag("span", f"Target ({place}) {units.length_unit}"), take)
 
 
 @cache

@@ -21,8 +21,10 @@ from armlab.session.parts.timeline import OpenClip, Play, Timeline
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, number, trimmed
+from armlab.ui.format import number, trimmed
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plugin import Panel, Points, Show
+from armlab.ui.symbols import with_symbol
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
@@ -52,25 +54,22 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         head.show(examples(head, EXAMPLES, state[Control].example, ChooseControlExample, "Experiments"))
         runs.show(runs_markup(runs, state))
         card.show(card_markup(state))
-        form.show(_named(form, state) + reference_markup(form, state))
+        form.show(_named(form, state), reference_markup(form, state))
         law.show(law_markup(law, state))
-        words = escaped(plant_words(state[Control].run)).replace("T_s", "T<sub>s</sub>")
-        plant.show(f"<h3>Plant <small>{words}</small></h3>{plant_markup(plant, state)}")
+        words = with_symbol(plant_words(state[Control].run), "T_s")
+        plant.show(tag("h3", "Plant ", tag("small", words)), plant_markup(plant, state))
 
     return show
 
 
-def clock_markup(form: Form, state: State) -> str:
-    """Return play and push."""
+def clock_markup(form: Form, state: State) -> Markup:
+    """Return the buttons that play and push, and the time."""
     part, units, on = state[Control], units_of(state), state[Timeline].clip == CLIP_KEY
     now = "…" if not fresh(state) else f"t = {number(time_of(state), 2)} s" if on else ""
-    return (
-        f'<div class="bar ct-clock">{_play(form, state)}<span class="dim">{now}</span>'
-        f"<span>{_push(form, part, units)}</span></div>"
-    )
+    return tag("div.bar.ct-clock", _play(form, state), tag("span.dim", now), tag("span", _push(form, part, units)))
 
 
-def _play(form: Form, state: State) -> str:
+def _play(form: Form, state: State) -> Markup:
     timeline = state[Timeline]
     on = timeline.clip == CLIP_KEY
     if on and timeline.playing:
@@ -80,7 +79,7 @@ def _play(form: Form, state: State) -> str:
     return form.button("play-control", "▶ Run", OpenClip(CLIP_KEY, play=True), "main")
 
 
-def _push(form: Form, part: Control, units: Units) -> str:
+def _push(form: Form, part: Control, units: Units) -> Inside:
     """Return the button that pushes, how far, and the button that takes all pushes away."""
     hint = "Push the tool aside at the present time, and run it again"
     push = form.button("push", "Push", PushNow(), "chip", hint, off=part.outcome is None)
@@ -91,20 +90,21 @@ def _push(form: Form, part: Control, units: Units) -> str:
     shown = trimmed(part.push / units.factor(False), 3)
     size = form.field("push-size", shown, "How far the tool is pushed", sized)
     count, away = len(part.run.pushes), "Take the pushes away"
-    drop = form.button("drop", f"✕ {count}", DropPushes(), "chip", away, away) if count else ""
-    return f"{push}<label>{size}<i>{units.length_unit}</i></label>{drop}"
+    drop = form.button("drop", f"✕ {count}", DropPushes(), "chip", away, away) if count else None
+    return push, tag("label", size, tag("i", units.length_unit)), drop
 
 
-def _views(form: Form, chosen: str, look: Callable[[str], None]) -> str:
+def _views(form: Form, chosen: str, look: Callable[[str], None]) -> Markup:
     hint = "What to look at over time"
-    chips = (form.chip(key, text, partial(look, key), hint, key == chosen) for key, text in VIEWS.items())
-    return f'<div class="bar">{"".join(chips)}</div>'
+    return tag(
+        "div.bar", [form.chip(key, text, partial(look, key), hint, key == chosen) for key, text in VIEWS.items()]
+    )
 
 
-def _named(form: Form, state: State) -> str:
+def _named(form: Form, state: State) -> Markup:
     part = state[Control]
     name = form.field("name", part.run.title, "Name of the run", NameRun)
-    return f'<label class="option wide ct-name"><span>Run {part.selected + 1}</span>{name}</label>'
+    return tag("label.option.wide.ct-name", tag("span", f"Run {part.selected + 1}"), name)
 
 
 def _around(state: State) -> Points:

@@ -18,6 +18,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.colours import RUN_COLOURS, joint_colour
 from armlab.ui.format import mathml
+from armlab.ui.html import Inside, tag
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
 from armlab.ui.run_plot import ROOM, RunPlot
 from armlab.ui.units import Units, units_of
@@ -36,7 +37,7 @@ Array = NDArray[np.float64]
 class JointPlot(Plot):
     """One quantity of the selected run, a curve for each joint of one kind."""
 
-    def __init__(self, gui: Gui, arm: Arm, units: Units, turns: bool, quantity: tuple[str, str, str]) -> None:
+    def __init__(self, gui: Gui, arm: Arm, units: Units, turns: bool, quantity: tuple[Inside, str, str]) -> None:
         name, suffix, file = quantity
         self.joints = np.flatnonzero(arm.revolute == turns)
         self._unit_size = units.factor(turns)
@@ -44,7 +45,8 @@ class JointPlot(Plot):
         curves = [Curve(f"joint {i + 1}, {unit}", joint_colour(int(i))) for i in self.joints]
         mixed = bool(arm.revolute.any()) and not bool(arm.revolute.all())
         kind = (" of turning joints" if turns else " of sliding joints") if mixed else ""
-        super().__init__(gui, f"<span>{name}{kind}, {unit}</span>", "t, s", curves, file, limits=2, height=HEIGHT)
+        title = tag("span", name, f"{kind}, {unit}")
+        super().__init__(gui, title, "t, s", curves, file, limits=2, height=HEIGHT)
 
     def show_joints(self, run: Run, values: Array, limit: float | None = None) -> None:
         """Show values (k, n) of a run, between plus and minus a limit where there is one."""
@@ -61,7 +63,7 @@ class JointPlot(Plot):
 
 
 class Plots:
-    """All plots, of which one view is seen."""
+    """All plots; those of one view are visible."""
 
     def __init__(self, gui: Gui, state: State) -> None:
         arm, units = state[Joints].arm, units_of(state)
@@ -72,18 +74,16 @@ class Plots:
         kinds = [turns for turns in (True, False) if bool(np.any(arm.revolute == turns))]
         self._make_errors(gui, kinds)
         for turns in kinds:
-            self._each["speed"].append(JointPlot(gui, arm, units, turns, (f"Speeds {mathml(DOT)}", "/s", "speeds")))
+            self._each["speed"].append(JointPlot(gui, arm, units, turns, (("Speeds ", mathml(DOT)), "/s", "speeds")))
         which = "joint" if len(kinds) == 1 else "turning joint"
         fastest = f"Fastest {which} of all runs, {units.unit(kinds[0])}/s"
         self._across["speed"].append(RunPlot(gui, fastest, "fastest", self._fastest(kinds[0]), True))
         for turns in kinds:
             self._each["joint"].append(JointPlot(gui, arm, units, turns, ("Joint values", "", "joints")))
         sigma = sigma_unit(arm)
-        unit = f", {sigma}" if sigma else ""
+        smallest = "Smallest singular value ", mathml(SIGMA), f", {sigma}" if sigma else None
         self._across["sigma"] = [
-            RunPlot(
-                gui, f"Smallest singular value {mathml(SIGMA)}{unit}", "sigma_min", _of(lambda run: run.sigma_min), True
-            ),
+            RunPlot(gui, smallest, "sigma_min", _of(lambda run: run.sigma_min), True),
             RunPlot(gui, f"Damping λ{f', {sigma}²' if sigma else ''}", "damping", _of(lambda run: run.damping), True),
         ]
 
@@ -102,23 +102,23 @@ class Plots:
                 RunPlot(gui, title, "orientation_error", _of(lambda r: r.error_rotation / radian), True)
             )
         for turns in kinds:
-            self._each["error"].append(JointPlot(gui, arm, units, turns, (f"Errors {mathml(GAP)}", "", "joint_errors")))
+            quantity = ("Errors ", mathml(GAP)), "", "joint_errors"
+            self._each["error"].append(JointPlot(gui, arm, units, turns, quantity))
         unit = units.length_unit
         curves = [Curve(f"the run, {unit}", RUN_COLOURS[0]), Curve(f"predicted, {unit}", RUN_COLOURS[1], dash=(5, 4))]
-        self._prediction = Plot(
-            gui, f"Error of the position, and {mathml(PREDICTED)}, {unit}", "t, s", curves, "prediction", height=HEIGHT
-        )
+        both = "Error of the position, and ", mathml(PREDICTED), f", {unit}"
+        self._prediction = Plot(gui, both, "t, s", curves, "prediction", height=HEIGHT)
 
     def _fastest(self, turns: bool) -> Callable[[Any], Array]:
         joints, factor = self._arm.revolute == turns, self._units.factor(turns)
         return _of(lambda run: np.abs(run.qdot[:, joints]).max(axis=1) / factor)
 
     def look_at(self, view: str) -> None:
-        """See other plots from the next `show` on."""
+        """Make the plots of another view visible from the next `show` on."""
         self._view, self._shown = view, object()
 
     def show(self, state: State) -> None:
-        """Show the curves of a state when they are others; the cursor follows the run that is on."""
+        """Show the curves of a state if they have changed; the cursor follows the run that plays."""
         part = state[Control]
         shown = (tuple(part.outcomes.get(run.colour) for run in part.runs), part.selected, self._view)
         if shown != self._shown:

@@ -18,12 +18,14 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import GREY
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, mathml, number, pairs
-from armlab.ui.markup import SIGNS, row
+from armlab.ui.format import mathml, number, pairs
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import row, verdict_box
 from armlab.ui.option_form import option_form
 from armlab.ui.playing import clock
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.symbols import with_symbol
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
@@ -31,10 +33,9 @@ VELOCITIES, ERRORS = "v_d,\\;v", "e=v_d-v"
 RESPONSE = r"W(s)=1/(\frac{M}{K}s+1)"
 GAIN, PHASE, ERROR_GAIN = r"|W(j\omega)|", r"W(j\omega)", r"|1-W(j\omega)|"
 
-WISHED = "v<sub>d</sub>"
 
 FOLLOWS, FAILS = 0.05, 0.5
-"""Parts of the wish below which the lasting error is small, and from which the loop is said not to follow."""
+"""Lasting error over the wish: small below the first; from the second on the loop does not follow."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -42,7 +43,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     units = units_of(state)
     head, drawn, form, timing = gui.form(post), gui.html(), gui.form(post), gui.form(post)
     plots, verdict = _Plots(gui), gui.html()
-    gui.heading(f"Frequency response {mathml(RESPONSE)}")
+    gui.heading("Frequency response ", mathml(RESPONSE))
     response = gui.html()
 
     def show(state: State) -> None:
@@ -53,7 +54,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         timing.show(clock(timing, state, CLIP_KEY, part.end))
         plots.show(state)
         verdict.show(_verdict(part, units))
-        response.show(bode(part, units) + _numbers(part, units))
+        response.show(bode(part, units), _numbers(part, units))
 
     return show
 
@@ -63,16 +64,15 @@ class _Plots:
 
     def __init__(self, gui: Gui) -> None:
         wish, v = Curve("v_d, m/s", WISH, dash=(6, 4)), Curve("v, m/s", REACHED)
-        self._v = Plot(
-            gui, f"<span>{mathml(VELOCITIES)} (dashed: wanted), m/s</span>", "t, s", [wish, v], "velocity", legend=False
-        )
+        title = tag("span", mathml(VELOCITIES), " (dashed: wanted), m/s")
+        self._v = Plot(gui, title, "t, s", [wish, v], "velocity", legend=False)
         lasting = [Curve(f"lasting amplitude {sign}, m/s", GREY, 1.2, dash=(3, 3)) for sign in ("above", "below")]
-        name = f"<span>{mathml(ERRORS)}, m/s (grey: what stays)</span>"
+        name = tag("span", mathml(ERRORS), ", m/s (grey: what stays)")
         self._e = Plot(gui, name, "t, s", [Curve("e, m/s", ERROR), *lasting], "velocity_error", legend=False)
         self._shown: Loop | None = None
 
     def show(self, state: State) -> None:
-        """Show the curves when they are others, and the cursor while the film is on."""
+        """Show the curves if they have changed, and the cursor while the film is open."""
         part = state[Loop]
         if part != self._shown:
             self._shown = part
@@ -86,26 +86,26 @@ class _Plots:
             plot.cursor(TIME if on else None)
 
 
-def _written(says: str) -> str:
-    return escaped(says).replace("v_d", WISHED)
+def _written(says: str) -> Markup:
+    return with_symbol(says, "v_d")
 
 
-def _head(form: Form, part: Loop) -> str:
+def _head(form: Form, part: Loop) -> Markup:
     chooser = examples(form, EXAMPLES, part.example, ChooseLoopExample, written=_written)
     formula = mathml(r"M\,\dot v=F,\quad F=K\,(v_d-v)")
     title = "A mass without friction whose velocity is controlled by a force; notes 7.3-7.10"
-    return f'{chooser}<div class="eq small" title="{title}">&emsp;{formula}</div>'
+    return joined(chooser, tag("div.eq.small", "\N{EM SPACE}", formula, title=title))
 
 
-def form_markup(form: Form, part: Loop) -> str:
-    """Return what is wanted, and the numbers of the loop."""
+def form_markup(form: Form, part: Loop) -> Markup:
+    """Return the choice of the wanted velocity, and the fields of the loop."""
     hint = "What velocity is wanted from t = 0 on"
     kinds = form.chips("kind", KINDS, part.kind, hint, partial(Set, Loop, "kind"))
     given = option_form(form, "l-", part.fields, part.values, partial(Set, Loop))
-    return f'{row("Wanted", kinds, wide=True)}<div class="options loop-form">{given}</div>'
+    return joined(row("Wanted", kinds, wide=True), tag("div.options.loop-form", given))
 
 
-def _verdict(part: Loop, units: Units) -> str:
+def _verdict(part: Loop, units: Units) -> Markup:
     """Return what stays of the error, and why."""
     if part.kind == "step":
         loop = part.loop
@@ -114,7 +114,7 @@ def _verdict(part: Loop, units: Units) -> str:
             f"The error falls to 37 % in each M/K = {amount(loop.time_constant, 's')}; after {amount(part.end, 's')} "
             f"{amount(100.0 * left)} % of the first one are left."
         )
-        return _card("ok", "The error dies out", body)
+        return verdict_box("ok", "The error dies out", body)
     share, error = float(part.loop.error_gain(part.omega)), part.loop.steady_error(part.reference)
     kind = "ok" if share < FOLLOWS else "warn" if share < FAILS else "no"
     head = f"Error that stays: {amount(error, 'm/s')}, {number(100.0 * share, 1)} % of v_d"
@@ -123,26 +123,22 @@ def _verdict(part: Loop, units: Units) -> str:
         f"v has {number(100.0 * float(part.loop.closed_gain(part.omega)), 1)} % of the amplitude of v_d and comes "
         f"{units.angle(phase)}, {amount(1e3 * phase / part.omega, 'ms')}, later."
     )
-    return _card(kind, head, body)
+    return verdict_box(kind, _written(head), _written(body))
 
 
-def _card(kind: str, head: str, body: str) -> str:
-    text = f'<div class="verdict {kind}"><b>{SIGNS[kind]} {escaped(head)}</b>{escaped(body)}</div>'
-    return text.replace("v_d", WISHED)
-
-
-def _numbers(part: Loop, units: Units) -> str:
+def _numbers(part: Loop, units: Units) -> Markup:
     loop = part.loop
-    rows = [
-        (f"Cutoff {mathml('K/M')}", f"{amount(loop.cutoff, 'rad/s')} = {amount(loop.cutoff / (2.0 * math.pi), 'Hz')}"),
-        (f"Time constant {mathml('M/K')}", amount(loop.time_constant, "s")),
+    cutoff = f"{amount(loop.cutoff, 'rad/s')} = {amount(loop.cutoff / (2.0 * math.pi), 'Hz')}"
+    rows: list[tuple[Inside, str]] = [
+        (("Cutoff ", mathml("K/M")), cutoff),
+        (("Time constant ", mathml("M/K")), amount(loop.time_constant, "s")),
     ]
     if part.kind == "sine":
         gain = float(loop.closed_gain(part.omega))
         rows += [
-            (f"Gain {mathml(GAIN)}", f"{number(gain, 3)} = {number(20.0 * math.log10(gain), 2)} dB"),
-            (f"Phase of {mathml(PHASE)}", units.angle(float(loop.phase(part.omega)))),
-            (f"Error gain {mathml(ERROR_GAIN)}", number(float(loop.error_gain(part.omega)), 3)),
+            (("Gain ", mathml(GAIN)), f"{number(gain, 3)} = {number(20.0 * math.log10(gain), 2)} dB"),
+            (("Phase of ", mathml(PHASE)), units.angle(float(loop.phase(part.omega)))),
+            (("Error gain ", mathml(ERROR_GAIN)), number(float(loop.error_gain(part.omega)), 3)),
         ]
     return pairs(rows)
 

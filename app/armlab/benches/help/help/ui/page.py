@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.commands import shortcuts
-from armlab.ui.format import escaped
+from armlab.ui.html import Markup, tag
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
 
@@ -29,6 +31,11 @@ MOUSE = (
 
 UNDO = "Undo takes back what was done to joints, table, target and exercises; not what is shown, or in which units."
 
+UNITS = (
+    "Choose units and names under View; matrices are in metres. Joints count from 1. Every control has a hint: rest "
+    "the pointer on its name; that of a joint is on its chip under Hold."
+)
+
 WORDS = (
     ("✓ reached", "the tool is at the target"),
     ("✕ limit on joint 3", "only a joint limit keeps the tool away"),
@@ -39,14 +46,11 @@ WORDS = (
 
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the text."""
-    gui.html("<h3>Keys</h3>" + _table([*((s.shown, s.label) for s in shortcuts() if s.key), *PAGE_KEYS]))
-    gui.html(f'<p class="dim">{UNDO}</p>')
-    gui.html("<h3>Mouse and touch</h3>" + _table(MOUSE))
-    gui.html("<h3>What the verdict says</h3>" + _table(WORDS))
-    gui.html(
-        "<h3>Units</h3><p>Choose units and names under View; matrices are in metres. Joints count from 1. "
-        "Every control has a hint: rest the pointer on its name; that of a joint is on its chip under Hold.</p>"
-    )
+    gui.html(tag("h3", "Keys"), _table([*((s.shown, s.label) for s in shortcuts() if s.key), *PAGE_KEYS]))
+    gui.html(tag("p.dim", UNDO))
+    gui.html(tag("h3", "Mouse and touch"), _table(MOUSE))
+    gui.html(tag("h3", "What the verdict says"), _table(WORDS))
+    gui.html(tag("h3", "Units"), tag("p", UNITS))
 
     def show(state: State) -> None:
         del state
@@ -54,9 +58,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _table(rows: object) -> str:
-    body = "".join(f"<tr><th>{escaped(a)}</th><td>{escaped(b)}</td></tr>" for a, b in rows)  # type: ignore[attr-defined]
-    return f'<table class="keys">{body}</table>'
+def _table(rows: Iterable[tuple[str, str]]) -> Markup:
+    return tag("table.keys", [tag("tr", tag("th", name), tag("td", text)) for name, text in rows])
 
 
 PANEL = Panel((RobotPart,), build)

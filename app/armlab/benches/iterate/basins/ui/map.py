@@ -11,7 +11,7 @@ from armlab.benches.iterate.basins.maps import Map
 from armlab.benches.iterate.basins.state import Basins, belongs_elsewhere
 from armlab.benches.iterate.basins.ui.picture import FULL, enlarged, pixels, png, scale_of, solution_colour
 from armlab.benches.iterate.runs.state import Iterations
-from armlab.benches.iterate.runs.ui.words import lowered_index, vector_text
+from armlab.benches.iterate.runs.ui.words import vector_text
 from armlab.kin.arm import Arm
 from armlab.kin.ik.iterate.basins import FAILED
 from armlab.session.parts.joints import Joints
@@ -19,8 +19,10 @@ from armlab.session.state import State
 from armlab.ui.colours import css
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form, Picked
-from armlab.ui.format import capitalised, dot, escaped, number, trimmed
+from armlab.ui.format import capitalised, dot, number, trimmed
+from armlab.ui.html import Inside, Markup, joined, styles, tag
 from armlab.ui.png import as_address
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
 TICKS = 4
@@ -30,22 +32,26 @@ MOST_NAMED = 16
 """Rows of the legend."""
 
 
-def map_markup(form: Form, found: Map, units: Units, begin: Picked) -> str:
+def map_markup(form: Form, found: Map, units: Units, begin: Picked) -> Markup:
     """Return the picture with axes, the solutions marked, and the marks that `places` moves."""
     question = found.question
     across, up = (_axis(found, side, units) for side in (0, 1))
     picture = png(pixels(found.found))
     said = f"Basins of {question.run.kind.title}: click a start to see its film"
-    return (
-        f'<div class="basin"><span class="ba-name up">{up[0]}</span><div class="ba-ticks up">{up[1]}</div>'
-        f'<div class="ba-map" {form.place("start", begin)} title="{escaped(said)}">'
-        f'<img alt="{escaped(said)}" src="{as_address(picture)}">{_solutions(found)}'
-        '<b class="ba-start"></b><b class="ba-arm"></b></div>'
-        f'<div class="ba-ticks">{across[1]}</div><span class="ba-name">{across[0]}</span></div>'
+    marks = _solutions(found), tag("b.ba-start"), tag("b.ba-arm")
+    return tag(
+        "div.basin",
+        tag("span.ba-name.up", up[0]),
+        tag("div.ba-ticks.up", up[1]),
+        tag(
+            "div.ba-map", tag("img", alt=said, src=as_address(picture)), marks, title=said, **form.place("start", begin)
+        ),
+        tag("div.ba-ticks", across[1]),
+        tag("span.ba-name", across[0]),
     )
 
 
-def _axis(found: Map, side: int, units: Units) -> tuple[str, str]:
+def _axis(found: Map, side: int, units: Units) -> tuple[str, list[Markup]]:
     """Return the name of an axis with its unit, and its numbers."""
     joint = found.question.joints[side]
     revolute = bool(found.question.arm.revolute[joint])
@@ -53,7 +59,7 @@ def _axis(found: Map, side: int, units: Units) -> tuple[str, str]:
     half = 0.5 * float(values[1] - values[0])
     low, high = float(values[0]) - half, float(values[-1]) + half
     ticks = [(k / TICKS, low + (high - low) * k / TICKS) for k in range(TICKS + 1)]
-    texts = "".join(f'<i style="--at:{100.0 * at:.2f}%">{_tick(value, revolute, units)}</i>' for at, value in ticks)
+    texts = [tag("i", _tick(value, revolute, units), style=f"--at:{100.0 * at:.2f}%") for at, value in ticks]
     return f"{units.variable(joint, revolute)}, {units.unit(revolute)}", texts
 
 
@@ -62,22 +68,22 @@ def _tick(value: float, revolute: bool, units: Units) -> str:
     return number(value / units.factor(revolute), decimals)
 
 
-def _solutions(found: Map) -> str:
+def _solutions(found: Map) -> list[Markup]:
     """Return a numbered mark for each solution that lies in the map."""
     marks = []
     for k, q in enumerate(found.found.solutions):
         x, y = (found.part(side, float(q[joint])) for side, joint in enumerate(found.question.joints))
         if 0.0 <= x <= 1.0 and 0.0 <= y <= 1.0:
             at = f"--x:{100.0 * x:.2f}%;--y:{100.0 * y:.2f}%;--c:{css(solution_colour(k))}"
-            marks.append(f'<i class="ba-sol" style="{at}" title="{escaped(found.names[k])}">{k + 1}</i>')
-    return "".join(marks)
+            marks.append(tag("i.ba-sol", str(k + 1), style=at, title=found.names[k]))
+    return marks
 
 
-def legend(found: Map, units: Units) -> str:
+def legend(found: Map, units: Units) -> Inside:
     """Return which colour is which solution, and the share of each and of failures among the starts tried."""
     index = found.found.index[: found.found.rows]
     if not index.size:
-        return ""
+        return None
     rows = [
         (dot(css(solution_colour(k))), f"{k + 1}", _name(found.names[k]), float(np.mean(index == k)))
         for k in range(min(len(found.names), MOST_NAMED))
@@ -86,14 +92,9 @@ def legend(found: Map, units: Units) -> str:
     if more > 0.0:
         rows.append((dot(css(solution_colour(FULL))), "", f"{len(found.names) - MOST_NAMED} more", more))
     most = found.question.most
-    rows.append(
-        ('<span class="dot ba-white"></span>', "", f"not reached in {most} steps", float(np.mean(index == FAILED)))
-    )
-    lines = "".join(
-        f"<span>{mark}</span><span>{place}</span><span>{escaped(name)}</span><b>{_share(share)}</b>"
-        for mark, place, name, share in rows
-    )
-    return f'<div class="ba-legend">{lines}</div>{_scale(found)}{_about(found, units)}'
+    rows.append((tag("span.dot.ba-white"), "", f"not reached in {most} steps", float(np.mean(index == FAILED))))
+    lines = [([tag("span", text) for text in texts], tag("b", _share(share))) for *texts, share in rows]
+    return tag("div.ba-legend", lines), _scale(found), _about(found, units)
 
 
 def _name(name: str) -> str:
@@ -102,19 +103,19 @@ def _name(name: str) -> str:
 
 def _share(share: float) -> str:
     percent = 100.0 * share
-    return "&lt; 0.1 %" if 0.0 < percent < 0.05 else f"{number(percent, 1)} %"
+    return "< 0.1 %" if 0.0 < percent < 0.05 else f"{number(percent, 1)} %"
 
 
-def _scale(found: Map) -> str:
+def _scale(found: Map) -> Markup | None:
     low, high = scale_of(found.found)
     if not high:
-        return ""
+        return None
     if low == high:
-        return f'<p class="dim">Every way took {low} steps.</p>'
-    return f'<p class="dim">Bright: {low} steps or fewer. Dark: {high} or more.</p>'
+        return tag("p.dim", f"Every way took {low} steps.")
+    return tag("p.dim", f"Bright: {low} steps or fewer. Dark: {high} or more.")
 
 
-def _about(found: Map, units: Units) -> str:
+def _about(found: Map, units: Units) -> Markup:
     """Return of what the map is: target, method and the start values of the joints that do not vary."""
     asked = found.question
     target = np.frombuffer(asked.target).reshape(4, 4)
@@ -123,15 +124,17 @@ def _about(found: Map, units: Units) -> str:
         for i, (row, value) in enumerate(zip(asked.arm.rows, asked.rest, strict=True))
         if i not in asked.joints
     ]
-    parameters = ", ".join(
-        f"{lowered_index(each.symbol)} = {trimmed(asked.run.values[each.key], 6)}" for each in asked.run.kind.parameters
-    )
-    said = [escaped(capitalised(asked.run.kind.title)) + (f" ({parameters})" if parameters else "")]
-    said.append(f"target {target_text(asked.arm, target, units)}, task {vector_text(asked.task)}")
+    parameters = [
+        joined(with_indices(each.symbol), f" = {trimmed(asked.run.values[each.key], 6)}")
+        for each in asked.run.kind.parameters
+    ]
+    with_them = (" (", joined(parameters, between=", "), ")") if parameters else None
+    said: list[Inside] = [joined(capitalised(asked.run.kind.title), with_them)]
+    said.append(joined(f"target {target_text(asked.arm, target, units)}, task ", vector_text(asked.task)))
     if others:
         said.append(f"starts with {', '.join(others)}")
     said.append("limits kept" if asked.limits == "clamp" else "limits not kept")
-    return f'<p class="dim">{"; ".join(said)}.</p>'
+    return tag("p.dim", joined(said, between="; "), ".")
 
 
 def target_text(arm: Arm, target: NDArray[np.floating], units: Units) -> str:
@@ -141,26 +144,26 @@ def target_text(arm: Arm, target: NDArray[np.floating], units: Units) -> str:
     return f"({', '.join(units.text(float(value), False) for value in seen)}) {units.length_unit}"
 
 
-def standing(state: State) -> str:
+def standing(state: State) -> Inside:
     """Return what is said over the picture: that it is of another target, and how far it came."""
     found, drawing = state[Basins].map, state[Basins].drawing
     if found is None:
-        return ""
+        return None
     said = []
     if belongs_elsewhere(state):
         said.append("This map belongs to another target or task: draw it again.")
     if not found.finished and drawing is not found.question:
         said.append(f"Cancelled at {100.0 * found.done:.0f} %.")
     if found.known and not len(found.found.solutions):
-        said.append(escaped(found.known))
-    return "".join(f'<p class="warn">{text}</p>' for text in said)
+        said.append(found.known)
+    return [tag("p.warn", text) for text in said]
 
 
-def places(state: State) -> str:
+def places(state: State) -> Markup | None:
     """Return where the arm and the start of the film are in the map, for the style sheet."""
     found = state[Basins].map
     if found is None:
-        return ""
+        return None
     values = {"arm": state[Joints].q, "start": np.array(state[Iterations].start)}
     rules = []
     for name, q in values.items():
@@ -169,7 +172,7 @@ def places(state: State) -> str:
         rules.append(
             f".al .ba-map .ba-{name}{{--x:{100.0 * x:.2f}%;--y:{100.0 * y:.2f}%;display:{'block' if seen else 'none'}}}"
         )
-    return f"<style>{''.join(rules)}</style>"
+    return styles(rules)
 
 
 def here(state: State) -> str:
@@ -186,8 +189,8 @@ def here(state: State) -> str:
     return f"◉ The arm. ◇ The film's start: no solution in {found.question.most} steps." if index == FAILED else ""
 
 
-def save_link(found: Map, robot: str) -> str:
+def save_link(found: Map, robot: str) -> Markup:
     """Return what saves the picture without axes as a PNG file."""
     name = f"basins_{file_name(robot)}_{found.question.run.method}.png"
     picture = as_address(png(enlarged(pixels(found.found))))
-    return f'<a class="chip" download="{escaped(name)}" href="{picture}">Save as PNG</a>'
+    return tag("a.chip", "Save as PNG", download=name, href=picture)

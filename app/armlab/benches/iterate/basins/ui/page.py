@@ -26,7 +26,6 @@ from armlab.benches.iterate.runs.state import Iterations, vector_of
 from armlab.benches.iterate.runs.ui.words import (
     choices,
     chosen,
-    lowered_index,
     made,
     parameter_unit,
     sigma_unit,
@@ -41,9 +40,11 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, escaped, trimmed
-from armlab.ui.markup import row
+from armlab.ui.format import capitalised, trimmed
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import progress_bar, row, verdict_box
 from armlab.ui.plugin import Panel, Show
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, plain_number, units_of
 from armlab.ui.widgets import Gui
 
@@ -71,16 +72,16 @@ class BasinsPage:
         if drawn != self._drawn or self._picture.stale:
             self._drawn = drawn
             self._show_map(state, found)
-        self._live.show(f'{places(state)}<p class="dim">{here(state)}</p>' if found is not None else "")
+        self._live.show((places(state), tag("p.dim", here(state))) if found is not None else None)
 
     def _show_map(self, state: State, found: Map | None) -> None:
         if found is None:
-            self._picture.show("")
-            self._below.show("")
+            self._picture.show()
+            self._below.show()
             return
         self._picture.show(map_markup(self._picture, found, self._units, self._begin))
-        save = "" if state[Basins].drawing is not None else save_link(found, state[RobotPart].robot.name)
-        self._below.show(legend(found, self._units) + save)
+        save = None if state[Basins].drawing is not None else save_link(found, state[RobotPart].robot.name)
+        self._below.show(legend(found, self._units), save)
 
     def _begin(self, x: float, y: float, _drag: int) -> StartInMap:
         """Begin the film where the map was clicked; a refusal is said here, and the page of the film not opened."""
@@ -93,7 +94,7 @@ class BasinsPage:
 # -- the choices -----------------------------------------------------------------------------------------------------
 
 
-def choices_markup(form: Form, state: State, units: Units) -> str:
+def choices_markup(form: Form, state: State, units: Units) -> Inside:
     """Return all that can be chosen, and the button that draws or cancels."""
     part = state[Basins]
     titles = {key: capitalised(method.title) for key, method in iteration_methods().items()}
@@ -102,19 +103,21 @@ def choices_markup(form: Form, state: State, units: Units) -> str:
     most = form.chips(
         "most", {str(n): str(n) for n in STEPS}, str(part.most), "", lambda n: Set(Basins, "most", int(n))
     )
-    return (
-        f'<div class="ba-choices">{row("Method", method)}{_parameters(form, state)}'
-        + _task(form, state, units)
-        + _joints(form, state, units)
-        + _rest(form, state, units)
-        + row("Starts", form.chips("points", points, str(part.points), "", lambda n: Set(Basins, "points", int(n))))
-        + row("At most", most + "<i>steps</i>")
-        + row("Limits", form.chips("limits", LIMITS, part.limits, KEPT, lambda key: Set(Basins, "limits", key)))
-        + f"</div>{_action(form, state)}{standing(state)}"
+    choices = tag(
+        "div.ba-choices",
+        row("Method", method),
+        _parameters(form, state),
+        _task(form, state, units),
+        _joints(form, state, units),
+        _rest(form, state, units),
+        row("Starts", form.chips("points", points, str(part.points), "", lambda n: Set(Basins, "points", int(n)))),
+        row("At most", (most, tag("i", "steps"))),
+        row("Limits", form.chips("limits", LIMITS, part.limits, KEPT, lambda key: Set(Basins, "limits", key))),
     )
+    return choices, _action(form, state), standing(state)
 
 
-def _parameters(form: Form, state: State) -> str:
+def _parameters(form: Form, state: State) -> Markup | None:
     run, vector = state[Basins].run, vector_of(state)
     cells = []
     for each in run.kind.parameters:
@@ -123,37 +126,35 @@ def _parameters(form: Form, state: State) -> str:
         cell = form.field(
             f"parameter-{each.key}", trimmed(run.values[each.key], 6), each.title, partial(_parameter, run, each.key)
         )
-        cells.append(
-            f'<label title="{escaped(hint)}"><span>{lowered_index(each.symbol)}</span>{cell}<i>{unit}</i></label>'
-        )
-    return row("", f'<div class="kit-numbers">{"".join(cells)}</div>') if cells else ""
+        cells.append(tag("label", tag("span", with_indices(each.symbol)), cell, tag("i", unit), title=hint))
+    return row(None, tag("div.kit-numbers", cells)) if cells else None
 
 
 def _parameter(run: Run, key: str, text: str) -> MapMethod:
     return MapMethod(run.method, key, plain_number(text))
 
 
-def _task(form: Form, state: State, units: Units) -> str:
+def _task(form: Form, state: State, units: Units) -> list[Markup]:
     """Return target and task vector, which are those of the film."""
     arm, part = state[Joints].arm, state[Iterations]
     vector, found = vector_of(state), choices(arm)
     place = target_text(arm, part.target, units)
     hint = "Take the target of the lab; when dragged, it is taken by itself"
-    line = row("Target", f"<span>{place}</span>{form.chip('aim', 'From the handle', AimAt(), hint)}")
+    lines = [row("Target", (tag("span", place), form.chip("aim", "From the handle", AimAt(), hint)))]
     if len(found) == 1:
-        line += row("Task", f"<span>{vector_text(vector)}</span>")
+        lines.append(row("Task", tag("span", vector_text(vector))))
     else:
         taken = form.select("task", "Task vector", found, chosen(arm, part.task), partial(_take_task, arm))
-        line += row("Task", taken)
+        lines.append(row("Task", taken))
     if vector.joints:
         joint, value = vector.joints[0]
         revolute = bool(arm.revolute[joint - 1])
         name = units.variable(joint - 1, revolute)
         label = f"Wanted value of {name}"
         cell = form.field("wanted", units.text(value, revolute), label, partial(_wanted, arm, joint, units))
-        wanted = f"<label><span>{name} wanted</span>{cell}<i>{units.unit(revolute)}</i></label>"
-        line += row("", f'<div class="kit-numbers">{wanted}</div>')
-    return line
+        wanted = tag("label", tag("span", f"{name} wanted"), cell, tag("i", units.unit(revolute)))
+        lines.append(row(None, tag("div.kit-numbers", wanted)))
+    return lines
 
 
 def _take_task(arm: Arm, key: str) -> Command:
@@ -165,25 +166,21 @@ def _wanted(arm: Arm, joint: int, units: Units, text: str) -> ChooseTask:
     return ChooseTask(made(arm, f"q{joint}", value))
 
 
-def _joints(form: Form, state: State, units: Units) -> str:
+def _joints(form: Form, state: State, units: Units) -> Markup | None:
     arm, (across, up) = state[Joints].arm, state[Basins].joints
     if arm.n < 3:
-        return ""
+        return None
     names = {str(i): units.variable(i, bool(arm.revolute[i])) for i in range(arm.n)}
 
-    def chooser(cell: str, chosen: int, action: Callable[[int], MapJoints]) -> str:
+    def chooser(cell: str, chosen: int, action: Callable[[int], MapJoints]) -> Markup:
         return form.select(cell, f"Joint {cell}", names, str(chosen), lambda key: action(int(key)))
 
-    return row(
-        "Axes",
-        "<i>across</i>"
-        + chooser("across", across, lambda joint: MapJoints(joint, across if joint == up else up))
-        + "<i>up</i>"
-        + chooser("up", up, lambda joint: MapJoints(up if joint == across else across, joint)),
-    )
+    sideways = chooser("across", across, lambda joint: MapJoints(joint, across if joint == up else up))
+    upwards = chooser("up", up, lambda joint: MapJoints(up if joint == across else across, joint))
+    return row("Axes", (tag("i", "across"), sideways, tag("i", "up"), upwards))
 
 
-def _rest(form: Form, state: State, units: Units) -> str:
+def _rest(form: Form, state: State, units: Units) -> Markup | None:
     """Return the start values of the joints that do not vary."""
     part, joints = state[Basins], state[Joints]
     cells = []
@@ -195,32 +192,28 @@ def _rest(form: Form, state: State, units: Units) -> str:
         shown = units.text(float(joints.q[i]) if held else value, revolute)
         label = f"Start of {name} in {units.unit(revolute)}"
         cell = form.field(f"rest-{i}", shown, label, partial(_typed_rest, i, revolute, units), off=held)
-        cells.append(f"<label><span>{name}</span>{cell}<i>{units.unit(revolute)}</i></label>")
+        cells.append(tag("label", tag("span", name), cell, tag("i", units.unit(revolute))))
     if not cells:
-        return ""
+        return None
     take = form.chip("stand", "As the arm stands", MapRest(), "Take the joint values of the arm")
-    return row("Others", f'<div class="kit-numbers">{"".join(cells)}</div>{take}')
+    return row("Others", (tag("div.kit-numbers", cells), take))
 
 
 def _typed_rest(i: int, revolute: bool, units: Units, text: str) -> MapRest:
     return MapRest(i, units.read(text, revolute, f"start of {units.variable(i, revolute)}"))
 
 
-def _action(form: Form, state: State) -> str:
+def _action(form: Form, state: State) -> Inside:
     part = state[Basins]
     if part.drawing is not None:
         done = part.map.done if part.map is not None and part.map.question is part.drawing else 0.0
-        bar = f'<div class="progress" style="--part:{100.0 * done:.0f}%"></div>'
         press = form.chip("cancel", "Cancel", CancelBasins(), "Stop drawing; what there is stays")
-        return f'<div class="bar">{press}<span class="dim">Drawing: {100.0 * done:.0f} %</span></div>{bar}'
+        return tag("div.bar", press, tag("span.dim", f"Drawing: {100.0 * done:.0f} %")), progress_bar(done)
     why = refusal(state)
     press = form.button("draw", "Draw", DrawBasins(), "main", off=bool(why))
     if why:
-        return (
-            f'<div class="verdict no"><b>✕ No map</b>{escaped(capitalised(why))}. {WHAT_TO_DO}</div>'
-            f'<div class="bar">{press}</div>'
-        )
-    return f'<div class="bar">{press}<span class="dim">Click the map: a film begins.</span></div>'
+        return verdict_box("no", "No map", f"{capitalised(why)}. {WHAT_TO_DO}"), tag("div.bar", press)
+    return tag("div.bar", press, tag("span.dim", "Click the map: a film begins."))
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

@@ -11,14 +11,19 @@ from armlab.session.fields import Set
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, number, scientific
+from armlab.ui.format import number, scientific
+from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.markup import SIGNS
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import plain_number
 from armlab.ui.widgets import Gui
 
-FORMULA = "<i>x</i><sub>n+1</sub> = <i>x</i><sub>n</sub> − f(<i>x</i><sub>n</sub>) / f′(<i>x</i><sub>n</sub>)"
+_X, _HERE = tag("i", "x"), tag("sub", "n")
+FORMULA = joined(_X, tag("sub", "n+1"), " = ", _X, _HERE, " − f(", _X, _HERE, ") / f′(", _X, _HERE, ")")
+
+_K = tag("sub", "k")
+HEADS = tag("tr", [tag("th", head) for head in ("k", ("x", _K), ("f(x", _K, ")"), ("f′(x", _K, ")"))])
 
 ROWS = 8
 """Of the table at once."""
@@ -42,38 +47,39 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _problem(form: Form, state: State) -> str:
+def _problem(form: Form, state: State) -> Inside:
     part, found = state[Newton1D], state.derived(solution)
     titles = {**({"": "your own"} if part.text else {}), **{each.key: each.title for each in EXAMPLES}}
     chooser = form.select("equation", "Equation", titles, "" if part.text else part.example, ChooseEquation)
     play = play_button(form, state, CLIP_KEY, "tangents")
     kind = KINDS.get(found.status, "no")
-    slope = '<p class="dim">f′ by central difference.</p>' if found.differenced else ""
+    slope = tag("p.dim", "f′ by central difference.") if found.differenced else None
     typed = form.field("f", part.text, "Function of x", TypeEquation)
     start = form.field(
         "x0", f"{part.x0:.10g}".replace("-", "−"), "Start", lambda text: Set(Newton1D, "x0", plain_number(text, "x₀"))
     )
     return (
-        f'<div class="eq small" title="Notes 4.106-4.110; printed there without x_n">&emsp;{FORMULA}</div>'
-        f'<div class="kit-head"><span class="dim">Equation</span>{chooser}</div>'
-        f'<div class="kit-numbers kit-typed"><label><span>or f(x) =</span>{typed}</label></div>{slope}'
-        f'<div class="kit-numbers"><label><span>x₀</span>{start}</label></div>'
-        f'<div class="bar">{play}<span class="{kind}">{SIGNS[kind]} {escaped(found.says)}.</span></div>'
+        tag("div.eq.small", "\u2003", FORMULA, title="Notes 4.106-4.110; printed there without x_n"),
+        tag("div.kit-head", tag("span.dim", "Equation"), chooser),
+        tag("div.kit-numbers.kit-typed", tag("label", tag("span", "or f(x) ="), typed)),
+        slope,
+        tag("div.kit-numbers", tag("label", tag("span", "x₀"), start)),
+        tag("div.bar", play, tag(f"span.{kind}", f"{SIGNS[kind]} {found.says}.")),
     )
 
 
-def _table(form: Form, found: Solved, place: Place, on: bool) -> str:
+def _table(form: Form, found: Solved, place: Place, on: bool) -> Markup:
     first = max(0, min(place.k - ROWS // 2, found.last - ROWS + 1))
     rows = []
     for k in range(first, min(first + ROWS, found.last + 1)):
         each = found.iterates[k]
-        mark = ' class="now" aria-current="true"' if k == place.k else ""
         to_k = (*(() if on else (OpenClip(CLIP_KEY),)), Seek(STEP * k))
         name = form.button(f"iterate {k}", str(k), to_k, "copy", "Show this iterate")
         cells = (name, _plain(each.x, DIGITS), _plain(each.f, 4), _plain(each.tangent.slope, 4))
-        rows.append(f"<tr{mark}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>")
-    heads = "".join(f"<th>{head}</th>" for head in ("k", "x<sub>k</sub>", "f(x<sub>k</sub>)", "f′(x<sub>k</sub>)"))
-    return f'<table class="kit-table"><tr>{heads}</tr>{"".join(rows)}</table>'
+        here = k == place.k
+        row = [tag("td", cell) for cell in cells]
+        rows.append(tag(classes("tr", now=here), row, aria_current="true" if here else None))
+    return tag("table.kit-table", HEADS, rows)
 
 
 def _plain(value: float, decimals: int) -> str:

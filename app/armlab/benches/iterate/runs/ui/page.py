@@ -21,6 +21,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import plain_number, units_of
@@ -64,27 +65,27 @@ def _wanted(state: State, text: str) -> ChooseTask:
 # -- the markup ------------------------------------------------------------------------------------------------------
 
 
-def problem_markup(form: Form, state: State) -> str:
+def problem_markup(form: Form, state: State) -> Markup:
     """Return example, start, target, task vector and limits."""
     part = state[Iterations]
     play = play_button(form, state, CLIP_KEY, "steps")
-    return (
-        examples(form, EXAMPLES, part.example, ChooseExample)
-        + f'<div class="bar">{play}<span class="dim">{_present(state)}</span></div>'
-        + _start_markup(form, state)
-        + _target_markup(form, state)
-        + _task_markup(form, state)
-        + _bounds(form, part)
+    return joined(
+        examples(form, EXAMPLES, part.example, ChooseExample),
+        tag("div.bar", play, tag("span.dim", _present(state))),
+        _start_markup(form, state),
+        _target_markup(form, state),
+        _task_markup(form, state),
+        _bounds(form, part),
     )
 
 
-def _bounds(form: Form, part: Iterations) -> str:
+def _bounds(form: Form, part: Iterations) -> Markup:
     """Return the choice of limits, and the largest number of steps."""
     hint = "Whether each step ends at the joint limits"
     kept = form.chips("limits", LIMITS, part.limits, hint, lambda key: Set(Iterations, "limits", key))
     most = form.field("most", str(part.most), "Largest number of steps", _most)
-    steps = f'<label class="it-most">at most {most}<i>steps</i></label>'
-    return f'<div class="kit-numbers"><span class="dim">Limits</span>{kept}{steps}</div>'
+    steps = tag("label.it-most", "at most ", most, tag("i", "steps"))
+    return tag("div.kit-numbers", tag("span.dim", "Limits"), kept, steps)
 
 
 def _most(text: str) -> Command:
@@ -103,7 +104,7 @@ def _present(state: State) -> str:
     return f"iterate {i} of {film.last}"
 
 
-def _start_markup(form: Form, state: State) -> str:
+def _start_markup(form: Form, state: State) -> Inside:
     part, joints, units = state[Iterations], state[Joints], units_of(state)
     arm = joints.arm
     cells = []
@@ -114,48 +115,41 @@ def _start_markup(form: Form, state: State) -> str:
         shown = float(joints.q[i]) if held else value
         label = f"Start of {name} in {units.unit(revolute)}"
         cell = form.field(f"start {i}", units.text(shown, revolute), label, partial(_start, state, i), off=held)
-        cells.append(f"<label><span>{name}</span>{cell}<i>{units.unit(revolute)}</i></label>")
+        cells.append(tag("label", tag("span", name), cell, tag("i", units.unit(revolute))))
     poses = state[RobotPart].robot.poses
     named = {"": "named pose …", **{name: name for name in poses}}
     take = form.chip("here", "Present pose", SetStart(), "Begin where the arm stands")
-    take += form.select(
-        "pose",
-        "Named pose",
-        named,
-        "",
-        lambda name: SetStart(tuple(poses[name].tolist())),
-        "Begin at a pose of the robot file",
-    )
-    return f'<h3>Start<span class="copies">{take}</span></h3><div class="kit-numbers">{"".join(cells)}</div>'
+    hint = "Begin at a pose of the robot file"
+    pose = form.select("pose", "Named pose", named, "", lambda name: SetStart(tuple(poses[name].tolist())), hint)
+    return tag("h3", "Start", tag("span.copies", take, pose)), tag("div.kit-numbers", cells)
 
 
-def _target_markup(form: Form, state: State) -> str:
+def _target_markup(form: Form, state: State) -> Markup:
     part, units = state[Iterations], units_of(state)
     place = ", ".join(units.text(float(value), False) for value in part.target[:3, 3])
     hint = "Take the target of the lab; when dragged, it is taken by itself"
     take = form.chip("aim", "From the handle", AimAt(), hint)
-    return f'<h3>Target <small>({place}) {units.length_unit}</small><span class="copies">{take}</span></h3>'
+    return tag("h3", "Target ", tag("small", f"({place}) {units.length_unit}"), tag("span.copies", take))
 
 
-def _task_markup(form: Form, state: State) -> str:
+def _task_markup(form: Form, state: State) -> Inside:
     arm, part, units = state[Joints].arm, state[Iterations], units_of(state)
     vector, found = vector_of(state), choices(arm)
-    head = f"<h3>Task vector <small>{vector_text(vector)}</small></h3>"
+    head = tag("h3", "Task vector ", tag("small", vector_text(vector)))
     if len(found) == 1:
         return head
     chooser = form.select("task", "Task vector", found, chosen(arm, part.task), partial(_task, state))
+    choice = tag("div.kit-head", chooser)
     if not vector.joints:
-        return f'{head}<div class="kit-head">{chooser}</div>'
+        return head, choice
     joint, value = vector.joints[0]
     revolute = bool(arm.revolute[joint - 1])
     name = units.variable(joint - 1, revolute)
     field = form.field("wanted", units.text(value, revolute), f"Wanted value of {name}", partial(_wanted, state))
     many = len(arms_found(state))
     arms = f"{many} arm{'s' if many != 1 else ''} found, drawn pale" if many else ""
-    wanted = f"<label><span>{name} wanted</span>{field}<i>{units.unit(revolute)}</i></label>"
-    return (
-        f'{head}<div class="kit-head">{chooser}</div><div class="kit-numbers">{wanted}</div><p class="dim">{arms}</p>'
-    )
+    wanted = tag("label", tag("span", f"{name} wanted"), field, tag("i", units.unit(revolute)))
+    return head, choice, tag("div.kit-numbers", wanted), tag("p.dim", arms)
 
 
 def _in_the_way(state: State) -> tuple[str, ...]:

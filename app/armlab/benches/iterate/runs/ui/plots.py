@@ -123,12 +123,12 @@ def _plots(gui: Gui, state: State) -> dict[str, RunPlot]:
         plots["rotation"] = RunPlot(
             gui, "log₁₀ of the orientation error in rad", "orientation_error", lambda f: _log(f.rotation_error)
         )
-    plots["V"] = RunPlot(gui, f"Lyapunov function {mathml(LYAPUNOV)}, 1/s", "V", lambda f: f.V, True)
-    plots["V_dot"] = RunPlot(gui, f"Its derivative {mathml(ITS_RATE)}, 1/s²", "V_dot", lambda f: f.V_dot)
+    plots["V"] = RunPlot(gui, ("Lyapunov function ", mathml(LYAPUNOV), ", 1/s"), "V", lambda f: f.V, True)
+    plots["V_dot"] = RunPlot(gui, ("Its derivative ", mathml(ITS_RATE), ", 1/s²"), "V_dot", lambda f: f.V_dot)
     for turns in (True, False):
         if bool(np.any(arm.revolute == turns)):
             plots["turn" if turns else "slide"] = _steps_plot(gui, turns, units)
-    plots["sigma"] = RunPlot(gui, f"Smallest singular value {mathml(SIGMA)}", "sigma_min", _sigma, True)
+    plots["sigma"] = RunPlot(gui, ("Smallest singular value ", mathml(SIGMA)), "sigma_min", _sigma, True)
     plots["damping"] = RunPlot(gui, "Damping added to J Jᵀ", "damping", lambda f: f.damping, True)
     return plots
 

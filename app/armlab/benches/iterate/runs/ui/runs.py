@@ -12,46 +12,53 @@ from armlab.benches.iterate.runs.commands import (
     SetParameter,
 )
 from armlab.benches.iterate.runs.state import Iterations, questions, vector_of
-from armlab.benches.iterate.runs.ui.words import lowered_index, outcome, parameter_unit, sigma_unit
+from armlab.benches.iterate.runs.ui.words import outcome, parameter_unit, sigma_unit
 from armlab.benches.iterate.runs.worked import MOST_RUNS, Run, methods
 from armlab.kin.ik.iterate import Parameter
 from armlab.session.state import State
 from armlab.ui.colours import RUN_COLOURS, css
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, dot, escaped, trimmed
+from armlab.ui.format import capitalised, dot, trimmed
+from armlab.ui.html import Markup, joined, tag
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import plain_number, units_of
 
 
-def runs_markup(form: Form, state: State) -> str:
+def runs_markup(form: Form, state: State) -> Markup:
     """Return all runs, and a button for one more."""
     part = state[Iterations]
-    runs = "".join(_run(form, state, i, run) for i, run in enumerate(part.runs))
+    runs = [_run(form, state, i, run) for i, run in enumerate(part.runs)]
     full = len(part.runs) == MOST_RUNS
     hint = f"At most {MOST_RUNS} runs" if full else "One more run from the same start"
     more = form.chip("add-run", "+ Run", AddRun("dls_error"), hint, off=full)
-    return f'<h3>Runs<span class="copies">{more}</span></h3>{runs}'
+    return joined(tag("h3", "Runs", tag("span.copies", more)), runs)
 
 
-def _run(form: Form, state: State, i: int, run: Run) -> str:
+def _run(form: Form, state: State, i: int, run: Run) -> Markup:
     part, units = state[Iterations], units_of(state)
     film = part.films.get(run.colour)
     stale = film is None or film.question != state.derived(questions)[i]
-    mark = f"{dot(css(RUN_COLOURS[run.colour]))}{i + 1}"
+    mark = dot(css(RUN_COLOURS[run.colour])), str(i + 1)
     full, last = len(part.runs) == MOST_RUNS, len(part.runs) == 1
     hint = "Play this run, and show its numbers"
-    head = form.button(f"select-{i}", mark, SelectRun(i), "chip", hint, pressed=i == part.selected)
-    head += form.select(f"method-{i}", f"Method of run {i + 1}", _methods(), run.method, partial(ChooseMethod, i))
-    tools = form.button(f"copy-{i}", "copy", AddRun(like=i), "chip", "Copy this run", f"Copy run {i + 1}", off=full)
-    tools += form.button(f"remove-{i}", "✕", RemoveRun(i), "chip", "Remove this run", f"Remove run {i + 1}", off=last)
+    head = tag(
+        "div.kit-head",
+        form.button(f"select-{i}", mark, SelectRun(i), "chip", hint, pressed=i == part.selected),
+        form.select(f"method-{i}", f"Method of run {i + 1}", _methods(), run.method, partial(ChooseMethod, i)),
+    )
+    tools = tag(
+        "span.it-tools",
+        form.button(f"copy-{i}", "copy", AddRun(like=i), "chip", "Copy this run", f"Copy run {i + 1}", off=full),
+        form.button(f"remove-{i}", "✕", RemoveRun(i), "chip", "Remove this run", f"Remove run {i + 1}", off=last),
+    )
     metres, freedom = sigma_unit(state), vector_of(state).m
-    cells = "".join(
+    cells = [
         _parameter(form, i, parameter, run.values[parameter.key], parameter_unit(parameter, metres, freedom))
         for parameter in run.kind.parameters
-    )
-    numbers = f'<div class="kit-numbers">{cells}</div>' if cells else ""
-    said = '<p class="dim">…</p>' if stale or film is None else outcome(film, units)
-    top = f'<div class="kit-head">{head}</div><span class="it-tools">{tools}</span>'
-    return f'<div class="it-run">{top}{numbers}{said}</div>'
+    ]
+    numbers = tag("div.kit-numbers", cells) if cells else None
+    said = tag("p.dim", "…") if stale or film is None else outcome(film, units)
+    return tag("div.it-run", head, tools, numbers, said)
 
 
 @cache
@@ -59,10 +66,10 @@ def _methods() -> dict[str, str]:
     return {key: capitalised(method.title) for key, method in methods().items()}
 
 
-def _parameter(form: Form, i: int, parameter: Parameter, value: float, unit: str) -> str:
+def _parameter(form: Form, i: int, parameter: Parameter, value: float, unit: str) -> Markup:
     def typed(text: str) -> SetParameter:
         return SetParameter(i, parameter.key, plain_number(text))
 
     hint = f"{capitalised(parameter.title)}: {parameter.low:g} to {parameter.high:g}{f' {unit}' if unit else ''}"
     cell = form.field(f"p{i}-{parameter.key}", trimmed(value, 6), f"{parameter.title} of run {i + 1}", typed)
-    return f'<label title="{escaped(hint)}"><span>{lowered_index(parameter.symbol)}</span>{cell}<i>{unit}</i></label>'
+    return tag("label", tag("span", with_indices(parameter.symbol)), cell, tag("i", unit), title=hint)

@@ -12,6 +12,7 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, number, scientific
+from armlab.ui.html import Inside, classes, tag
 from armlab.ui.small_numbers import HUGE, NO_BREAK, small
 from armlab.ui.units import Units, units_of
 
@@ -25,7 +26,7 @@ IN_LINE = 2
 class Numbers(NamedTuple):
     """What stands in the row of an iterate after its name, and in the line below, which may be empty."""
 
-    cells: str
+    cells: tuple[str, ...]
     below: str
 
 
@@ -43,7 +44,7 @@ class Table:
         part, units = state[Iterations], units_of(state)
         film = part.film
         if film is None:
-            self._form.show('<h3>Iterates</h3><p class="dim">…</p>')
+            self._form.show(tag("h3", "Iterates"), tag("p.dim", "…"))
             return
         if film is not self._film or units != self._units:
             self._film, self._units, self._rows = film, units, {}
@@ -51,22 +52,25 @@ class Table:
         first = max(0, min(i - ROWS // 2, film.last - ROWS + 1))
         shown = range(first, min(first + ROWS, film.last + 1))
         on = () if state[Timeline].clip == CLIP_KEY else (OpenClip(CLIP_KEY),)
-        rows = "".join(self._row(film, k, k == i, units, (*on, Seek(k * each(film)))) for k in shown)
-        top = "".join(f"<th>{head}</th>" for head in _columns(film, units))
+        rows = [self._row(film, k, k == i, units, (*on, Seek(k * each(film)))) for k in shown]
+        top = [tag("th", head) for head in _columns(film, units)]
         title = "Instants" if film.t is not None else "Iterates"
         self._form.show(
-            f"<h3>{title} of run {part.selected + 1}</h3>"
-            f'<table class="kit-table"><tr>{top}</tr>{rows}</table><p class="dim">{capitalised(film.scaling)}.</p>'
+            tag("h3", f"{title} of run {part.selected + 1}"),
+            tag("table.kit-table", tag("tr", top), rows),
+            tag("p.dim", f"{capitalised(film.scaling)}."),
         )
 
-    def _row(self, film: Film, k: int, present: bool, units: Units, to_it: tuple[Command, ...]) -> str:
+    def _row(self, film: Film, k: int, present: bool, units: Units, to_it: tuple[Command, ...]) -> Inside:
         if k not in self._rows:
             self._rows[k] = _numbers(film, k, units)
         cells, below = self._rows[k]
         name = f"{film.t[k]:.2f}" if film.t is not None else str(k)
         head = self._form.button(f"row {k}", name, to_it, "copy", "Show this iterate")
-        mark = ' class="now" aria-current="true"' if present else ""
-        return f"<tr{mark}><td>{head}</td>{cells}</tr>" + (f"<tr{mark}>{below}</tr>" if below else "")
+        row, here = classes("tr", now=present), "true" if present else None
+        line = tag(row, tag("td", head), [tag("td", cell) for cell in cells], aria_current=here)
+        joints = tag("td.it-q", f"q = {below}", colspan=len(cells) + 1)
+        return line, tag(row, joints, aria_current=here) if below else None
 
 
 def _columns(film: Film, units: Units) -> list[str]:
@@ -105,9 +109,8 @@ def _numbers(film: Film, k: int, units: Units) -> Numbers:
         cells.append(small(float(turn[k]), True, units) if k < film.last else "")
     if not arm.revolute.all():
         cells.append(small(float(slide[k]), False, units) if k < film.last else "")
-    line = "".join(f"<td>{cell}</td>" for cell in cells)
     if arm.n <= IN_LINE:
-        return Numbers(line, "")
+        return Numbers(tuple(cells), "")
     joints = ", ".join(values)
     if arm.revolute.all() or not arm.revolute.any():
         joints = f"({joints}){NO_BREAK}{units.unit(bool(arm.revolute[0]))}"
@@ -117,7 +120,7 @@ def _numbers(film: Film, k: int, units: Units) -> Numbers:
             f"{value}{'' if turns and units.in_degrees else NO_BREAK}{units.unit(bool(turns))}"
             for value, turns in turned
         )
-    return Numbers(line, f'<td class="it-q" colspan="{len(cells) + 1}">q = {joints}</td>')
+    return Numbers(tuple(cells), joints)
 
 
 def _value(value: float, revolute: bool, units: Units) -> str:

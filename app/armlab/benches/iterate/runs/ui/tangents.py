@@ -12,6 +12,7 @@ from armlab.benches.iterate.newton_1d.clip import Place
 from armlab.benches.iterate.runs.one_equation import Solved
 from armlab.ui.colours import BLUE, ORANGE, VERMILLION, css
 from armlab.ui.format import number, subscript
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.ticks import ticks
 
 WIDTH, HEIGHT = 320, 220
@@ -31,6 +32,8 @@ NARROW = 1e-6
 
 WIDE = 12.0
 """So many times what the first three iterates span, all of them are shown at once; of more, those up to the next."""
+
+CLIPPED = "url(#it-clip)"
 
 Floats = NDArray[np.float64]
 
@@ -77,11 +80,11 @@ class View:
         return (HEIGHT - BOTTOM) * (self.y[1] - y) / (self.y[1] - self.y[0])
 
 
-def picture(solved: Solved, place: Place) -> str:
+def picture(solved: Solved, place: Place) -> Markup:
     """Return the picture as SVG."""
     view = View(solved, place)
     k = place.k
-    parts = [_axes(view), _path(view), _iterates(view, solved, k)]
+    parts: list[Inside] = [_axes(view), _path(view), _iterates(view, solved, k)]
     here = solved.iterates[k]
     after = solved.iterates[k + 1] if k < solved.last else None
     if k:
@@ -95,15 +98,18 @@ def picture(solved: Solved, place: Place) -> str:
         if place.climb > 0.0:
             spot = (after.x, place.climb * after.f)
     parts.append(_dot(view, *spot, 4.5, css(VERMILLION)))
-    label = "Function, tangent and iterates"
-    return (
-        f'<svg class="it-tangents" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{label}">'
-        f'<clipPath id="it-clip"><rect x="{LEFT}" y="0" width="{WIDTH - LEFT}" height="{HEIGHT - BOTTOM}"/></clipPath>'
-        f"{''.join(parts)}</svg>"
+    inside = tag("rect", x=LEFT, y=0, width=WIDTH - LEFT, height=HEIGHT - BOTTOM)
+    return tag(
+        "svg.it-tangents",
+        tag("clipPath", inside, id="it-clip"),
+        parts,
+        viewBox=f"0 0 {WIDTH} {HEIGHT}",
+        role="img",
+        aria_label="Function, tangent and iterates",
     )
 
 
-def _tangent(view: View, solved: Solved, place: Place, opacity: float) -> str:
+def _tangent(view: View, solved: Solved, place: Place, opacity: float) -> Inside:
     """Return the tangent, growing from the point of the curve to both sides."""
     here = solved.iterates[place.k]
     slope = here.tangent.slope
@@ -112,13 +118,13 @@ def _tangent(view: View, solved: Solved, place: Place, opacity: float) -> str:
         reach = max(reach, place.tangent * abs(here.f / slope) * 1.05)
     ends = [(here.x + side * reach, here.f + side * reach * slope) for side in (-1.0, 1.0)]
     up = _line(view, (here.x, 0.0), (here.x, here.f), "currentColor", "2 3", 1.0)
-    lines = up + _line(view, ends[0], ends[1], css(ORANGE), "", 1.8)
-    return lines if opacity == 1.0 else f'<g opacity="{opacity}">{lines}</g>'
+    lines = up, _line(view, ends[0], ends[1], css(ORANGE), "", 1.8)
+    return lines if opacity == 1.0 else tag("g", lines, opacity=f"{opacity}")
 
 
-def _iterates(view: View, solved: Solved, k: int) -> str:
+def _iterates(view: View, solved: Solved, k: int) -> list[Inside]:
     """Return the iterates so far on the axis; the names of those that others would cover are left out."""
-    marks, taken = [], list[float]()
+    marks, taken = list[Inside](), list[float]()
     for i in range(k, -1, -1):
         x = view.px(solved.iterates[i].x)
         if not LEFT <= x <= WIDTH:
@@ -129,27 +135,22 @@ def _iterates(view: View, solved: Solved, k: int) -> str:
             above = solved.iterates[i].f < 0.0
             y = view.py(0.0) + (-7.0 if above else 14.0)
             anchor = "end" if x > WIDTH - 14 else "middle"
-            marks.append(f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{subscript("x", i)}</text>')
-    return "".join(marks)
+            marks.append(tag("text", subscript("x", i), x=f"{x:.1f}", y=f"{y:.1f}", text_anchor=anchor))
+    return marks
 
 
-def _axes(view: View) -> str:
+def _axes(view: View) -> list[Markup]:
     lines = []
     for value in ticks(*view.x):
         x = view.px(value)
         anchor = "end" if x > WIDTH - 16 else "middle"
-        lines.append(f'<path class="grid" d="M{x:.1f} 0V{HEIGHT - BOTTOM}"/>')
-        lines.append(
-            f'<text class="tick" x="{x:.1f}" y="{HEIGHT - 4}" text-anchor="{anchor}">{_tick(value, view.x)}</text>'
-        )
+        lines.append(tag("path.grid", d=f"M{x:.1f} 0V{HEIGHT - BOTTOM}"))
+        lines.append(tag("text.tick", _tick(value, view.x), x=f"{x:.1f}", y=HEIGHT - 4, text_anchor=anchor))
     for value in ticks(*view.y):
         y = view.py(value)
-        lines.append(f'<path class="grid" d="M{LEFT} {y:.1f}H{WIDTH}"/>')
-        lines.append(
-            f'<text class="tick" x="{LEFT - 4}" y="{y + 4:.1f}" text-anchor="end">{_tick(value, view.y)}</text>'
-        )
-    lines.append(f'<path class="axis" d="M{LEFT} {view.py(0.0):.1f}H{WIDTH}"/>')
-    return "".join(lines)
+        lines.append(tag("path.grid", d=f"M{LEFT} {y:.1f}H{WIDTH}"))
+        lines.append(tag("text.tick", _tick(value, view.y), x=LEFT - 4, y=f"{y + 4:.1f}", text_anchor="end"))
+    return [*lines, tag("path.axis", d=f"M{LEFT} {view.py(0.0):.1f}H{WIDTH}")]
 
 
 def _tick(value: float, span: tuple[float, float]) -> str:
@@ -161,7 +162,7 @@ def _tick(value: float, span: tuple[float, float]) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
-def _path(view: View) -> str:
+def _path(view: View) -> Markup:
     """Return the curve; where f has no value, and beside poles, it breaks."""
     pieces, pen = [], False
     high = 4.0 * HEIGHT
@@ -172,26 +173,24 @@ def _path(view: View) -> str:
             continue
         pieces.append(f"{'L' if pen else 'M'}{view.px(x):.1f} {at:.1f}")
         pen = True
-    return f'<path clip-path="url(#it-clip)" d="{"".join(pieces)}" fill="none" stroke="{css(BLUE)}" stroke-width="2"/>'
+    return tag("path", clip_path=CLIPPED, d="".join(pieces), fill="none", stroke=css(BLUE), stroke_width=2)
 
 
 def _line(
     view: View, start: tuple[float, float], end: tuple[float, float], colour: str, dash: str, width: float
-) -> str:
+) -> Markup | None:
     points = (view.px(start[0]), view.py(start[1]), view.px(end[0]), view.py(end[1]))
     if not all(abs(value) < 1e7 for value in points):
-        return ""
+        return None
     x1, y1, x2, y2 = (f"{value:.1f}" for value in points)
-    dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (
-        f'<path clip-path="url(#it-clip)" d="M{x1} {y1}L{x2} {y2}" stroke="{colour}" stroke-width="{width}"{dashes}/>'
-    )
+    looks = {"stroke": colour, "stroke_width": f"{width}", "stroke_dasharray": dash or None}
+    return tag("path", clip_path=CLIPPED, d=f"M{x1} {y1}L{x2} {y2}", **looks)
 
 
-def _dot(view: View, x: float, y: float, radius: float, colour: str) -> str:
+def _dot(view: View, x: float, y: float, radius: float, colour: str) -> Markup | None:
     cx, cy = view.px(x), view.py(y)
     inside = -radius <= cy <= HEIGHT and LEFT - radius <= cx <= WIDTH + radius
-    return f'<circle cx="{cx:.1f}" cy="{cy:.1f}" r="{radius}" fill="{colour}"/>' if inside else ""
+    return tag("circle", cx=f"{cx:.1f}", cy=f"{cy:.1f}", r=f"{radius}", fill=colour) if inside else None
 
 
 def _span(values: Sequence[float]) -> float:

@@ -9,9 +9,11 @@ from armlab.kin.ik.iterate import Parameter, TaskVector, task_vector
 from armlab.kin.task import Task
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui.format import capitalised, escaped, subscript
+from armlab.ui.format import capitalised, subscript
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import SIGNS
 from armlab.ui.small_numbers import NO_BREAK, with_unit
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
 GOING = ("most", "going", "limit", "jumped")
@@ -42,13 +44,13 @@ def kind_of(film: Film) -> str:
     return "ok" if film.success else "warn" if film.status in GOING else "no"
 
 
-def outcome(film: Film, units: Units) -> str:
-    """Return how a run has ended, as markup with a sign and a sentence."""
+def outcome(film: Film, units: Units) -> Markup:
+    """Return how a run has ended, with a sign and a sentence."""
     kind = kind_of(film)
-    said = escaped(capitalised(film.reason)).rstrip(".") + "."
+    said = capitalised(film.reason).rstrip(".") + "."
     if not film.success and film.status != "refused":
         said += f" Error at the end: {errors(film, film.last, units)}."
-    return f'<p class="{kind}">{SIGNS[kind]} {said}</p>'
+    return tag(f"p.{kind}", f"{SIGNS[kind]} {said}")
 
 
 def sigma_unit(state: State) -> str:
@@ -70,15 +72,9 @@ def parameter_unit(parameter: Parameter, sigma_unit: str, freedom: int) -> str:
     return {"sigma": "m", "sigma²": "m²", "1/sigma²": "m⁻²"}.get(parameter.unit, f"m{powers.get(freedom, '')}")
 
 
-def vector_text(vector: TaskVector) -> str:
-    """Return the components of a task vector, (p_x, p_y, q_3), as markup."""
-    return f"({', '.join(lowered_index(name) for name in vector.names)})"
-
-
-def lowered_index(symbol: str) -> str:
-    """Return a symbol such as λ_max as markup with its index below the line."""
-    letter, _, index = escaped(symbol).partition("_")
-    return f"{letter}<sub>{index}</sub>" if index else letter
+def vector_text(vector: TaskVector) -> Markup:
+    """Return the components of a task vector: (p_x, p_y, q_3)."""
+    return joined("(", joined(map(with_indices, vector.names), between=", "), ")")
 
 
 def choices(arm: Arm) -> dict[str, str]:

@@ -13,12 +13,11 @@ from armlab.ui.colours import css, joint_colour
 from armlab.ui.factors import turns
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, number, pairs, subscript
+from armlab.ui.html import Inside, Markup, styles, tag
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui
-
-"""Of metres, as units."""
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -36,10 +35,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             slider.show(_shown(joints, i, units))
             slider.enable(not joints.locked[i])
         if not locks.shows(joints.locked):
-            locks.show(row("Hold", "".join(_lock(locks, joints, i, units) for i in range(joints.arm.n))))
+            locks.show(row("Hold", [_lock(locks, joints, i, units) for i in range(joints.arm.n)]))
         if not poses.shows():
-            taken = "".join(poses.chip(name, name.capitalize(), TakePose(name)) for name in names)
-            poses.show(row("Pose", taken + poses.chip("random", "Random", RandomPose())))
+            taken = [poses.chip(name, name.capitalize(), TakePose(name)) for name in names]
+            poses.show(row("Pose", (taken, poses.chip("random", "Random", RandomPose()))))
         readout.show(_readout(joints, units))
 
     return show
@@ -68,7 +67,7 @@ def _slider(gui: Gui, joints: Joints, i: int, post: Post, units: Units) -> Contr
     )
 
 
-def _colours(sliders: list[Control]) -> str:
+def _colours(sliders: list[Control]) -> Markup:
     """Return the style that gives each slider the colour of its joint."""
     rules = []
     for i, slider in enumerate(sliders):
@@ -80,10 +79,10 @@ def _colours(sliders: list[Control]) -> str:
             f"{{background:{colour}!important;border-color:{colour}!important}}"
             f"div:has(>p>label[for='{key}']){{width:4.6em!important}}"
         )
-    return f"<style>{''.join(rules)}</style>"
+    return styles(rules)
 
 
-def _lock(form: Form, joints: Joints, i: int, units: Units) -> str:
+def _lock(form: Form, joints: Joints, i: int, units: Units) -> Markup:
     """Return the chip that holds a joint; its hint also says what the joint does, and between which limits."""
     revolute, on = joints.arm.rows[i].revolute, joints.locked[i]
     axis = subscript("z", i if joints.arm.convention == "standard" else i + 1)
@@ -94,24 +93,27 @@ def _lock(form: Form, joints: Joints, i: int, units: Units) -> str:
     return form.button(str(i), _name(joints, i, units), LockJoint(i, not on), "chip lock", hint, pressed=on)
 
 
-def _readout(joints: Joints, units: Units) -> str:
+def _readout(joints: Joints, units: Units) -> Inside:
     T = joints.tool_pose
     (yaw, pitch, roll), singular = euler_zyx(T[:3, :3])
-    position = "&ensp;".join(units.text(float(value), False) for value in T[:3, 3])
+    position = "\u2002".join(units.text(float(value), False) for value in T[:3, 3])
     angles = [units.turned(float(value)) for value in (yaw, pitch, roll)]
     degrees = "°" if units.in_degrees else ""
     product = turns("zyx", False, [f"{value}{degrees}" for value in angles])
-    note = '<p class="dim">Pitch is ±90°: only yaw ∓ roll is defined, roll is set to 0.</p>' if bool(singular) else ""
+    note = "Pitch is ±90°: only yaw ∓ roll is defined, roll is set to 0."
+    measure = mathml("w"), " of the task", tag("br"), f"({_controlled(joints.arm)})"
     return (
-        f"<h3>Tool in the world, {mathml('{}^{w}T_{E}')} <small>position in m</small></h3>{matrix(T, 3, 3)}"
-        + pairs(
+        tag("h3", "Tool in the world, ", mathml("{}^{w}T_{E}"), " ", tag("small", "position in m")),
+        matrix(T, 3, 3),
+        pairs(
             [
                 (f"position x y z, {units.length_unit}", position),
-                (f"yaw pitch roll, {units.angle_unit}", "&ensp;".join(angles)),
-                (f"{mathml('w')} of the task<br>({_controlled(joints.arm)})", _manipulability(joints)),
+                (f"yaw pitch roll, {units.angle_unit}", "\u2002".join(angles)),
+                (measure, _manipulability(joints)),
             ]
-        )
-        + f'<div class="eq small">{mathml("R=")} {product}</div>{note}'
+        ),
+        tag("div.eq.small", mathml("R="), " ", product),
+        tag("p.dim", note) if bool(singular) else None,
     )
 
 

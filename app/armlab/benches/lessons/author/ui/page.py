@@ -15,16 +15,30 @@ from armlab.session.parts.target import Target
 from armlab.session.put_words import begun_as
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Pressed, Typed
+from armlab.ui.html import Inside, tag
 from armlab.ui.markup import row
 from armlab.ui.picks import broken_files
 from armlab.ui.plugin import Panel, Show, layers
 from armlab.ui.widgets import Gui
 
-HOW = """<p>Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step
-with a check, a hint and a solution, and begins with the benches as you have set them; write the text in any editor.</p>
-<p>Put it into a folder and start the lab with <code>armlab --lessons FOLDER</code>: it appears under Lessons, and every
-time you save the file the open lesson changes. <code>armlab lesson check FILE</code> plays it by its solution;
-<code>armlab check NAME --state FOLDER</code> judges what students hand in.</p>"""
+HOW = (
+    tag(
+        "p",
+        "Bring the arm to where the students shall bring it, give the lesson a title, and save. The file has one step "
+        "with a check, a hint and a solution, and begins with the benches as you have set them; write the text in any "
+        "editor.",
+    ),
+    tag(
+        "p",
+        "Put it into a folder and start the lab with ",
+        tag("code", "armlab --lessons FOLDER"),
+        ": it appears under Lessons, and every time you save the file the open lesson changes. ",
+        tag("code", "armlab lesson check FILE"),
+        " plays it by its solution; ",
+        tag("code", "armlab check NAME --state FOLDER"),
+        " judges what students hand in.",
+    ),
+)
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:
@@ -58,10 +72,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _form(form: Form, title: str, named: Typed, save: Pressed) -> str:
+def _form(form: Form, title: str, named: Typed, save: Pressed) -> Inside:
     line = form.field("title", title, "Title of the lesson", named, inputmode="", maxlength="80")
     button = form.chip("save-lesson", "Save as lesson", save, "A lesson file whose goal is the arm as it stands")
-    return f'{row("Title", line)}<div class="bar">{button}</div>'
+    return row("Title", line), tag("div.bar", button)
 
 
 def written(title: str, state: State, gui: Gui) -> str:

@@ -14,7 +14,7 @@ from armlab.session.lesson_commands import OpenLesson
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.lesson.load import load_work
 from armlab.ui.markup import copy_button
 from armlab.ui.picks import broken_files, pick
@@ -35,26 +35,24 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     field, saved, entries = gui.form(post), gui.form(post, MOST), gui.form(post)
     hint = "Find: 3.66, section 4.1, quaternion …"
     line = field.field("query", "", "Find", asked, inputmode="", data_live="1", type="search", placeholder=hint)
-    field.show(f'<div class="find">{line}</div>')  # once: a person is typing in it
+    field.show(tag("div.find", line))  # once: a person is typing in it
 
     def show(state: State) -> None:
-        saved.show(f'<div class="chips">{load_work(saved)}</div>')
+        saved.show(tag("div.chips", load_work(saved)))
         entries.show(_found(entries, query, state, gui.open_panel) if query else _all(entries, state))
 
     return show
 
 
-def _all(form: Form, state: State) -> str:
+def _all(form: Form, state: State) -> Inside:
     """Return the lessons by chapter, each with its arm and how far the student has come."""
     part = state[LessonPart]
     chapters = groupby(lessons().lessons.values(), lambda lesson: lesson.chapter)
-    return "".join(
-        f"<h3>{escaped(chapter)}</h3>" + "".join(_lesson(form, lesson, part) for lesson in found)
-        for chapter, found in chapters
-    ) + broken_files("lesson", lessons().problems)
+    listed = [(tag("h3", chapter), [_lesson(form, lesson, part) for lesson in found]) for chapter, found in chapters]
+    return listed, broken_files("lesson", lessons().problems)
 
 
-def _lesson(form: Form, lesson: Lesson, part: LessonPart) -> str:
+def _lesson(form: Form, lesson: Lesson, part: LessonPart) -> Markup:
     count = len(lesson.steps)
     steps = f"{count} step{'s' if count > 1 else ''}"
     progress = [each for place, each in part.progress_of.items() if place.partition("/")[0] == lesson.key]
@@ -70,7 +68,7 @@ def _benches() -> tuple[Bench, ...]:
     return tuple(Bench(key, panel.title, panel.about) for key, panel in pages().items())
 
 
-def _found(form: Form, query: str, state: State, turn_to: Callable[[str], None]) -> str:
+def _found(form: Form, query: str, state: State, turn_to: Callable[[str], None]) -> Inside:
     """Return what the index finds: lessons and benches to go to, rows of the course, functions of the core.
 
     ``turn_to`` gets the key of a bench.
@@ -78,29 +76,28 @@ def _found(form: Form, query: str, state: State, turn_to: Callable[[str], None])
     hidden = hidden_panels(state)
     found = search(query, benches=tuple(bench for bench in _benches() if bench.key not in hidden))
     if not found:
-        return '<p class="dim">Nothing is found. Try an equation (3.66), a section (4.1) or a word.</p>'
-    return "".join(_entry(form, entry, turn_to) for entry in found)
+        return tag("p.dim", "Nothing is found. Try an equation (3.66), a section (4.1) or a word.")
+    return [_entry(form, entry, turn_to) for entry in found]
 
 
-def _entry(form: Form, entry: Entry, turn_to: Callable[[str], None]) -> str:
+def _entry(form: Form, entry: Entry, turn_to: Callable[[str], None]) -> Markup:
     if entry.kind == "lesson":
         return pick(form, LESSON + entry.key, OpenLesson(entry.key), entry.title, "lesson", entry.detail, False)
     if entry.kind == "bench":
         return pick(form, BENCH + entry.key, partial(turn_to, entry.key), entry.title, "bench", entry.detail, False)
     if entry.kind == "function":
         name = entry.key.removeprefix("armlab.kin.")
-        return (
-            f'<div class="found"><b>{escaped(name)}</b><i>function</i><span>{escaped(entry.detail)}</span>'
-            f"{copy_button('import line', _import_line(entry.key))}</div>"
-        )
+        return _row(name, "function", entry.detail, copy_button("import line", _import_line(entry.key)))
     ways = [
         *(form.chip(LESSON + key, lessons()[key].title, OpenLesson(key), "Lesson") for key in entry.lessons),
         *(form.chip(BENCH + key, pages()[key].title, partial(turn_to, key), "Bench") for key in entry.benches),
     ]
     kind = "chapter" if entry.kind == "chapter" else "topic"
-    chips = f'<div class="chips">{"".join(ways)}</div>' if ways else ""
-    head = f"<b>{escaped(entry.title)}</b><i>{kind}</i><span>{escaped(entry.detail)}</span>"
-    return f'<div class="found">{head}{chips}</div>'
+    return _row(entry.title, kind, entry.detail, tag("div.chips", ways) if ways else None)
+
+
+def _row(title: str, kind: str, detail: str, below: Markup | None) -> Markup:
+    return tag("div.found", tag("b", title), tag("i", kind), tag("span", detail), below)
 
 
 def _import_line(key: str) -> str:

@@ -22,6 +22,7 @@ from armlab.kin.transforms import inverse
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.format import mathml, number, subscript
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import copy_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
@@ -61,7 +62,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> str:
+def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> Inside:
     everything = {
         "LaTeX": "\\begin{aligned}\n"
         + " \\\\\n".join(f"{_symbol(name)} &= {formula.latex}" for name, formula in formulas.items())
@@ -79,29 +80,29 @@ def _head(python: dict[str, str], formulas: dict[str, Written], count: int) -> s
         )
     if len(formulas) < count:
         notes.append(f"{count - len(formulas)} of {count} formulas have over {MOST_TERMS} terms and are not written.")
-    copies = "".join(_copy(kind, text) for kind, text in everything.items()) if formulas else ""
-    note = f'<p class="dim">{" ".join(notes)}</p>' if notes else ""
-    return f'<h3>Tool in frame 0 {mathml(symbol("0", "E"))}<span class="copies">{copies}</span></h3>{note}'
+    copies = [_copy(kind, text) for kind, text in everything.items()] if formulas else None
+    note = tag("p.dim", " ".join(notes)) if notes else None
+    return tag("h3", "Tool in frame 0 ", mathml(symbol("0", "E")), tag("span.copies", copies)), note
 
 
-def _too_long(terms: int) -> str:
+def _too_long(terms: int) -> Markup:
     """Return what stands in the place of a formula nobody could read."""
-    return f'<div class="formula dim">too long to be read: about {float(f"{terms:.2g}"):,.0f} terms</div>'
+    return tag("div.formula.dim", f"too long to be read: about {float(f'{terms:.2g}'):,.0f} terms")
 
 
-def _constant(numbers: dict[str, str]) -> str:
+def _constant(numbers: dict[str, str]) -> Markup:
     """Return the entries that do not depend on the joints, in one line."""
-    entries = "".join(f"<span>{mathml(f'{_symbol(name)}={{{value}}}')}</span>" for name, value in numbers.items())
-    return f'<div class="where small">{entries}</div>'
+    entries = [tag("span", mathml(f"{_symbol(name)}={{{value}}}")) for name, value in numbers.items()]
+    return tag("div.where.small", entries)
 
 
-def _formula(formula: Written, python: str) -> str:
-    rest = f' <span class="dim">… and {formula.left_out} more terms</span>' if formula.left_out else ""
-    copies = _copy("LaTeX", formula.latex) + _copy("Python", python)
-    return f'<div class="formula">= {formula.markup}{rest}<span class="copies">{copies}</span></div>'
+def _formula(formula: Written, python: str) -> Markup:
+    rest = (" ", tag("span.dim", f"… and {formula.left_out} more terms")) if formula.left_out else None
+    copies = _copy("LaTeX", formula.latex), _copy("Python", python)
+    return tag("div.formula", "= ", formula.markup, rest, tag("span.copies", copies))
 
 
-def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str, Written]) -> str:
+def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str, Written]) -> Inside:
     """Return what the letters stand for: short forms of sines and cosines, angles with an offset, constants."""
     lines = short_forms(arm, units, (formula.latex for formula in formulas.values()))
     lines += offset_lines(arm, units)
@@ -110,25 +111,23 @@ def _symbols(arm: Arm, units: Units, python: dict[str, str], formulas: dict[str,
         letter, index = name.rstrip("0123456789"), int(name.lstrip("alphd"))
         value = units.constant(known[name], letter == "alpha")
         lines.append(f"{subscript({'alpha': 'α'}.get(letter, letter), index)} = {value}")
-    return f'<h3>Where</h3><div class="where">{"".join(f"<span>{line}</span>" for line in lines)}</div>'
+    return tag("h3", "Where"), tag("div.where", [tag("span", line) for line in lines])
 
 
-def _value(name: str, T: NDArray[np.floating], units: Units) -> str:
+def _value(name: str, T: NDArray[np.floating], units: Units) -> Markup:
     if name[0] == "p":
         text = units.length(float(T["xyz".index(name[1]), 3]))
     else:
         text = number(float(T[int(name[1]) - 1, int(name[2]) - 1]), 3)
-    return f'<div class="value">{mathml(_symbol(name))} = {text}</div>'
+    return tag("div.value", mathml(_symbol(name)), f" = {text}")
 
 
 def _symbol(name: str) -> str:
     return f"{name[0]}_{{{name[1:]}}}"
 
 
-def _copy(kind: str, text: str) -> str:
-    if len(text) > MOST_COPIED:
-        return ""
-    return copy_button(kind, text)
+def _copy(kind: str, text: str) -> Markup | None:
+    return copy_button(kind, text) if len(text) <= MOST_COPIED else None
 
 
 PANEL = Panel((Joints,), build)

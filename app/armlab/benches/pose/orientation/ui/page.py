@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from armlab.benches.pose.tool.state import PoseView, pair_of
 from armlab.benches.pose.tool.ui.chooser import Chooser
-from armlab.benches.pose.tool.ui.notation import in_words
+from armlab.benches.pose.tool.ui.notation import AXES, in_words
 from armlab.benches.pose.tool.ui.words import vector
 from armlab.kin.euler import NAMES, SEQUENCES, EulerSolutions, angle_symbols, euler_angles, product_latex
 from armlab.kin.rotations import axis_angle, quaternion_from_rotation, rotation_from_sequence
@@ -17,14 +17,15 @@ from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.factors import turns
-from armlab.ui.format import MINUS, mathml, pairs
+from armlab.ui.format import MINUS, capitalised, mathml, pairs
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 LETTERS = {r"\varphi": "φ", r"\theta": "θ", r"\psi": "ψ"}
-COLUMNS = tuple(f'<b class="axis-{axis}">{axis}</b>' for axis in "xyz")
 
 NEAR = 1e-6
 """Radians from no turn, or from half a turn, within which a rotation is called so."""
@@ -59,7 +60,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         view, R = state[PoseView], state.derived(pair_of).transform[:3, :3]
         chooser.show(state)
-        matrix.show(state, f"Rotation R <small>{in_words(view.reference, view.frame)}</small>", R, 3, None, COLUMNS)
+        title = "Rotation R ", tag("small", in_words(view.reference, view.frame))
+        matrix.show(state, title, R, 3, None, AXES)
         turn.show(_one_turn(R, units))
         sequence.show(view.axes)
         about.show("fixed" if view.fixed else "moving")
@@ -68,70 +70,66 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _one_turn(R: NDArray[np.floating], units: Units) -> str:
+def _one_turn(R: NDArray[np.floating], units: Units) -> Inside:
     axis, angle = axis_angle(R)
     theta = float(angle)
     if theta < NEAR:
-        turn = '<p class="said">No turn: θ = 0, and every axis is right.</p>'
+        turn: Inside = tag("p.said", "No turn: θ = 0, and every axis is right.")
     else:
         half = math.pi - theta < NEAR
-        turn = pairs(
-            [
-                ("r, θ", f"{vector(axis.tolist())}&ensp;{units.angle(theta)}"),
-                (f"{MINUS}r, {'' if half else MINUS}θ", _opposite(axis, theta if half else -theta, units)),
-            ]
-        )
-        turn += '<p class="dim">Half a turn: both axes are right.</p>' if half else ""
+        both = [
+            ("r, θ", f"{vector(axis.tolist())}\u2002{units.angle(theta)}"),
+            (f"{MINUS}r, {'' if half else MINUS}θ", _opposite(axis, theta if half else -theta, units)),
+        ]
+        turn = pairs(both), tag("p.dim", "Half a turn: both axes are right.") if half else None
     q = quaternion_from_rotation(R)
     quaternions = pairs([("q = (w, x, y, z)", vector(q.tolist())), (f"{MINUS}q", vector((-q).tolist()))])
-    return f"<h3>Axis r, angle θ</h3>{turn}<h3>Quaternion, scalar first</h3>{quaternions}"
+    return tag("h3", "Axis r, angle θ"), turn, tag("h3", "Quaternion, scalar first"), quaternions
 
 
 def _opposite(axis: NDArray[np.floating], angle: float, units: Units) -> str:
-    return f"{vector((-axis).tolist())}&ensp;{units.orientation(angle)}"
+    return f"{vector((-axis).tolist())}\u2002{units.orientation(angle)}"
 
 
-def _three_turns(R: NDArray[np.floating], view: PoseView, units: Units) -> str:
+def _three_turns(R: NDArray[np.floating], view: PoseView, units: Units) -> Inside:
     found = euler_angles(R, view.axes, fixed=view.fixed)
     letters = [LETTERS[letter] for letter in angle_symbols(view.axes, view.fixed)]
     name = NAMES.get((view.axes, view.fixed), "")
-    kind = f'<p class="dim said">{name[:1].upper()}{name[1:]}.</p>' if name else ""
-    product = f'<div class="eq small">{mathml("R=" + product_latex(view.axes, view.fixed))}'
+    kind = tag("p.dim.said", f"{capitalised(name)}.") if name else None
+    product = mathml("R=" + product_latex(view.axes, view.fixed))
     if bool(found.singular):
-        return kind + product + "</div>" + _singular(found, letters, view, units)
-    heads = "".join(
-        f'<th>{letter} <small>about <b class="axis-{axis}">{axis}</b></small></th>'
+        return kind, tag("div.eq.small", product), _singular(found, letters, view, units)
+    heads = [
+        tag("th", f"{letter} ", tag("small", "about ", tag(f"b.axis-{axis}", axis)))
         for letter, axis in zip(letters, view.axes, strict=True)
-    )
+    ]
     texts = [[units.orientation(float(value)) for value in triple] for triple in found.solutions]
-    rows = "".join(
-        f"<tr><th>{k + 1}</th>{''.join(f'<td>{text}</td>' for text in triple)}</tr>" for k, triple in enumerate(texts)
-    )
-    numbers = "".join(f"<div>= {turns(view.axes, view.fixed, triple)}</div>" for triple in texts)
-    table = f'<table class="angles"><tr><th></th>{heads}</tr>{rows}</table>'
-    return f"{kind}{table}{product}{numbers}</div>{_residual(R, found, view)}"
+    rows = [tag("tr", tag("th", str(k + 1)), [tag("td", text) for text in triple]) for k, triple in enumerate(texts)]
+    numbers = [tag("div", "= ", turns(view.axes, view.fixed, triple)) for triple in texts]
+    table = tag("table.angles", tag("tr", tag("th"), heads), rows)
+    return kind, table, tag("div.eq.small", product, numbers), _residual(R, found, view)
 
 
-def _singular(found: EulerSolutions, letters: list[str], view: PoseView, units: Units) -> str:
+def _singular(found: EulerSolutions, letters: list[str], view: PoseView, units: Units) -> Inside:
     first, middle, third = (float(value) for value in found.solutions[0])
     plus = int(found.combination) > 0
     defined = f"{letters[0]} {'+' if plus else MINUS} {letters[2]}"
     value = first + third if plus else first - third
     written = turns(view.axes, view.fixed, [units.orientation(angle) for angle in (first, middle, third)])
-    return (
-        f'<div class="verdict warn"><b>◐ Singular: only {defined} is defined</b>'
+    said = (
         f"{letters[1]} = {units.orientation(middle)} lays the first and the third turn on one line. "
-        f"{defined} = {units.orientation(value)}; here {letters[2]} is 0.</div>"
-        f'<div class="eq small">R = {written}</div>'
+        f"{defined} = {units.orientation(value)}; here {letters[2]} is 0."
     )
+    head = f"Singular: only {defined} is defined"
+    return verdict_box("warn", head, said), tag("div.eq.small", "R = ", written)
 
 
-def _residual(R: NDArray[np.floating], found: EulerSolutions, view: PoseView) -> str:
+def _residual(R: NDArray[np.floating], found: EulerSolutions, view: PoseView) -> Markup:
     products = rotation_from_sequence(view.axes, found.solutions, fixed=view.fixed)
     residual = float(np.abs(products - R).max())
     if residual <= CHECKED:
-        return '<p class="dim">Both triples give R.</p>'
-    return f'<p class="dim">The products differ from R by {residual:.0e}.</p>'
+        return tag("p.dim", "Both triples give R.")
+    return tag("p.dim", f"The products differ from R by {residual:.0e}.")
 
 
 PANEL = Panel((Joints, PoseView), build, see_through=True)

@@ -6,6 +6,7 @@ from armlab.benches.pose.tool.state import TOOL, WORLD, Invert, LookAt, PoseView
 from armlab.benches.pose.tool.ui.notation import in_words, short_symbol
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
+from armlab.ui.html import Markup, tag
 from armlab.ui.markup import row
 from armlab.ui.widgets import Gui
 
@@ -21,22 +22,21 @@ class Chooser:
         self._form.show(chooser_markup(self._form, state[PoseView]))
 
 
-def chooser_markup(form: Form, view: PoseView) -> str:
+def chooser_markup(form: Form, view: PoseView) -> Markup:
     """Return the rows; the inverse stays chosen while other pairs are."""
     n = view.n
     ends = ((WORLD, TOOL), ("0", TOOL), (WORLD, "0"), (str(n), TOOL))
 
-    def pair(reference: str, frame: str, name: str) -> str:
+    def pair(reference: str, frame: str, name: Markup | str) -> Markup:
         hint, on = in_words(reference, frame), view.outer_pair == (reference, frame)
         look = LookAt(reference, frame, keeps_sense=True)
         return form.button(f"{reference}-{frame}", name, look, "chip", hint, hint, on)
 
     hint = "The inverse: reference and frame exchanged"
     inverse = form.button("inverse", "inverse", Invert(), "chip", hint, hint, view.inward)
-    rows = {
-        "": [pair(*ends_of, short_symbol(*ends_of)) for ends_of in ends] + [inverse],
-        short_symbol("0", "i"): [pair("0", str(i), str(i)) for i in range(1, n + 1)],
-        "A<sub>i</sub>": [pair(str(i - 1), str(i), str(i)) for i in range(1, n + 1)],
-    }
-    lines = "".join(row(label, "".join(chips)) for label, chips in rows.items())
-    return f'<div class="choose">{lines}</div>'
+    return tag(
+        "div.choose",
+        row(None, ([pair(*ends_of, short_symbol(*ends_of)) for ends_of in ends], inverse)),
+        row(short_symbol("0", "i"), [pair("0", str(i), str(i)) for i in range(1, n + 1)]),
+        row(("A", tag("sub", "i")), [pair(str(i - 1), str(i), str(i)) for i in range(1, n + 1)]),
+    )

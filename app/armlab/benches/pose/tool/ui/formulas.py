@@ -1,4 +1,4 @@
-"""Printed formulas as markup that a narrow panel can break, and the symbols they use."""
+"""Printed formulas as elements that a narrow panel can break, and the symbols they use."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from armlab.kin.arm import Arm
 from armlab.kin.symbolic import QUARTER, angle_offsets
 from armlab.ui.format import MINUS, mathml, subscript
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.units import Units
 
 LONGEST = 300
@@ -37,14 +38,14 @@ class Written:
     ----------
     latex : str
         The whole formula.
-    markup : str
+    markup : Markup
         The formula, or its beginning.
     left_out : int
         How many terms the markup lacks.
     """
 
     latex: str
-    markup: str
+    markup: Markup
     left_out: int
 
     @property
@@ -104,9 +105,9 @@ def _terms(latex: str) -> list[tuple[str, str]]:
     return [*terms, (sign, latex[start:])]
 
 
-def _markup(terms: Iterable[tuple[str, str]]) -> str:
-    signs = {"": "", "+": "+&nbsp;", "-": f"{MINUS}&nbsp;"}
-    return " ".join(f'<span class="term">{signs[sign]}{mathml(term)}</span>' for sign, term in terms)
+def _markup(terms: Iterable[tuple[str, str]]) -> Markup:
+    signs = {"": "", "+": "+\u00a0", "-": f"{MINUS}\u00a0"}
+    return joined((tag("span.term", signs[sign], mathml(term)) for sign, term in terms), between=" ")
 
 
 def short_forms(arm: Arm, units: Units, formulas: Iterable[str]) -> list[str]:

@@ -6,10 +6,13 @@ from armlab.benches.pose.tool.state import TOOL, WORLD, PoseView, step_of
 from armlab.kin.arm import Arm
 from armlab.ui.factors import FACTORS, elementary, product_latex
 from armlab.ui.format import MINUS, mathml
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.units import Units
 
 NAMES = {WORLD: "world", TOOL: "tool"}
 
+AXES = tuple(tag(f"b.axis-{axis}", axis) for axis in "xyz")
+"""Letters of the axes in their colours."""
 
 INVERSE = r"T^{-1}=\begin{pmatrix}R^{T} & -R^{T}p\\ 0 & 1\end{pmatrix}"
 
@@ -19,9 +22,9 @@ def symbol(reference: str, frame: str) -> str:
     return rf"{{}}^{{{reference}}}T_{{{frame}}}"
 
 
-def short_symbol(reference: str, frame: str) -> str:
-    """Return the same as plain markup, for a small button."""
-    return f"<sup>{reference}</sup>T<sub>{frame}</sub>"
+def short_symbol(reference: str, frame: str) -> Markup:
+    """Return the same for a small button."""
+    return joined(tag("sup", reference), "T", tag("sub", frame))
 
 
 def in_words(reference: str, frame: str) -> str:
@@ -31,13 +34,17 @@ def in_words(reference: str, frame: str) -> str:
     return f"{moved} in {seen_from}"
 
 
-def title(view: PoseView) -> str:
+def title(view: PoseView) -> Inside:
     """Return the heading of the matrix of the transform that is looked at."""
-    return f"{mathml(symbol(view.reference, view.frame))} <small>{in_words(view.reference, view.frame)}, p in m</small>"
+    return (
+        mathml(symbol(view.reference, view.frame)),
+        " ",
+        tag("small", f"{in_words(view.reference, view.frame)}, p in m"),
+    )
 
 
-def chain(view: PoseView) -> str:
-    """Return the transform as the product it is computed from, as MathML; empty for a constant one."""
+def chain(view: PoseView) -> Markup | None:
+    """Return the transform as the product it is computed from, as MathML; None for a constant one."""
     reference, frame = view.outer_pair
     i = step_of(view)
     name = symbol(reference, frame)
@@ -47,24 +54,24 @@ def chain(view: PoseView) -> str:
     last = view.n if frame == TOOL else 0 if frame == WORLD else int(frame)
     links = [f"A_{{{k}}}" for k in range(first, last + 1)]
     if not links:
-        return ""
+        return None
     product = r"\,".join(links if len(links) <= 4 else [*links[:2], r"\cdots", links[-1]])
     before = symbol(WORLD, "0") + r"\," if reference == WORLD else ""
     after = r"\," + symbol(str(view.n), TOOL) if frame == TOOL else ""
     return mathml(f"{name}={before}{product}{after}")
 
 
-def link_product(arm: Arm, parameters: dict[str, float], units: Units) -> str:
+def link_product(arm: Arm, parameters: dict[str, float], units: Units) -> Markup:
     """Return A_i as the product of its elementary transforms with the present numbers; it breaks between factors."""
     texts = {
         name: units.angle(value) if name in ("alpha", "theta") else units.length(value)
         for name, value in parameters.items()
     }
     factors = (elementary(kind, axis, texts[name]) for kind, axis, name in FACTORS[arm.convention])
-    return " ".join(factors)
+    return joined(factors, between=" ")
 
 
-def link_symbols(arm: Arm, i: int, units: Units) -> str:
+def link_symbols(arm: Arm, i: int, units: Units) -> Markup:
     """Return A_i as the product of its elementary transforms in the symbols of the table, as MathML."""
     return mathml(f"A_{{{i}}}={product_latex(arm.convention, units, str(i), str(i - 1))}")
 

@@ -6,20 +6,21 @@ import numpy as np
 
 from armlab.benches.pose.tool.state import MATRIX, Pair, PoseView, link_parameters, pair_of, step_of
 from armlab.benches.pose.tool.ui.chooser import Chooser
-from armlab.benches.pose.tool.ui.notation import INVERSE, chain, link_product, link_symbols, title
+from armlab.benches.pose.tool.ui.notation import AXES, INVERSE, chain, link_product, link_symbols, title
 from armlab.benches.pose.tool.ui.words import in_words
 from armlab.kin.coordinates import cylindrical, spherical
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.selection import Selection
 from armlab.session.state import Post, State
 from armlab.ui.format import mathml
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.matrices import MatrixView
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
-COLUMNS = (*(f'<b class="axis-{axis}">{axis}</b>' for axis in "xyz"), "<b>p</b>")
-ROWS = (*(f'<b class="axis-{axis}">{axis}</b>' for axis in "xyz"), "")
+COLUMNS = (*AXES, tag("b", "p"))
+ROWS = (*AXES, None)
 """The columns are the axes and the origin of the moved frame, the rows belong to the axes of the reference."""
 
 ON_AXIS = 1e-9
@@ -37,27 +38,27 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         view, pair = state[PoseView], state.derived(pair_of)
         chooser.show(state)
         matrix.show(state, title(view), pair.transform, 3, 3, COLUMNS, ROWS)
-        words.show(f'<p class="dim said">{in_words(view, state[Selection].of(MATRIX), pair, units)}</p>')
+        words.show(tag("p.dim.said", in_words(view, state[Selection].of(MATRIX), pair, units)))
         product.show(_product(state, units))
         position.show(_position(pair, units))
 
     return show
 
 
-def _product(state: State, units: Units) -> str:
+def _product(state: State, units: Units) -> Markup | None:
     """Return what the transform is a product of; of a single step with its numbers."""
     view, joints = state[PoseView], state[Joints]
     i = step_of(view)
     parts = [chain(view)] if i is None else [link_symbols(joints.arm, i, units)]
     if i is not None:
-        parts.append(f"= {link_product(joints.arm, link_parameters(joints.arm, joints.q, i), units)}")
+        parts.append(joined("= ", link_product(joints.arm, link_parameters(joints.arm, joints.q, i), units)))
     if view.inward:
         parts.append(mathml(INVERSE))
-    lines = "".join(f"<div>{part}</div>" for part in parts if part)
-    return f'<div class="eq small">{lines}</div>' if lines else ""
+    lines = [tag("div", part) for part in parts if part]
+    return tag("div.eq.small", lines) if lines else None
 
 
-def _position(pair: Pair, units: Units) -> str:
+def _position(pair: Pair, units: Units) -> Inside:
     p = pair.transform[:3, 3]
     r, azimuth, height = (float(value) for value in cylindrical(p))
     radius, _, polar = (float(value) for value in spherical(p))
@@ -68,16 +69,16 @@ def _position(pair: Pair, units: Units) -> str:
         ("cylindrical", [("r", units.length(r)), ("θ", theta), ("z", units.length(height))]),
         ("spherical", [("r", units.length(radius)), ("θ", theta), ("φ", "–" if at_origin else units.angle(polar))]),
     )
-    lines = "".join(
-        f"<tr><th>{name}</th>{''.join(f'<td><i>{letter}</i> {text}</td>' for letter, text in cells)}</tr>"
+    lines = [
+        tag("tr", tag("th", name), [tag("td", tag("i", letter), f" {text}") for letter, text in cells])
         for name, cells in rows
-    )
+    ]
     note = "θ about z from x; spherical φ down from z."
     if at_origin:
         note = "At the origin θ and φ are not defined."
     elif r < ON_AXIS:
         note = "On the z axis θ is not defined."
-    return f'<h3>Position p</h3><table class="coordinates">{lines}</table><p class="dim">{note}</p>'
+    return tag("h3", "Position p"), tag("table.coordinates", lines), tag("p.dim", note)
 
 
 PANEL = Panel((Joints, PoseView, Selection), build, see_through=True)

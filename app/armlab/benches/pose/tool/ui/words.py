@@ -6,13 +6,14 @@ from armlab.benches.pose.tool.state import Pair, PoseView
 from armlab.benches.pose.tool.ui.notation import cosine
 from armlab.session.parts.selection import Selection
 from armlab.ui.format import number, subscript
+from armlab.ui.html import Inside, tag
 from armlab.ui.units import Units
 
 NOTHING = "Press a letter, a row or an entry: the scene shows it."
 LAST_ROW = "The last row is 0 0 0 1 in every transform: with it, turning and shifting are one product."
 
 
-def in_words(view: PoseView, selected: Selection, pair: Pair, units: Units) -> str:
+def in_words(view: PoseView, selected: Selection, pair: Pair, units: Units) -> Inside:
     """Return what the selected entry, row or column is."""
     row, column = selected.row, selected.column
     here, moved = f"{{{view.reference}}}", f"{{{view.frame}}}"
@@ -29,8 +30,8 @@ def in_words(view: PoseView, selected: Selection, pair: Pair, units: Units) -> s
         return f"Row {'xyz'[row]}: the {'xyz'[row]} axis of {here} in the axes of {moved}; its last entry is that of p."
     if column == 3:
         value = float(pair.transform[row, 3])
-        letter = f"p<sub>{'xyz'[row]}</sub>"
-        return f"{letter} = {units.length(value)}: how far p goes along the {'xyz'[row]} axis of {here}."
+        said = f" = {units.length(value)}: how far p goes along the {'xyz'[row]} axis of {here}."
+        return "p", tag("sub", "xyz"[row]), said
     name = subscript("r", 10 * (row + 1) + column + 1)
     angle = cosine(float(pair.transform[row, column]), pair.angle(row, column), units)
     return f"{name} = {angle}, the angle between {'xyz'[row]} of {here} and {'xyz'[column]} of {moved}."

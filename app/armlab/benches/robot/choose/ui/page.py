@@ -6,7 +6,8 @@ from armlab.content.robots import FAMILIES, Robot, catalogue
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, pairs
+from armlab.ui.format import pairs
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.picks import broken_files, pick
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.tables import dh_table
@@ -38,8 +39,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def list_arms() -> None:
         robots = [robot for robot in catalogue().robots.values() if robot.family == shown]
-        entries = "".join(_entry(arms, robot, robot is present) for robot in robots)
-        arms.show(entries + broken_files("robot", catalogue().problems))
+        entries = [_entry(arms, robot, robot is present) for robot in robots]
+        arms.show(entries, broken_files("robot", catalogue().problems))
 
     def show(state: State) -> None:
         # Another arm rebuilds the whole panel; nothing else is watched.
@@ -49,21 +50,21 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _entry(form: Form, robot: Robot, present: bool) -> str:
+def _entry(form: Form, robot: Robot, present: bool) -> Markup:
     kinds = "".join(row.kind for row in robot.arm.rows)
     return pick(form, robot.key, ChooseRobot(robot.key), robot.name, kinds, robot.summary, present)
 
 
-def _description(robot: Robot, units: Units) -> str:
+def _description(robot: Robot, units: Units) -> Inside:
     arm = robot.arm
     rows = [
         ("convention", BOOKS[arm.convention]),
-        ("task", escaped(arm.task.title)),
+        ("task", arm.task.title),
         ("all lengths in a line", units.length(arm.reach)),
     ]
-    table = f"<h3>Denavit–Hartenberg table</h3>{dh_table(arm, units)}"
-    source = f'<p class="dim">{escaped(robot.source)}</p>'
-    return f"<h3>{escaped(robot.name)}</h3>{pairs(rows)}{table}<h3>Source</h3>{source}"
+    table = tag("h3", "Denavit–Hartenberg table"), dh_table(arm, units)
+    source = tag("h3", "Source"), tag("p.dim", robot.source)
+    return tag("h3", robot.name), pairs(rows), table, source
 
 
 PANEL = Panel((RobotPart,), build)

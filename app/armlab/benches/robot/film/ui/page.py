@@ -29,6 +29,8 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import css
 from armlab.ui.form import Form, Pressed
 from armlab.ui.format import mathml, matrix, number
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import row
 from armlab.ui.matrices import copy_buttons
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import NAMES, Units, units_of
@@ -36,6 +38,11 @@ from armlab.ui.widgets import Gui
 
 DONE = 1e-9
 """Part of a move that is as good as the whole."""
+
+INTRODUCTION = (
+    "Each row of the table is four moves of a frame: a turn and a shift along z, a shift and a turn along x. The film "
+    "makes them one by one, from frame 0 to the tool."
+)
 
 SIGNS = {"turn": "↻", "shift": "→"}
 
@@ -49,7 +56,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         on = state[Timeline].clip == CLIP.key
         head.show(_head(head, state) if on else _invitation(head))
-        matrices.show(_matrices(state) if on else "")
+        matrices.show(_matrices(state) if on else None)
 
     return show
 
@@ -62,31 +69,28 @@ def _to_move(arm: Arm, row: int, move: int) -> Seek:
     return Seek(end_of(arm, row, move))
 
 
-def _invitation(form: Form) -> str:
-    return (
-        '<p class="dim">Each row of the table is four moves of a frame: a turn and a shift along z, a shift and a turn'
-        " along x. The film makes them one by one, from frame 0 to the tool.</p>"
-        + form.button("show", "▶ Show the film", OpenClip(CLIP.key), "main")
-    )
+def _invitation(form: Form) -> Inside:
+    return tag("p.dim", INTRODUCTION), form.button("show", "▶ Show the film", OpenClip(CLIP.key), "main")
 
 
 # -- the row ---------------------------------------------------------------------------------------------------------
 
 
-def _head(form: Form, state: State) -> str:
+def _head(form: Form, state: State) -> Inside:
     """Return the rows to choose from, and the formula of the present one."""
     joints, place, units = state[Joints], place_of(state), units_of(state)
     names = [str(i + 1) for i in range(joints.arm.n)] + (["E"] if has_tool(joints.arm) else [])
-    chips = "".join(
+    chips = [
         form.chip(str(i), name, partial(_to_row, joints.arm, i), _hint(name), i == place.row)
         for i, name in enumerate(names)
-    )
-    rows = f'<div class="row"><span>Row</span><div>{chips}</div></div>'
+    ]
+    rows = row("Row", chips)
     if place.row == joints.arm.n:
-        return f"{rows}<h3>From frame {{{place.row}}} to the tool {{E}}</h3>"
+        return rows, tag("h3", f"From frame {{{place.row}}} to the tool {{E}}")
     done = state.derived(_done)
-    title = f"<h3>From frame {{{place.row}}} to frame {{{place.row + 1}}}: {mathml(_matrix_name(state, place.row))} ="
-    pills = "".join(
+    name = mathml(_matrix_name(state, place.row))
+    title = tag("h3", f"From frame {{{place.row}}} to frame {{{place.row + 1}}}: ", name, " =")
+    pills = [
         _pill(
             form,
             k,
@@ -96,22 +100,21 @@ def _head(form: Form, state: State) -> str:
             symbol(units, move.symbol, place.row, joints.arm.convention),
         )
         for k, move in enumerate(done.moves)
-    )
+    ]
     line = _sentence(joints.arm.rows[place.row], float(joints.q[place.row]), done, place, units, state)
-    return f'{rows}{title}</h3><div class="film">{pills}</div>{line}'
+    return rows, title, tag("div.film", pills), line
 
 
 def _hint(name: str) -> str:
     return "To the start of the step to the tool" if name == "E" else f"To the start of row {name}"
 
 
-def _pill(form: Form, k: int, move: Move, to_it: Pressed, place: Place, letter: str) -> str:
-    kind = "R" if move.kind == "turn" else "T"
-    when = "now" if k == place.move else ("past" if k < place.move else "next")
+def _pill(form: Form, k: int, move: Move, to_it: Pressed, place: Place, letter: str) -> Markup:
+    when = _when(k, place)
     what = f"{NAMES[move.symbol]}: {'turn about' if move.kind == 'turn' else 'shift along'} {move.axis}"
     return form.button(
         f"{place.row},{k}",
-        f"{kind}<sub>{move.axis}</sub>({letter})",
+        _factor(move, letter),
         to_it,
         when,
         what,
@@ -120,7 +123,16 @@ def _pill(form: Form, k: int, move: Move, to_it: Pressed, place: Place, letter: 
     )
 
 
-def _sentence(row: Row, q: float, done: Factors, place: Place, units: Units, state: State) -> str:
+def _when(k: int, place: Place) -> str:
+    return "now" if k == place.move else ("past" if k < place.move else "next")
+
+
+def _factor(move: Move, letter: str) -> Markup:
+    """Return the name of an elementary move, such as R_z(θ₁)."""
+    return joined("R" if move.kind == "turn" else "T", tag("sub", move.axis), f"({letter})")
+
+
+def _sentence(row: Row, q: float, done: Factors, place: Place, units: Units, state: State) -> Markup:
     """Return what the present move is, how far it goes, and how far it has gone."""
     move, convention = done.moves[place.move], state[Joints].arm.convention
     letter = symbol(units, move.symbol, place.row, convention)
@@ -139,9 +151,11 @@ def _sentence(row: Row, q: float, done: Factors, place: Place, units: Units, sta
     so_far = units.angle(gone) if turns else units.length(gone)
     verb = "turn about" if turns else "shift along"
     colour = css(COLOURS[move.symbol])
-    return (
-        f'<div class="film-line"><i style="background:{colour}">{SIGNS[move.kind]}</i><span>{NAMES[move.symbol]},'
-        f" {verb} {move.axis}<br><b>{whole}</b></span><span>so far<br>{so_far}</span></div>"
+    return tag(
+        "div.film-line",
+        tag("i", SIGNS[move.kind], style=f"background:{colour}"),
+        tag("span", f"{NAMES[move.symbol]}, {verb} {move.axis}", tag("br"), tag("b", whole)),
+        tag("span", "so far", tag("br"), so_far),
     )
 
 
@@ -160,38 +174,35 @@ def _matrix_name(state: State, row: int) -> str:
     return f"{{}}^{{{row}}}T_{{{row + 1}}}"
 
 
-def _matrices(state: State) -> str:
+def _matrices(state: State) -> Inside:
     place = place_of(state)
-    return _small_factors(state, place) + _products(state, place)
+    return _small_factors(state, place), _products(state, place)
 
 
-def _small_factors(state: State, place: Place) -> str:
+def _small_factors(state: State, place: Place) -> Markup | None:
     """Return the four factors two by two; one that has not begun is the identity, pale."""
     if place.row == state[Joints].arm.n:
-        return ""
+        return None
     done, units = state.derived(_done), units_of(state)
     cells = []
     for k, (move, factor) in enumerate(zip(done.moves, done.matrices, strict=True)):
         letter = symbol(units, move.symbol, place.row, state[Joints].arm.convention)
-        when = "now" if k == place.move else ("past" if k < place.move else "next")
-        name = f"{'R' if move.kind == 'turn' else 'T'}<sub>{move.axis}</sub>({letter})"
-        cells.append(
-            f'<div class="{when}" style="--c:{css(COLOURS[move.symbol])}"><span>{name}</span>{_small(factor)}</div>'
-        )
-    return f'<div class="factors">{"".join(cells)}</div>'
+        colour = f"--c:{css(COLOURS[move.symbol])}"
+        name = tag("span", _factor(move, letter))
+        cells.append(tag(f"div.{_when(k, place)}", name, _small(factor), style=colour))
+    return tag("div.factors", cells)
 
 
-def _small(values: NDArray[np.float64]) -> str:
-    def cell(value: float) -> str:
+def _small(values: NDArray[np.float64]) -> Markup:
+    def cell(value: float) -> Markup:
         if abs(value) < 5e-4:
-            return '<td class="zero">0</td>'
-        return f"<td>{'1' if value == 1.0 else number(value, 3)}</td>"
+            return tag("td.zero", "0")
+        return tag("td", "1" if value == 1.0 else number(value, 3))
 
-    rows = ("".join(cell(float(value)) for value in row) for row in values)
-    return f'<table class="mat">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'
+    return tag("table.mat", [tag("tr", [cell(float(value)) for value in line]) for line in values])
 
 
-def _products(state: State, place: Place) -> str:
+def _products(state: State, place: Place) -> Inside:
     """Return the product of the row so far, and that of all rows so far."""
     arm, i = state[Joints].arm, place.row
     if i == arm.n:
@@ -203,14 +214,14 @@ def _products(state: State, place: Place) -> str:
         name, whole = _matrix_name(state, i), f"{{}}^{{0}}T_{{{i + 1}}}"
         step = state.derived(_done).product
     before = f"{{}}^{{0}}T_{{{i}}}"
-    titles = ("Product so far", f"{mathml(before)} × product so far")
+    titles: tuple[Inside, Inside] = "Product so far", (mathml(before), " × product so far")
     if over:
-        titles = (mathml(name), mathml(f"{whole}={before}\\,{name}"))
-    return _titled(titles[0], step) + _titled(titles[1], state.derived(running_product))
+        titles = mathml(name), mathml(f"{whole}={before}\\,{name}")
+    return _titled(titles[0], step), _titled(titles[1], state.derived(running_product))
 
 
-def _titled(title: str, values: NDArray[np.float64]) -> str:
-    return f'<h3>{title}<span class="copies">{copy_buttons(values)}</span></h3>{matrix(values, 3, rule=3)}'
+def _titled(title: Inside, values: NDArray[np.float64]) -> Inside:
+    return tag("h3", title, tag("span.copies", copy_buttons(values))), matrix(values, 3, rule=3)
 
 
 PANEL = Panel(

@@ -24,7 +24,8 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, subscript
-from armlab.ui.markup import SIGNS
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -88,10 +89,10 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _cases(form: Form, kind: str) -> str:
+def _cases(form: Form, kind: str) -> Markup:
     hint = "Put the lines into this case"
-    chips = "".join(form.chip(key, text, PlaceLines(key), hint, key == kind) for key, text in CASES.items())
-    return f'<div class="cases">{chips}</div>'
+    chips = [form.chip(key, text, PlaceLines(key), hint, key == kind) for key, text in CASES.items()]
+    return tag("div.cases", chips)
 
 
 def _pair(i: int, state: State) -> str:
@@ -104,52 +105,53 @@ def _chosen(state: State) -> str:
     return OWN if pair is None else str(pair)
 
 
-def _card(lines: Lines, units: Units) -> str:
+def _card(lines: Lines, units: Units) -> Markup:
     normal = lines.normal
     kind = "ok" if normal.kind == "skew" else "warn"
     near = f"{units.angle(SNAP_ANGLE)} or {units.length(SNAP_DISTANCE * lines.scale)}"
     snapped = f" Snapped: the hand was within {near} of it." if lines.snapped else ""
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {CASES[normal.kind]}</b>{normal.free}{snapped}</div>'
+    return verdict_box(kind, CASES[normal.kind], f"{normal.free}{snapped}")
 
 
-def _numbers(lines: Lines, units: Units) -> str:
-    normal = lines.normal
-    rows = [
-        (f"length of the normal {mathml('a')}", f"<b>{units.length(normal.a)}</b>"),
-        (f"twist {mathml(chr(92) + 'alpha')} about x", f"<b>{units.angle(normal.alpha)}</b>"),
+def _numbers(lines: Lines, units: Units) -> Markup:
+    normal, unit = lines.normal, f", {units.length_unit}"
+    rows: list[tuple[Inside, Inside]] = [
+        (("length of the normal ", mathml("a")), tag("b", units.length(normal.a))),
+        (("twist ", mathml(r"\alpha"), " about x"), tag("b", units.angle(normal.alpha))),
     ]
     for k, line in enumerate((lines.first, lines.second)):
-        rows.append((f"{dot(css(COLOURS[k]))}{mathml(f'z_{k + 1}')}", _vector(line.direction, 3)))
+        rows.append(((dot(css(COLOURS[k])), mathml(f"z_{k + 1}")), _vector(line.direction, 3)))
     rows += [
-        (f"x of the normal {mathml('x')}", _vector(normal.normal, 3)),
-        (f"foot {mathml('f_1')}, {units.length_unit}", _point(normal.foot1, units)),
-        (f"foot {mathml('f_2')}, {units.length_unit}", _point(normal.foot2, units)),
+        (("x of the normal ", mathml("x")), _vector(normal.normal, 3)),
+        (("foot ", mathml("f_1"), unit), _point(normal.foot1, units)),
+        (("foot ", mathml("f_2"), unit), _point(normal.foot2, units)),
     ]
     return pairs(rows)
 
 
 def _vector(values: object, decimals: int) -> str:
-    return "&ensp;".join(number(float(value), decimals) for value in values)  # type: ignore[attr-defined]
+    return "\u2002".join(number(float(value), decimals) for value in values)  # type: ignore[attr-defined]
 
 
 def _point(point: object, units: Units) -> str:
-    return "&ensp;".join(units.text(float(value), False) for value in point)  # type: ignore[attr-defined]
+    return "\u2002".join(units.text(float(value), False) for value in point)  # type: ignore[attr-defined]
 
 
-def _table(state: State, units: Units) -> str:
+def _table(state: State, units: Units) -> Inside:
     """Return what the table says of the axes taken, and why it may differ in sign."""
     entry = table_entry(state)
     if entry is None:
-        return ""
+        return None
     row, a, alpha = entry
     modified = state[RobotPart].robot.arm.convention == "modified"
     index = row if modified else row + 1
     twist = f"{units.latex('alpha')}_{{{index}}}"
     values = [
-        (f"{mathml(f'a_{{{index}}}')} of the table", units.constant(a, False)),
-        (f"{mathml(twist)} of the table", units.constant(alpha, True)),
+        ((mathml(f"a_{{{index}}}"), " of the table"), units.constant(a, False)),
+        ((mathml(twist), " of the table"), units.constant(alpha, True)),
     ]
-    return f"<h3>Row {row + 1} of the table</h3>{pairs(values)}<p>{_agreement(state[Lines].normal, a, alpha)}</p>"
+    agreement = tag("p", _agreement(state[Lines].normal, a, alpha))
+    return tag("h3", f"Row {row + 1} of the table"), pairs(values), agreement
 
 
 def _agreement(normal: CommonNormal, a: float, alpha: float) -> str:
@@ -164,20 +166,20 @@ def _turned(angle: float) -> float:
     return abs(math.remainder(angle, 2.0 * math.pi))
 
 
-def _formulas() -> str:
-    lines = "".join(
-        f'<div class="eq small" title="{hint}">{mathml(latex)}</div>'
+def _formulas() -> Inside:
+    lines = [
+        tag("div.eq.small", mathml(latex), title=hint)
         for latex, hint in (
             (DIRECTION, "x from the first line to the second; lines as p + v t, notes 4.8 and 4.9"),
             (LENGTH, "Notes, definition 6"),
             (TWIST, "Notes, definition 7; right in all quadrants"),
             (FOOT, "The foot on the first line; the second one alike"),
         )
-    )
-    return f"<h3>How they are found</h3>{lines}"
+    ]
+    return tag("h3", "How they are found"), lines
 
 
-def _products(lines: Lines) -> str:
+def _products(lines: Lines) -> Inside:
     """Return what the formulas are made of, in numbers."""
     z1, z2, normal = lines.first.direction, lines.second.direction, lines.normal
     rows = [
@@ -185,7 +187,7 @@ def _products(lines: Lines) -> str:
         (mathml(r"(z_1\times z_2)\cdot x"), number(float(np.cross(z1, z2) @ normal.normal), 4)),
     ]
     taken = NO_CROSS.get(normal.kind)
-    return pairs(rows) + (f'<p class="dim">{mathml("n=0")}: {taken}</p>' if taken else "")
+    return pairs(rows), tag("p.dim", mathml("n=0"), f": {taken}") if taken else None
 
 
 def in_the_way(state: State) -> tuple[str, ...]:

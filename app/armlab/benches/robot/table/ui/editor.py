@@ -10,6 +10,7 @@ from armlab.session.edits import AddJoint, RemoveJoint, ReorderJoint, SetCell, S
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form, Pressed, Wish
 from armlab.ui.format import MINUS, dot
+from armlab.ui.html import Inside, Markup, classes, tag
 from armlab.ui.markup import row as line
 from armlab.ui.tables import cell_text, is_variable, without_symbol
 from armlab.ui.units import NAMES, Units
@@ -35,12 +36,12 @@ class DhEditor:
         """Show the table and the tools of the chosen row."""
         self._form.show(self.table_markup(arm))
 
-    def table_markup(self, arm: Arm) -> str:
+    def table_markup(self, arm: Arm) -> Inside:
         """Return the table and the tools of the chosen row."""
         if self._chosen is not None and self._chosen >= arm.n:
             self._chosen = None
-        rows = "".join(self._row(row, i) for i, row in enumerate(arm.rows))
-        return f'<table class="dh edit"><tr>{self._heads(arm)}</tr>{rows}</table>' + self._tools(arm)
+        rows = [self._row(row, i) for i, row in enumerate(arm.rows)]
+        return tag("table.dh.edit", self._heads(arm), rows), self._tools(arm)
 
     # -- what a person does; nothing where a field is left as it was -----------------------------------------------
 
@@ -77,52 +78,54 @@ class DhEditor:
 
     # -- markup --------------------------------------------------------------------------------------------------
 
-    def _heads(self, arm: Arm) -> str:
-        heads = "".join(
-            f'<th class="{field}" title="{NAMES[field]}">{self._units.column(field, arm.convention)}</th>'
+    def _heads(self, arm: Arm) -> Markup:
+        heads = [
+            tag(f"th.{field}", self._units.column(field, arm.convention), title=NAMES[field])
             for field in self._units.book.order
-        )
-        return f"<th>joint</th>{heads}"
+        ]
+        return tag("tr", tag("th", "joint"), heads)
 
-    def _row(self, row: Row, i: int) -> str:
+    def _row(self, row: Row, i: int) -> Markup:
         other = "prismatic" if row.revolute else "revolute"
         kind = "revolute" if row.revolute else "prismatic"
-        name, to_other = f"{dot(css(joint_colour(i)))}{i + 1}", SetKind(i, "P" if row.revolute else "R")
+        name, to_other = (dot(css(joint_colour(i))), str(i + 1)), SetKind(i, "P" if row.revolute else "R")
         about = f"Joint {i + 1}: click for its limits and to move or remove it"
         change = f"Joint {i + 1} is {kind}: click to make it {other}"
         choose = partial(self._choose, i)
-        head = self._form.button(_name(i, "row"), name, choose, "head", about, pressed=i == self._chosen)
-        head += self._form.button(_name(i, "kind"), row.kind, to_other, "kind", change)
-        cells = "".join(self._cell(row, i, field) for field in self._units.book.order)
-        mark = ' class="chosen"' if i == self._chosen else ""
-        return f"<tr{mark}><td>{head}</td>{cells}</tr>"
+        head = tag(
+            "td",
+            self._form.button(_name(i, "row"), name, choose, "head", about, pressed=i == self._chosen),
+            self._form.button(_name(i, "kind"), row.kind, to_other, "kind", change),
+        )
+        cells = [self._cell(row, i, field) for field in self._units.book.order]
+        return tag(classes("tr", chosen=i == self._chosen), head, cells)
 
-    def _cell(self, row: Row, i: int, field: str) -> str:
+    def _cell(self, row: Row, i: int, field: str) -> Markup:
         text = _shown(row, field, self._units)
-        zero = ' class="zero"' if getattr(row, field) == 0.0 else ""
+        kind = classes("td", zero=getattr(row, field) == 0.0)
         label = f"row {i + 1}, {NAMES[field]}"
         variable, typed = is_variable(row, field), partial(self._cell_typed, i, row, field)
         label += ", offset of the joint variable" if variable else ""
         inside = self._form.field(_name(i, field), text, label, typed, below=_name(i + 1, field))
         if not variable:
-            return f"<td{zero}>{inside}</td>"
-        symbol = self._units.variable(i, row.revolute)
-        return f'<td{zero}><div class="var" style="--w:{len(text)}ch"><i>{symbol}</i>{inside}</div></td>'
+            return tag(kind, inside)
+        symbol = tag("i", self._units.variable(i, row.revolute))
+        return tag(kind, tag("div.var", symbol, inside, style=f"--w:{len(text)}ch"))
 
-    def _tools(self, arm: Arm) -> str:
+    def _tools(self, arm: Arm) -> Inside:
         i, full = self._chosen, arm.n == MAX_JOINTS
         after = arm.n - 1 if i is None else i
         add = self._chip(after, "add", "+ joint", partial(self._add, after), "Add a revolute joint", full)
         if i is None:
-            return f'<div class="bar">{add}<span class="dim">Click a joint for its limits and its place.</span></div>'
+            return tag("div.bar", add, tag("span.dim", "Click a joint for its limits and its place."))
         moves = (
-            self._chip(i, "up", "↑", partial(self._move, i, i - 1), "Move the row up", i == 0)
-            + self._chip(i, "down", "↓", partial(self._move, i, i + 1), "Move the row down", i == arm.n - 1)
-            + self._chip(i, "remove", "✕", partial(self._remove, i), "Remove the joint", arm.n == 1)
-            + add
+            self._chip(i, "up", "↑", partial(self._move, i, i - 1), "Move the row up", i == 0),
+            self._chip(i, "down", "↓", partial(self._move, i, i + 1), "Move the row down", i == arm.n - 1),
+            self._chip(i, "remove", "✕", partial(self._remove, i), "Remove the joint", arm.n == 1),
+            add,
         )
         revolute, (low, high) = arm.rows[i].revolute, arm.limits[i].tolist()
-        limits = "".join(
+        limits = [
             self._form.field(
                 _name(i, name),
                 self._limit(value, revolute),
@@ -130,14 +133,14 @@ class DhEditor:
                 partial(self._limit_typed, i, arm, name),
             )
             for name, value in (("low", low), ("high", high))
-        )
+        ]
         ends = line(f"from, to, {self._units.unit(revolute)}", limits, wide=True, cells=True)
-        return line(f"joint {i + 1}", moves, wide=True) + ends
+        return line(f"joint {i + 1}", moves, wide=True), ends
 
     def _limit(self, value: float, revolute: bool) -> str:
         return cell_text(value, "theta" if revolute else "d", self._units)
 
-    def _chip(self, i: int, name: str, inside: str, action: Pressed, title: str, off: bool) -> str:
+    def _chip(self, i: int, name: str, inside: str, action: Pressed, title: str, off: bool) -> Markup:
         return self._form.chip(_name(i, name), inside, action, title, off=off)
 
 

@@ -16,6 +16,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import State
 from armlab.ui.form import Form, Wish
 from armlab.ui.format import MINUS, mathml, pairs
+from armlab.ui.html import Markup, tag
 from armlab.ui.markup import row
 from armlab.ui.tables import cell_text
 from armlab.ui.units import Units
@@ -25,26 +26,26 @@ ENDS = {"base": "frame 0 in the world", "tool": "frame n to the tool {E}"}
 PRODUCT = "R = Rz(yaw) Ry(pitch) Rx(roll)"
 
 
-def ends_markup(form: Form, state: State, units: Units) -> str:
-    """Return the markup of all fields."""
+def ends_markup(form: Form, state: State, units: Units) -> list[Markup]:
+    """Return all fields, after their heading."""
     arm = state[RobotPart].robot.arm
 
-    def line(which: str, label: str, axes: tuple[str, ...], title: str) -> str:
+    def line(which: str, label: str, axes: tuple[str, ...], title: str) -> Markup:
         texts = _texts(state, which, units)
-        cells = (
+        cells = [
             form.field(f"{which}-{axis}", texts[axis], f"{which}, {axis}", partial(_typed, state, which, axis, units))
             for axis in axes
-        )
-        return row(label, "".join(cells), wide=True, cells=True, hint=title)
+        ]
+        return row(label, cells, wide=True, cells=True, hint=title)
 
-    parts = ["<h3>Base, tool and tool point</h3>"]
+    parts = [tag("h3", "Base, tool and tool point")]
     for end, title in ENDS.items():
         told = title.replace("n to the", f"{arm.n} to the")
         parts.append(line(end, f"{end} x y z, {units.length_unit}", tuple("xyz"), told))
         parts.append(line(end, f"yaw pitch roll, {units.angle_unit}", ANGLES, f"{told}: {PRODUCT}"))
     told = "fixed to the tool, in the axes of its frame {E}"
     parts.append(line("point", f"point x y z, {units.length_unit}", tuple("xyz"), told))
-    return "".join(parts)
+    return parts
 
 
 def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish:
@@ -66,11 +67,11 @@ def _typed(state: State, which: str, axis: str, units: Units, text: str) -> Wish
     return SetEnd(which, pose)
 
 
-def point_line(state: State, units: Units) -> str:
+def point_line(state: State, units: Units) -> Markup:
     """Return where the tool point is in the world."""
     formula = mathml(r"{}^{w}p={}^{w}T_E\,{}^{E}p")
-    place = "&ensp;".join(units.text(float(value), False) for value in world_point(state))
-    return pairs([(f"{formula}, {units.length_unit}", place)])
+    place = "\u2002".join(units.text(float(value), False) for value in world_point(state))
+    return pairs([((formula, f", {units.length_unit}"), place)])
 
 
 def _texts(state: State, which: str, units: Units) -> dict[str, str]:

@@ -11,7 +11,9 @@ from armlab.kin.arm import Arm
 from armlab.kin.relations import AxisRelation, axis_relations, end_freedoms
 from armlab.kin.structure import Structure, structure_of
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, subscript
+from armlab.ui.format import subscript
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.units import Units
 
 SIGNS = {"parallel": "∥", "intersecting": "×", "coincident": "≡", "skew": "skew"}
@@ -32,7 +34,7 @@ def facts_of(arm: Arm) -> Facts:
     return Facts(axis_relations(arm), end_freedoms(arm), structure_of(arm))
 
 
-def axes_section(form: Form, facts: Facts, chosen: int, units: Units, choose: Callable[[int], None]) -> str:
+def axes_section(form: Form, facts: Facts, chosen: int, units: Units, choose: Callable[[int], None]) -> Inside:
     """Return the chips of frame 0, of each pair of neighbouring axes and of frame n, and the freedom of the chosen.
 
     ``choose`` gets the number of the pressed, which is that of the frame.
@@ -44,38 +46,33 @@ def axes_section(form: Form, facts: Facts, chosen: int, units: Units, choose: Ca
     ]
     names.append((f"{{{n}}}", f"frame {n}"))
     chosen = min(chosen, n)
-    chips = "".join(
+    chips = [
         form.chip(f"axes-{k}", name, partial(choose, k), title, k == chosen) for k, (name, title) in enumerate(names)
-    )
-    legend = "&ensp;".join(f"{sign}&nbsp;{kind}" for kind, sign in SIGNS.items() if sign != kind)
-    return (
-        f'<h3>Neighbouring axes, and what is free</h3><div class="bar">{chips}</div>'
-        f'<p>{_told(facts, chosen, units)}<br><small class="dim">{legend}</small></p>'
-    )
+    ]
+    legend = "\u2002".join(f"{sign}\u00a0{kind}" for kind, sign in SIGNS.items() if sign != kind)
+    told = tag("p", _told(facts, chosen, units), tag("br"), tag("small.dim", legend))
+    return tag("h3", "Neighbouring axes, and what is free"), tag("div.bar", chips), told
 
 
-def _told(facts: Facts, chosen: int, units: Units) -> str:
+def _told(facts: Facts, chosen: int, units: Units) -> Inside:
     n = len(facts.relations) + 1
     if chosen in (0, n):
         return _subscripts(facts.ends[0 if chosen == 0 else 1].replace("θ", units.book.symbols["theta"]))
     relation = facts.relations[chosen - 1]
     link = f"a = {units.constant(relation.a, False)}, α = {units.constant(relation.alpha, True)}"
     freedom = relation.freedom.replace("θ", units.book.symbols["theta"])
-    return f'{_subscripts(freedom)} <span class="dim">{escaped(link)}</span>'
+    return f"{_subscripts(freedom)} ", tag("span.dim", link)
 
 
-def closed_form_card(structure: Structure) -> str:
+def closed_form_card(structure: Structure) -> Markup:
     """Return the closed form of the arm and why it has one, or that none is known."""
-    kind, sign, said = ("ok", "✓", "closed form") if structure.closed_form else ("warn", "◐", "no closed form known")
+    kind, said = ("ok", "closed form") if structure.closed_form else ("warn", "no closed form known")
     most = structure.most_solutions
     number = "One solution" if most == 1 else f"At most {most} solutions"
     count = "" if most is None else f" {number}, full turns not counted, away from singular poses."
-    return (
-        f"<h3>Inverse kinematics</h3>"
-        f'<div class="verdict {kind}"><b>{sign} {escaped(structure.title)}: {said}</b>'
-        f"{_subscripts(structure.why)}{count}</div>"
-    )
+    card = verdict_box(kind, f"{structure.title}: {said}", f"{_subscripts(structure.why)}{count}")
+    return joined(tag("h3", "Inverse kinematics"), card)
 
 
 def _subscripts(text: str) -> str:
-    return _INDEXED.sub(lambda match: subscript(match[1], int(match[2])), escaped(text))
+    return _INDEXED.sub(lambda match: subscript(match[1], int(match[2])), text)

@@ -11,7 +11,7 @@ from armlab.session.edits import PasteTable
 from armlab.session.state import Command
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, tag
 from armlab.ui.markup import copy_button, row
 from armlab.ui.units import Units
 from armlab.ui.widgets import Gui
@@ -24,16 +24,15 @@ HELP = (
 )
 
 
-def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None]) -> str:
+def files_markup(form: Form, robot: Robot, units: Units, save: Callable[[], None]) -> Inside:
     """Return the buttons that save, load and copy."""
     angle = "deg" if units.in_degrees else "rad"
-    copies = "".join(copy_button(title, write_table(robot.arm, kind, angle), "chip") for kind, title in FORMATS.items())
-    load = (
-        '<label class="chip" title="Load a robot file or a table; it is read here and sent nowhere else">Load file'
-        f'<input type="file" accept=".toml,.csv,.tsv,.txt,.md,.tex" {form.bound("load", PasteTable)}></label>'
-    )
+    copies = [copy_button(title, write_table(robot.arm, kind, angle), "chip") for kind, title in FORMATS.items()]
+    hint = "Load a robot file or a table; it is read here and sent nowhere else"
+    chosen = tag("input", type="file", accept=".toml,.csv,.tsv,.txt,.md,.tex", **form.bound("load", PasteTable))
+    load = tag("label.chip", "Load file", chosen, title=hint)
     saves = form.chip("save", "Save TOML", save, "As a robot file")
-    return f"<h3>Files</h3>{row('File', saves + load)}{row('Copy as', copies)}"
+    return tag("h3", "Files"), row("File", (saves, load)), row("Copy as", copies)
 
 
 def save(gui: Gui, robot: Robot) -> None:
@@ -51,11 +50,11 @@ class PasteBox:
     def show(self) -> None:
         """Show the field with what was typed."""
         form = self._form
+        looks = {"rows": "5", "spellcheck": "false", "aria_label": "table", "placeholder": EXAMPLE}
         form.show(
-            '<textarea class="paste" rows="5" spellcheck="false" aria-label="table"'
-            f' {form.bound("paste", self._keep)} placeholder="{escaped(EXAMPLE)}">{escaped(self._text)}</textarea>'
-            f'<div class="bar">{form.chip("apply", "Apply", lambda: PasteTable(self._text))}</div>'
-            f'<p class="dim">{escaped(HELP)}</p>'
+            tag("textarea.paste", self._text, **looks, **form.bound("paste", self._keep)),
+            tag("div.bar", form.chip("apply", "Apply", lambda: PasteTable(self._text))),
+            tag("p.dim", HELP),
         )
 
     def _keep(self, text: str) -> tuple[Command, ...]:

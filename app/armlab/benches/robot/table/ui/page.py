@@ -16,7 +16,8 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.factors import product_latex
-from armlab.ui.format import escaped, mathml
+from armlab.ui.format import mathml
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
@@ -75,17 +76,17 @@ class TablePanel:
     def _show_head(self) -> None:
         part, form = self._state[RobotPart], self._head
         arm = part.robot.arm
-        back = ""
+        title: Inside = part.robot.name
         if part.own and part.origin:
-            back = f'<span class="copies">{form.button("restore", BACK, RestoreTable(), "copy")}</span>'
-        forms = "".join(
-            form.chip(key, text, Convert(key), HINT, key == arm.convention) for key, text in CONVENTIONS.items()
-        )
-        name = escaped(part.robot.name) + (", edited" if part.own and part.origin else "")
-        summary = f'<p class="dim">{escaped(part.robot.summary)}</p>' if part.own and not part.origin else ""
-        formula = f'<div class="eq small">{mathml(step_formula(arm.convention, self._units), block=True)}</div>'
+            back = tag("span.copies", form.button("restore", BACK, RestoreTable(), "copy"))
+            title = f"{part.robot.name}, edited", back
+        forms = [form.chip(key, text, Convert(key), HINT, key == arm.convention) for key, text in CONVENTIONS.items()]
         self._head.show(
-            f'<h3>{name}{back}</h3>{summary}<div class="bar">{forms}</div>{formula}{moved_lines(part, self._units)}'
+            tag("h3", title),
+            tag("p.dim", part.robot.summary) if part.own and not part.origin else None,
+            tag("div.bar", forms),
+            tag("div.eq.small", mathml(step_formula(arm.convention, self._units), block=True)),
+            moved_lines(part, self._units),
         )
 
 
@@ -95,30 +96,31 @@ def step_formula(convention: Convention, units: Units) -> str:
     return rf"{{}}^{{{i}-1}}T_{{{i}}}={product_latex(convention, units, i, f'{i}-1')}"
 
 
-def moved_lines(part: RobotPart, units: Units) -> str:
+def moved_lines(part: RobotPart, units: Units) -> Markup | None:
     """Return what the change of convention has put into base and tool, where that was the last edit."""
     if part.moved is None:
-        return ""
+        return None
     n, base, tool = part.robot.arm.n, part.moved.base, part.moved.tool
     lines = []
     if base.moves:
-        lines.append(f"base: {_moves(base, units)} moved here from row 1")
+        lines.append(joined("base: ", _moves(base, units), " moved here from row 1"))
     if tool.moves and part.robot.arm.convention == "modified":
-        lines.append(f"tool: {_moves(tool, units)} moved here from row {n}")
+        lines.append(joined("tool: ", _moves(tool, units), f" moved here from row {n}"))
     elif tool.moves:
-        lines.append(f"row {n}: {_moves(Link(0.0 - tool.a, 0.0 - tool.alpha), units)} moved here from the tool")
-    told = "; ".join(lines) or "base and tool stay as they are"
+        back = _moves(Link(0.0 - tool.a, 0.0 - tool.alpha), units)
+        lines.append(joined(f"row {n}: ", back, " moved here from the tool"))
+    told = joined(lines, between="; ") if lines else "base and tool stay as they are"
     task = "" if part.moved.task_kept else f" {TASK_CHANGED} {part.robot.arm.task.title}."
-    return f'<p class="dim">The same arm; {told}.{task}</p>'
+    return tag("p.dim", "The same arm; ", told, f".{task}")
 
 
-def _moves(link: Link, units: Units) -> str:
+def _moves(link: Link, units: Units) -> Markup:
     moves = []
     if link.a != 0.0:
-        moves.append(f"T<sub>x</sub>({units.constant(link.a, False)})")
+        moves.append(joined("T", tag("sub", "x"), f"({units.constant(link.a, False)})"))
     if link.alpha != 0.0:
-        moves.append(f"R<sub>x</sub>({units.constant(link.alpha, True)})")
-    return " ".join(moves)
+        moves.append(joined("R", tag("sub", "x"), f"({units.constant(link.alpha, True)})"))
+    return joined(moves, between=" ")
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

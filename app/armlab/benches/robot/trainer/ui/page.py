@@ -12,7 +12,8 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import ChooseRobot
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
@@ -20,6 +21,10 @@ from armlab.ui.widgets import Gui
 INTRODUCTION = (
     "The arm is drawn without frames. First choose the directions of z and x of each frame, then fill the table that "
     "follows from them. Each step is marked, and the arm of your table is drawn over the right one."
+)
+UNUSABLE = (
+    "In no pose that is known do all of its joint axes lie along x, y or z of the world, so their directions cannot be "
+    "chosen from six. Take one of these:"
 )
 END = "Put the arm back as it was before the exercise; the answers are forgotten"
 SIZES = (("Up to 3 joints", 1, 3), ("4 and 5 joints", 4, 5), ("6 joints", 6, 6), ("7 joints and more", 7, 99))
@@ -55,61 +60,59 @@ class TrainerPanel:
 
     # -- markup --------------------------------------------------------------------------------------------------
 
-    def _unusable(self, trainer: Trainer) -> str:
-        name = escaped(trainer.exercise.robot.name)
-        return (
-            f"<h3>{name}</h3>"
-            '<div class="verdict warn"><b>Not for this arm</b>In no pose that is known do all of its joint axes lie '
-            "along x, y or z of the world, so their directions cannot be chosen from six. Take one of these:</div>"
-            + self._arms(trainer)
-        )
+    def _unusable(self, trainer: Trainer) -> Inside:
+        card = verdict_box("warn", "Not for this arm", UNUSABLE, sign="")
+        return tag("h3", trainer.exercise.robot.name), card, self._arms(trainer)
 
-    def _beginning(self, trainer: Trainer) -> str:
+    def _beginning(self, trainer: Trainer) -> Inside:
         hint = "Put the arm into the pose of the exercise"
         start = self._form.button("trainer-start", "Start", StartTrainer(), "main", hint)
         return (
-            f"<h3>Exercise: {escaped(trainer.exercise.robot.name)}</h3><p>{INTRODUCTION}</p>"
-            f'<div class="bar">{start}</div><h3>Other arms</h3>{self._arms(trainer)}'
+            tag("h3", f"Exercise: {trainer.exercise.robot.name}"),
+            tag("p", INTRODUCTION),
+            tag("div.bar", start),
+            tag("h3", "Other arms"),
+            self._arms(trainer),
         )
 
-    def _running(self, trainer: Trainer) -> str:
+    def _running(self, trainer: Trainer) -> Inside:
         hint = "Forget all answers and begin anew"
         again = self._form.button("trainer-start", "start again", StartTrainer(), "copy", hint)
         end = self._form.button("trainer-end", "end", EndTrainer(), "copy", END)
         stage = "2 Table" if trainer.answers.placed else "1 Axes"
-        name = escaped(trainer.exercise.robot.name)
         if trainer.answers.placed:
             body = self._table.frames(self._form, trainer)
         else:
             body = axes_stage(self._form, trainer, self._units)
-        return f'<h3>{stage}: {name}<span class="copies">{again}{end}</span></h3>{self._moved()}{body}'
+        title = f"{stage}: {trainer.exercise.robot.name}"
+        return tag("h3", title, tag("span.copies", again, end)), self._moved(), body
 
-    def _moved(self) -> str:
+    def _moved(self) -> Markup | None:
         if at_reference(self._state):
-            return ""
+            return None
         back = self._form.chip("trainer-pose", "Back to it", TakeTrainerPose(), "Put the arm back")
-        return f'<p class="warn">The arm has left the pose the directions are chosen in. {back}</p>'
+        return tag("p.warn", "The arm has left the pose the directions are chosen in. ", back)
 
-    def _next(self, trainer: Trainer) -> str:
+    def _next(self, trainer: Trainer) -> Markup | None:
         if not trainer.done:
-            return ""
+            return None
         robots = usable_robots()
         keys = [robot.key for robot in robots]
         after = keys.index(trainer.exercise.robot.key) + 1 if trainer.exercise.robot.key in keys else 0
         chip = _chip(self._after, robots[after % len(robots)])
         end = self._after.button("trainer-end", "End the exercise", EndTrainer(), "chip", END)
-        return f'<div class="bar"><span class="dim">Next arm</span>{chip}{end}</div>'
+        return tag("div.bar", tag("span.dim", "Next arm"), chip, end)
 
-    def _arms(self, trainer: Trainer) -> str:
+    def _arms(self, trainer: Trainer) -> list[Markup]:
         lines = []
         for title, least, most in SIZES:
             robots = [robot for robot in usable_robots() if least <= robot.arm.n <= most]
-            chips = "".join(_chip(self._form, robot) for robot in robots if robot.key != trainer.exercise.robot.key)
-            lines.append(f'<p class="tr-arms"><span class="dim">{title}</span>{chips}</p>')
-        return "".join(lines)
+            chips = [_chip(self._form, robot) for robot in robots if robot.key != trainer.exercise.robot.key]
+            lines.append(tag("p.tr-arms", tag("span.dim", title), chips))
+        return lines
 
 
-def _chip(form: Form, robot: Robot) -> str:
+def _chip(form: Form, robot: Robot) -> Markup:
     return form.chip(f"trainer-robot-{robot.key}", robot.name, ChooseRobot(robot.key), robot.summary)
 
 

@@ -14,13 +14,15 @@ from armlab.kin.assignment import CellVerdict
 from armlab.session.state import Post
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form, Wish
-from armlab.ui.format import dot, escaped, subscript
+from armlab.ui.format import dot, subscript
+from armlab.ui.html import Inside, Markup, classes, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.tables import cell_text, without_symbol
 from armlab.ui.units import NAMES, Units
 from armlab.ui.widgets import Gui
 
 TURNS = ("alpha", "theta")
-WHICH = '<span class="dim">press the head of a row or column to choose the cell</span>'
+WHICH = "press the head of a row or column to choose the cell"
 
 
 class TableStage:
@@ -43,7 +45,7 @@ class TableStage:
         self._row, self._field = 0, units.book.order[0]
         self._rule_seen = False
         self._checks: int | None = None
-        self._frame = ""
+        self._frame = Markup()
         self._on_page: dict[str, str] = {}
 
     def show(self, trainer: Trainer) -> None:
@@ -55,15 +57,15 @@ class TableStage:
         self._row = min(self._row, trainer.exercise.n - 1)
         self._show_table(trainer)
         hint = "Mark the cells that are filled"
-        check = "" if trainer.done else self._check.button("trainer-check", "Check table", CheckTable(), "main", hint)
+        check = None if trainer.done else self._check.button("trainer-check", "Check table", CheckTable(), "main", hint)
         self._check.show(check)
         self._foot.show(self._about(trainer))
 
     def hide(self) -> None:
         """Show nothing."""
-        self._frame, self._on_page = "", {}
+        self._frame, self._on_page = Markup(), {}
         for form in (self._form, self._check, self._foot):
-            form.show("")
+            form.show()
 
     def _show_table(self, trainer: Trainer) -> None:
         """Show the table unless the page shows it already: a person may be typing in its next cell."""
@@ -112,77 +114,80 @@ class TableStage:
 
     # -- markup --------------------------------------------------------------------------------------------------
 
-    def frames(self, form: Form, trainer: Trainer) -> str:
+    def frames(self, form: Form, trainer: Trainer) -> Inside:
         """Return the frames the table is about, and what is to be known of them; ``form`` gets the button."""
         assert trainer.assignment is not None
         rows = []
         for i, ((z, x), frame) in enumerate(zip(trainer.answers.axes, trainer.assignment.frames, strict=True)):
-            place = "".join(f"<td>{cell_text(float(value), 'd', self._units)}</td>" for value in frame[:3, 3])
-            axes = "".join(f'<td class="axis-{axis}">{shown_direction(way)}</td>' for axis, way in (("z", z), ("x", x)))
-            rows.append(f"<tr><td>{{{i}}}</td>{place}{axes}</tr>")
+            place = [tag("td", cell_text(float(value), "d", self._units)) for value in frame[:3, 3]]
+            axes = [tag(f"td.axis-{axis}", shown_direction(way)) for axis, way in (("z", z), ("x", x))]
+            rows.append(tag("tr", tag("td", f"{{{i}}}"), place, axes))
         remarks = (reversed_line(trainer, self._units), parallel_line(trainer))
         back = form.button("trainer-revise", "change", ReviseAxes(), "copy", "Go back to the axes; the table is kept")
+        origin = tag("th", f"origin x, y, z in {self._units.length_unit}", colspan=3)
+        heads = tag("tr", tag("th", "frame"), origin, tag("th", "z"), tag("th", "x"))
         return (
-            f'<h3>Frames as you placed them<span class="copies">{back}</span></h3><table class="dh tr-frames"><tr>'
-            f"<th>frame</th><th colspan=3>origin x, y, z in {self._units.length_unit}</th><th>z</th><th>x</th></tr>"
-            f"{''.join(rows)}</table>" + "".join(f'<p class="dim">{remark}</p>' for remark in remarks if remark)
+            tag("h3", "Frames as you placed them", tag("span.copies", back)),
+            tag("table.dh.tr-frames", heads, rows),
+            [tag("p.dim", remark) for remark in remarks if remark],
         )
 
-    def _heads(self) -> str:
+    def _heads(self) -> list[Markup]:
         heads = []
         for field in self._units.book.order:
             inside = self._units.column(field, "standard")
             ask = partial(self._ask, field=field)
-            heads.append(f"<th>{self._form.button(f'trainer-column-{field}', inside, ask, 'head', NAMES[field])}</th>")
-        return "".join(heads)
+            heads.append(tag("th", self._form.button(f"trainer-column-{field}", inside, ask, "head", NAMES[field])))
+        return heads
 
-    def _table(self, trainer: Trainer, texts: Mapping[str, str]) -> str:
-        lines = "".join(self._line(trainer, i, texts) for i in range(trainer.exercise.n))
-        return f'<table class="dh edit tr-table"><tr><th>joint</th>{self._heads()}</tr>{lines}</table>'
+    def _table(self, trainer: Trainer, texts: Mapping[str, str]) -> Markup:
+        lines = [self._line(trainer, i, texts) for i in range(trainer.exercise.n)]
+        return tag("table.dh.edit.tr-table", tag("tr", tag("th", "joint"), self._heads()), lines)
 
-    def _line(self, trainer: Trainer, i: int, texts: Mapping[str, str]) -> str:
+    def _line(self, trainer: Trainer, i: int, texts: Mapping[str, str]) -> Markup:
         kind = trainer.exercise.robot.arm.rows[i].kind
-        name = f"{dot(css(joint_colour(i)))}{subscript(kind, i + 1)}"
+        name = dot(css(joint_colour(i))), subscript(kind, i + 1)
         ask = partial(self._ask, i)
         head = self._form.button(f"trainer-row-{i + 1}", name, ask, "head", f"Ask about row {i + 1}")
-        cells = "".join(self._cell(trainer, i, field, texts[f"{i + 1}-{field}"]) for field in self._units.book.order)
-        return f"<tr><td>{head}</td>{cells}</tr>"
+        cells = [self._cell(trainer, i, field, texts[f"{i + 1}-{field}"]) for field in self._units.book.order]
+        return tag("tr", tag("td", head), cells)
 
-    def _cell(self, trainer: Trainer, i: int, field: str, text: str) -> str:
+    def _cell(self, trainer: Trainer, i: int, field: str, text: str) -> Markup:
         verdict = trainer.cell_marks[i].get(field)
         label = f"row {i + 1}, {NAMES[field]}"
         inside = self._form.field(f"trainer-cell-{i + 1}-{field}", text, label, partial(self._typed, i, field))
+        variable = None
         if field == _variable(trainer, i):
             revolute = trainer.exercise.robot.arm.rows[i].revolute
-            inside = f"<i>{self._units.variable(i, revolute)}&#8239;+</i>{inside}"
-        if verdict is not None:
-            inside += self._mark(i, field, verdict)
-        classes = "asked" if (i, field) == (self._row, self._field) and not trainer.done else ""
-        classes += "" if verdict is None else (" ok" if verdict.ok else " no")
-        return f'<td class="{classes.strip()}"><div class="var">{inside}</div></td>'
+            variable = tag("i", f"{self._units.variable(i, revolute)}\u202f+")
+        marked = None if verdict is None else self._mark(i, field, verdict)
+        asked = (i, field) == (self._row, self._field) and not trainer.done
+        right = None if verdict is None else verdict.ok
+        kind = classes("td", asked=asked, ok=right is True, no=right is False)
+        return tag(kind, tag("div.var", variable, inside, marked))
 
-    def _mark(self, i: int, field: str, verdict: CellVerdict) -> str:
+    def _mark(self, i: int, field: str, verdict: CellVerdict) -> Markup:
         sign = "✓" if verdict.ok else "✕"
         ask = partial(self._ask, i, field)
         return self._form.button(f"trainer-ask-{i + 1}-{field}", sign, ask, "sign", verdict.text)
 
-    def _about(self, trainer: Trainer) -> str:
+    def _about(self, trainer: Trainer) -> Inside:
         """Return how far it is, and what there is to say about the cell asked about."""
         if trainer.done:
             cells = trainer.exercise.n * len(FIELDS)
-            return f'<div class="verdict ok"><b>✓ All {cells} cells right</b>{end_line(trainer)}</div>'
+            return verdict_box("ok", f"All {cells} cells right", end_line(trainer))
         i, field = self._row, self._field
         name, verdict = symbol(self._units, field, i), trainer.cell_marks[i].get(field)
-        line = ""
+        line = None
         if verdict is not None:
-            line = f'<p class="{"ok" if verdict.ok else "no"}">{name}: {escaped(verdict.text)}.</p>'
-        told = "The rule of this cell"
-        hint = self._foot.chip("trainer-rule", f"Hint for {name}", self._turn_rule, told, self._rule_seen)
+            line = tag("p.ok" if verdict.ok else "p.no", f"{name}: {verdict.text}.")
+        about = "The rule of this cell"
+        hints = [self._foot.chip("trainer-rule", f"Hint for {name}", self._turn_rule, about, self._rule_seen)]
         if trainer.answers.cell_misses[i][FIELDS.index(field)] >= ENOUGH_MISSES and not (verdict and verdict.ok):
             put = "Put the right value into this cell"
-            hint += self._foot.chip("trainer-show", f"Show {name}", ShowCell(i, field), put)
-        told = f"<p>{rule(trainer, i, field, self._units)}</p>" if self._rule_seen else ""
-        return f'<p class="dim">{_count(trainer)}</p>{line}<div class="bar">{hint}{WHICH}</div>{told}'
+            hints.append(self._foot.chip("trainer-show", f"Show {name}", ShowCell(i, field), put))
+        told = tag("p", rule(trainer, i, field, self._units)) if self._rule_seen else None
+        return tag("p.dim", _count(trainer)), line, tag("div.bar", hints, tag("span.dim", WHICH)), told
 
     def _text(self, value: float | None, field: str) -> str:
         return "" if value is None else cell_text(value, field, self._units)

@@ -7,7 +7,8 @@ import re
 from armlab.benches.robot.trainer.state import Trainer
 from armlab.benches.robot.trainer.table import parallel_runs
 from armlab.kin.dh import Row
-from armlab.ui.format import escaped, subscript
+from armlab.ui.format import subscript
+from armlab.ui.html import Markup, tag
 from armlab.ui.units import Units
 
 AXES_RULE = (
@@ -100,9 +101,9 @@ def end_line(trainer: Trainer) -> str:
     return text + (f", {_times(answers.shown, 'solution')} shown." if answers.shown else ", no solution shown.")
 
 
-def mark(ok: bool, text: str) -> str:
+def mark(ok: bool, text: str) -> Markup:
     """Return ✓ or ✕ with its sentence as a hint."""
-    return f'<i class="{"ok" if ok else "no"}" title="{escaped(text)}">{"✓" if ok else "✕"}</i>'
+    return tag("i.ok" if ok else "i.no", "✓" if ok else "✕", title=text)
 
 
 def _times(count: int, noun: str) -> str:

@@ -10,7 +10,9 @@ from armlab.kin.ik.closed_form import DerivationStep
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
-from armlab.ui.format import escaped, mathml, number
+from armlab.ui.format import mathml, number
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui, Html
@@ -29,9 +31,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     """Make a formula for each line, which stays, and its numbers, which follow the target."""
     units, lines = units_of(state), state.derived(derivation)
     words = method_words(state[Joints].arm)
-    gui.html(f"<h3>{escaped(words.title)}</h3><p>{escaped(words.why)}</p>")
+    gui.html(tag("h3", words.title), tag("p", words.why))
     if not lines:
-        gui.html(f'<p class="dim">{escaped(words.instead)}</p>')
+        gui.html(tag("p.dim", words.instead))
         return lambda state: None
     card = gui.html()
     shown = [_Line(gui, k, line, units) for k, line in enumerate(lines, start=1)]
@@ -50,8 +52,8 @@ class _Line:
     """One line of the derivation."""
 
     def __init__(self, gui: Gui, number: int, line: DerivationStep, units: Units) -> None:
-        formula = "".join(f"<div>{mathml(latex, True)}</div>" for latex in formulas(line.latex))
-        gui.html(f'<div class="step"><h3>{number}. {escaped(line.title)}</h3><div class="eq">{formula}</div></div>')
+        formula = [tag("div", mathml(latex, True)) for latex in formulas(line.latex)]
+        gui.html(tag("div.step", tag("h3", f"{number}. {line.title}"), tag("div.eq", formula)))
         self._numbers: Html = gui.html()
         self._units = units
 
@@ -70,25 +72,24 @@ class _Line:
         if ways and most > 1:
             most = ways
         signs = tuple(str(k + 1) for k in range(ways)) if ways and most > 1 else SIGNS.get(most, ())
-        heads = "".join(f"<i>{sign}</i>" for sign in signs)
-        head = f"<b></b>{heads}" if heads else ""
+        head = (tag("b"), [tag("i", sign) for sign in signs]) if signs else None
         sides = {
             name: (*values[0::2], *values[1::2]) if ways and len(values) == 2 * ways else values
             for name, values in line.numbers.items()
         }
-        rows = "".join(self._row(name, values, line.units.get(name, "")) for name, values in sides.items())
-        said = '<p class="no">✕ This line has no real value: there is no solution.</p>' if fails else ""
-        kind = "work many" if most > FEW else "work"
-        self._numbers.show(f'<div class="{kind}" style="--n:{min(most, ACROSS)}">{head}{rows}</div>{said}')
+        rows = [self._row(name, values, line.units.get(name, "")) for name, values in sides.items()]
+        said = tag("p.no", "✕ This line has no real value: there is no solution.") if fails else None
+        kind = "div.work.many" if most > FEW else "div.work"
+        self._numbers.show(tag(kind, head, rows, style=f"--n:{min(most, ACROSS)}"), said)
 
-    def _row(self, name: str, values: Sequence[float], unit: str) -> str:
+    def _row(self, name: str, values: Sequence[float], unit: str) -> Inside:
         shown = {"rad": self._units.angle_unit, "m": self._units.length_unit}.get(unit, unit)
-        cells = "".join(f"<span>{self._text(value, unit)}</span>" for value in values)
-        return f"<b>{mathml(name)}{f' <small>{escaped(shown)}</small>' if shown else ''}</b>{cells}"
+        cells = [tag("span", self._text(value, unit)) for value in values]
+        return tag("b", mathml(name), (" ", tag("small", shown)) if shown else None), cells
 
-    def _text(self, value: float, unit: str) -> str:
+    def _text(self, value: float, unit: str) -> Inside:
         if not math.isfinite(value):
-            return '<em class="no">none</em>'
+            return tag("em.no", "none")
         if unit in ("rad", "m"):
             return self._units.text(value, unit == "rad")
         return number(value, DECIMALS)
@@ -102,14 +103,13 @@ def formulas(latex: str) -> list[str]:
     return [part for row in inside.split("\\\\") for part in row.split(r",\quad")]
 
 
-def _card(wrong: int | None, held: bool) -> str:
+def _card(wrong: int | None, held: bool) -> Markup:
     """Return whether the target has solutions."""
     note = " Joints that are held are taken as free here." if held else ""
     if wrong is None:
-        return (
-            f'<p class="dim">The numbers follow the target. Columns are the choices there are, such as signs.{note}</p>'
-        )
-    return f'<div class="verdict no"><b>✕ No solution</b>Line {wrong + 1} fails.{note}</div>'
+        said = "The numbers follow the target. Columns are the choices there are, such as signs."
+        return tag("p.dim", f"{said}{note}")
+    return verdict_box("no", "No solution", f"Line {wrong + 1} fails.{note}")
 
 
 PANEL = Panel((Joints, Target), build)

@@ -16,6 +16,7 @@ from armlab.session.parts.target import (
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
+from armlab.ui.html import Inside, tag
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.pose_fields import pose_form, product
 from armlab.ui.units import Units, units_of
@@ -73,12 +74,12 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _fields(form: Form, state: State, units: Units) -> str:
+def _fields(form: Form, state: State, units: Units) -> Inside:
     arm = state[Joints].arm
     shown = pose_form(form, arm, target_pose(state), units, PlaceTarget)
     if arm.task.rotation == "none":
-        return f'{shown}<p class="dim">This arm controls the position only; its orientation follows.</p>'
-    return shown if arm.task.rotation == "phi" else shown + product()
+        return shown, tag("p.dim", "This arm controls the position only; its orientation follows.")
+    return shown if arm.task.rotation == "phi" else (shown, product())
 
 
 PANEL = Panel((Joints, Target), build)

@@ -28,8 +28,8 @@ from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
-from armlab.ui.format import escaped
-from armlab.ui.markup import row
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import SIGNS, progress_bar, row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Control, Gui, Html
@@ -56,24 +56,21 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         listing.show(state)
         motion.show(state)
         proof.show(state)
-        chips = "".join(examples.chip(name, name, TakePreset(name), hint) for name, (_, _, hint) in PRESETS.items())
-        examples.show(f'<h3>Examples of the notes</h3><div class="bar">{chips}</div>')
+        chips = [examples.chip(name, name, TakePreset(name), hint) for name, (_, _, hint) in PRESETS.items()]
+        examples.show(tag("h3", "Examples of the notes"), tag("div.bar", chips))
 
     return show
 
 
-def _head(found: Found | None) -> str:
+def _head(found: Found | None) -> Inside:
     """Return how many there are, and how that is known."""
     if found is None:
-        return '<h3>All solutions</h3><p class="dim">Looking for all solutions …</p>'
+        return tag("h3", "All solutions"), tag("p.dim", "Looking for all solutions …")
     solutions = found.solutions
     count, _, rest = solutions.sentence.partition(".")
     kind = "no" if solutions.completeness == "none" else "warn" if solutions.completeness == "at least" else "ok"
-    sign = {"no": "✕", "warn": "◐", "ok": "✓"}[kind]
-    return (
-        f'<h3>All solutions</h3><p class="count"><b class="{kind}">{sign} {escaped(count)}.</b>{escaped(rest)}</p>'
-        f'<p class="dim why">{escaped(solutions.why)}</p>'
-    )
+    said = tag("p.count", tag(f"b.{kind}", f"{SIGNS[kind]} {count}."), rest)
+    return tag("h3", "All solutions"), said, tag("p.dim.why", solutions.why)
 
 
 class _Listing:
@@ -92,7 +89,7 @@ class _Listing:
         """Show the newest list."""
         found = state[Solutions].found
         if found is None or not found.rows:
-            self._form.show("")
+            self._form.show()
             return
         present = state.derived(present_row)
         families = len(found.solutions.families)
@@ -100,8 +97,8 @@ class _Listing:
             self._follow(found, present, state)
         rows = [row for row in found.rows if not families or row.family in (-1, self._family)]
         q = state[Joints].q if state.derived(fresh) is not None else None
-        markup = self._table.markup(found, rows, present, state[Solutions].chosen, q)
-        self._form.show(self._choice(families) + markup + self._turns(state))
+        table = self._table.markup(found, rows, present, state[Solutions].chosen, q)
+        self._form.show(self._choice(families), table, self._turns(state))
 
     def _follow(self, found: Found, present: Row | None, state: State) -> None:
         """Show the family the arm has come to."""
@@ -113,31 +110,27 @@ class _Listing:
             self._followed = self._family = here
         self._family = min(self._family, len(found.solutions.families) - 1)
 
-    def _choice(self, families: int) -> str:
+    def _choice(self, families: int) -> Markup | None:
         if families < 2:
-            return ""
+            return None
         hint = "Representatives of family {}"
-        return row(
-            "Family",
-            "".join(
-                self._form.chip(
-                    f"family{k}", str(k + 1), partial(self._turn_to, k), hint.format(k + 1), k == self._family
-                )
-                for k in range(families)
-            ),
-        )
+        chips = [
+            self._form.chip(f"family{k}", str(k + 1), partial(self._turn_to, k), hint.format(k + 1), k == self._family)
+            for k in range(families)
+        ]
+        return row("Family", chips)
 
-    def _turns(self, state: State) -> str:
+    def _turns(self, state: State) -> Markup | None:
         turns = state.derived(whole_turns)
         if len(turns) < 2:
-            return ""
+            return None
         q = state[Joints].q
         here = int(np.argmin(np.abs(turns - q).max(axis=1)))
         order = np.argsort(np.abs(turns - turns[here]).sum(axis=1), kind="stable")[:MOST_TURNS]
         texts = {str(k): self._turn_words(turns[k] - turns[here]) for k in sorted(order)}
         menu = self._form.select("turns", "Whole turns", texts, str(here), lambda k: TurnTo(int(k)))
-        count = f"<small> {len(turns)} ways inside the limits</small>"
-        return f'<div class="turns"><span>Whole turns{count}</span>{menu}</div>'
+        count = tag("small", f" {len(turns)} ways inside the limits")
+        return tag("div.turns", tag("span", "Whole turns", count), menu)
 
     def _turn_words(self, away: np.ndarray) -> str:
         said = []
@@ -168,7 +161,7 @@ class _MotionSlider:
             return
         joints = state[Joints]
         self._slider.show(round(100.0 * motion.part(joints.arm, joints.q) * STEPS / 100.0) * 100.0 / STEPS)
-        self._words.show(f"<h3>Self-motion <small>the tool stands still</small></h3><p>{_ends(motion)}</p>")
+        self._words.show(tag("h3", "Self-motion ", tag("small", "the tool stands still")), tag("p", _ends(motion)))
 
 
 def _ends(motion: Motion) -> str:
@@ -190,7 +183,7 @@ class _Proof:
         """Show the button, how far the search is, or what has come of it."""
         found, proof = state[Solutions].found, state.derived(shown_proof)
         if found is None or len(found.question.held) == found.question.arm.n:
-            self._form.show("")
+            self._form.show()
             return
         if proof is None or proof.done:
             name = f"Prove it: {STARTS} random starts"
@@ -198,27 +191,24 @@ class _Proof:
             begin = self._form.chip("prove", name, Prove(True), hint)
         else:
             begin = self._form.chip("cancel", "Cancel", Prove(False))
-        self._form.show(f'<div class="bar prove">{begin}</div>{self._outcome(proof, state)}')
+        self._form.show(tag("div.bar.prove", begin), self._outcome(proof, state))
 
-    def _outcome(self, proof: Proof | None, state: State) -> str:
+    def _outcome(self, proof: Proof | None, state: State) -> Inside:
         if proof is None:
-            return ""
+            return None
         if not proof.done:
-            part = 100.0 * proof.starts / STARTS
-            bar = f'<div class="progress" style="--part:{part:.0f}%" role="progressbar"></div>'
-            return f'{bar}<p class="dim">{escaped(proof.sentence)}</p>'
+            return progress_bar(proof.starts / STARTS), tag("p.dim", proof.sentence)
         agrees = not proof.others or (proof.solutions.completeness == "infinite" and not proof.of_families)
-        kind, sign = ("ok", "✓") if agrees else ("warn", "◐")
-        arm = state[Joints].arm
-        others = "".join(f"<br>{self._values(arm, q)}" for q in ([] if agrees else proof.others[:3]))
-        return f'<p><b class="{kind}">{sign}</b> {escaped(proof.sentence)}{others}</p>'
+        kind, arm = "ok" if agrees else "warn", state[Joints].arm
+        others = [(tag("br"), self._values(arm, q)) for q in ([] if agrees else proof.others[:3])]
+        return tag("p", tag(f"b.{kind}", SIGNS[kind]), f" {proof.sentence}", others)
 
     def _values(self, arm: Arm, q: np.ndarray) -> str:
         shown = (
             self._units.angle(float(value)) if joint.revolute else self._units.length(float(value))
             for value, joint in zip(q, arm.rows, strict=True)
         )
-        return escaped("  ".join(shown))
+        return "  ".join(shown)
 
 
 PANEL = Panel((Joints, Target, Solutions), build)

@@ -1,4 +1,4 @@
-"""The list of solutions as markup: a line or two each, made to be pressed."""
+"""The list of solutions: a line or two each, made to be pressed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armlab.benches.target.solutions.ui.ghosts import row_colour
 from armlab.kin.arm import Arm
 from armlab.ui.colours import css
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Markup, classes, tag
 from armlab.ui.units import Units
 
 Values = NDArray[np.float64]
@@ -39,9 +39,9 @@ class Table:
     def __init__(self, arm: Arm, units: Units, form: Form) -> None:
         self._arm, self._units, self._form = arm, units, form
         heads = ((units.variable(i, row.revolute), units.unit(row.revolute)) for i, row in enumerate(arm.rows))
-        self._heads = "".join(f"<span>{escaped(name)} <small>{escaped(unit)}</small></span>" for name, unit in heads)
+        self._heads = [tag("span", f"{name} ", tag("small", unit)) for name, unit in heads]
 
-    def markup(self, found: Found, rows: Sequence[Row], present: Row | None, chosen: int, q: Values | None) -> str:
+    def markup(self, found: Found, rows: Sequence[Row], present: Row | None, chosen: int, q: Values | None) -> Markup:
         """Return the list.
 
         Parameters
@@ -58,42 +58,40 @@ class Table:
         """
         named = not all(row.name.startswith("solution ") for row in rows)
         short = self._arm.n <= (ACROSS if not named else FEW)
-        lines = "".join(
+        lines = [
             self._row(place, row, named, q if row is present else None, row is present, row.slot == chosen)
             for place, row in enumerate(found.rows, start=1)
             if row in rows
-        )
-        wide = self._is_wide(named)
-        kind = f"sols{' short' if short else ''}{' named' if named else ''}{' wide' if wide else ''}"
-        across = min(self._arm.n, ACROSS)
-        return (
-            f'<div class="{kind}" style="--n:{across}"><div class="sol-head"><span class="values">{self._heads}</span>'
-            f"</div>{lines}</div>"
-        )
+        ]
+        kind = classes("div.sols", short=short, named=named, wide=self._is_wide(named))
+        head = tag("div.sol-head", tag("span.values", self._heads))
+        return tag(kind, head, lines, style=f"--n:{min(self._arm.n, ACROSS)}")
 
-    def _row(self, place: int, row: Row, named: bool, q: Values | None, present: bool, chosen: bool) -> str:
-        values = "".join(
-            f"<span>{self._units.text(float(value), joint.revolute)}</span>"
+    def _row(self, place: int, row: Row, named: bool, q: Values | None, present: bool, chosen: bool) -> Markup:
+        values = [
+            tag("span", self._units.text(float(value), joint.revolute))
             for value, joint in zip(row.q if q is None else q, self._arm.rows, strict=True)
-        )
-        name = f'<span class="name">{escaped(row.name)}</span>' if named else ""
-        out = f'<span class="out">✕ {self.out(row)}</span>' if not row.within else ""
+        ]
+        out = tag("span.out", f"✕ {self.out(row)}") if not row.within else None
         hint = f"Out of limits: {self.out(row)}" if out else "The arm is here" if present else "Go there"
         go = self._form.button(
             f"go{row.slot}",
-            f'<b class="place" style="--c:{css(row_colour(row))}">{place}</b>{name}'
-            f'<span class="values">{"<i>●</i>" if present else ""}{values}</span>{out}',
+            (
+                tag("b.place", str(place), style=f"--c:{css(row_colour(row))}"),
+                tag("span.name", row.name) if named else None,
+                tag("span.values", tag("i", "●") if present else None, values),
+                out,
+            ),
             GoToSolution(row.slot),
             "sol",
             hint,
             label=f"Solution {place}: {row.name}",
         )
-        see = ""
+        see = None
         if not present and not self._is_wide(named):
             body = LookAtSolution(row.slot)
             see = self._form.button(f"see{row.slot}", "◉", body, "see", "Draw this one as a body", pressed=chosen)
-        state = " now" if present else "" if row.within else " off"
-        return f'<div class="sol-row{state}" data-place="{place}">{go}{see}</div>'
+        return tag(classes("div.sol-row", now=present, off=not present and not row.within), go, see, data_place=place)
 
     def _is_wide(self, named: bool) -> bool:
         """Return whether the values of a row take the whole width of the panel."""

@@ -6,27 +6,26 @@ import math
 
 from armlab.benches.velocity.ellipsoid.state import PlacedEllipsoid, VelocityBlock
 from armlab.benches.velocity.ellipsoid.ui.scene import force
-from armlab.benches.velocity.ellipsoid.ui.words import LETTERS, direction, vector, volume_unit
+from armlab.benches.velocity.ellipsoid.ui.words import LETTERS, direction, half_axis, vector, volume_unit
 from armlab.ui.format import mathml, number, pairs, subscript, trimmed
+from armlab.ui.html import Markup, joined, tag
 
 HALF = r"1/\sigma_i"
 NAMES = {"translation": "force", "rotation": "moment"}
 
 
-def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> str:
+def force_axes(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
     """Return the half axes of the force ellipsoid with bars relative to the longest that ends."""
     halves = found.half_forces[: block.m].tolist()
     ends = [half for half in halves if math.isfinite(half)]
     longest = max(ends, default=1.0)
     rows = []
     for i, half in enumerate(halves):
-        part = 100.0 if math.isinf(half) else 100.0 * half / longest
-        rows.append(
-            f"<span>1/{subscript('σ', i + 1)}</span><i>{vector(found.axes[:, i])}</i><b>{force(block, half)}</b>"
-            f'<u style="--part:{part:.1f}%"></u>'
-        )
-    title = f"Half axes of {NAMES[block.key]}s <small>{mathml(HALF)}, the same directions</small>"
-    return f'<h3>{title}</h3><div class="half force" title="Notes, section 5.4.1">{"".join(rows)}</div>'
+        share = 100.0 if math.isinf(half) else 100.0 * half / longest
+        rows.append(half_axis(f"1/{subscript('σ', i + 1)}", vector(found.axes[:, i]), force(block, half), share))
+    aside = tag("small", mathml(HALF), ", the same directions")
+    title = tag("h3", f"Half axes of {NAMES[block.key]}s ", aside)
+    return joined(title, tag("div.half.force", rows, title="Notes, section 5.4.1"))
 
 
 def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, str, str]:
@@ -44,7 +43,7 @@ def force_verdict(block: VelocityBlock, found: PlacedEllipsoid) -> tuple[str, st
     return "ok", "Slow is strong", f"Most {word} {strong}, {strongest}; least {word} {weak}, {weakest}."
 
 
-def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> str:
+def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
     """Return 1/w with its formula, and which torques count as 1."""
     w = found.force.w
     shown = "∞" if math.isinf(w) else number(w, 3) if w < 1e4 else "over 10⁴"
@@ -53,11 +52,11 @@ def force_numbers(block: VelocityBlock, found: PlacedEllipsoid) -> str:
     J = rf"J_{{{LETTERS[block.key]}}}" if block.speeds is None else r"\bar{J}"
     product = rf"{J}{J}^T" if block.m <= block.arm.n else rf"{J}^T{J}"
     formula = rf"F^T{J}{J}^TF=1,\;\sqrt{{\det({product})^{{-1}}}}=1/w"
-    return (
-        pairs([(f"{mathml('1/w')} of {block.key}", f"{shown} {unit}")])
-        + f'<div class="eq small" title="Notes 5.164: the forces of torques of length 1">{mathml(formula)}</div>'
-        + f'<p class="dim">{torque_words(block)} Drawn: 1 {block.force_unit} is {trimmed(block.drawn_force, 6)} m; '
-        "what is too long or endless goes through as a line.</p>"
+    drawn = f"Drawn: 1 {block.force_unit} is {trimmed(block.drawn_force, 6)} m"
+    return joined(
+        pairs([((mathml("1/w"), f" of {block.key}"), f"{shown} {unit}")]),
+        tag("div.eq.small", mathml(formula), title="Notes 5.164: the forces of torques of length 1"),
+        tag("p.dim", f"{torque_words(block)} {drawn}; what is too long or endless goes through as a line."),
     )
 
 

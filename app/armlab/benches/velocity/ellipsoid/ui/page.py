@@ -18,7 +18,15 @@ from armlab.benches.velocity.ellipsoid.ui.force import force_axes, force_numbers
 from armlab.benches.velocity.ellipsoid.ui.map import Pictures
 from armlab.benches.velocity.ellipsoid.ui.plots import Along, Sweeping, over_distances
 from armlab.benches.velocity.ellipsoid.ui.scene import SWITCH, digits, speed
-from armlab.benches.velocity.ellipsoid.ui.words import name_of_w, scaling_words, vector, verdict_of, volume, volume_unit
+from armlab.benches.velocity.ellipsoid.ui.words import (
+    half_axis,
+    name_of_w,
+    scaling_words,
+    vector,
+    verdict_of,
+    volume,
+    volume_unit,
+)
 from armlab.session.fields import Set
 from armlab.session.parts.display import Display
 from armlab.session.parts.display import Show as SetSwitch
@@ -28,7 +36,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.format import mathml, number, pairs, subscript, trimmed
-from armlab.ui.markup import SIGNS
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -87,58 +96,51 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def _axes(part: Manipulability, found: PlacedEllipsoid) -> str:
+def _axes(part: Manipulability, found: PlacedEllipsoid) -> Inside:
     """Return the half axes of what is shown."""
-    velocities = _speeds(part.block, found) if part.velocity else ""
-    return velocities + (force_axes(part.block, found) if part.force else "")
+    velocities = _speeds(part.block, found) if part.velocity else None
+    return velocities, force_axes(part.block, found) if part.force else None
 
 
-def _speeds(block: VelocityBlock, found: PlacedEllipsoid) -> str:
+def _speeds(block: VelocityBlock, found: PlacedEllipsoid) -> Markup:
     """Return the half axes with bars relative to the largest, and their directions."""
     largest = float(found.sigma[0]) or 1.0
     rows = []
     for i in range(block.m):
         value = float(found.sigma[i])
-        rows.append(
-            f"<span>{subscript('σ', i + 1)}</span><i>{vector(found.axes[:, i])}</i><b>{speed(block, value)}</b>"
-            f'<u style="--part:{100.0 * value / largest:.1f}%"></u>'
-        )
-    title = f"Half axes <small>and their directions in the world, {mathml('u_i')}</small>"
-    return f'<h3>{title}</h3><div class="half" title="Singular values of J, notes 5.152">{"".join(rows)}</div>'
+        share = 100.0 * value / largest
+        rows.append(half_axis(subscript("σ", i + 1), vector(found.axes[:, i]), speed(block, value), share))
+    title = tag("h3", "Half axes ", tag("small", "and their directions in the world, ", mathml("u_i")))
+    return joined(title, tag("div.half", rows, title="Singular values of J, notes 5.152"))
 
 
-def _cards(part: Manipulability, found: PlacedEllipsoid) -> str:
+def _cards(part: Manipulability, found: PlacedEllipsoid) -> Inside:
     """Return the verdicts on what is shown."""
     verdicts = [verdict_of(part.block, found)] if part.velocity else []
     if part.force:
         verdicts.append(force_verdict(part.block, found))
-    return "".join(
-        f'<div class="verdict {kind}"><b>{SIGNS[kind]} {head}</b>{body}</div>' for kind, head, body in verdicts
-    )
+    return [verdict_box(*each) for each in verdicts]
 
 
-def _numbers(part: Manipulability, found: PlacedEllipsoid, units: Units) -> str:
+def _numbers(part: Manipulability, found: PlacedEllipsoid, units: Units) -> Inside:
     """Return the measures of what is shown."""
-    velocities = _measures(part.block, found, units) if part.velocity else ""
-    return velocities + (force_numbers(part.block, found) if part.force else "")
+    velocities = _measures(part.block, found, units) if part.velocity else None
+    return velocities, force_numbers(part.block, found) if part.force else None
 
 
-def _measures(block: VelocityBlock, found: PlacedEllipsoid, units: Units) -> str:
+def _measures(block: VelocityBlock, found: PlacedEllipsoid, units: Units) -> Markup:
     shape = found.ellipsoid
     k = shape.joint_directions.shape[1]
     unit = volume_unit(block, k)
-    rows = [
+    rows: list[tuple[Inside, str]] = [
         (name_of_w(block), f"{number(shape.w, digits(block.typical**k) + 1)} {unit}"),
-        (f"smallest {mathml(SMALLEST)}", speed(block, shape.sigma_min)),
+        (("smallest ", mathml(SMALLEST)), speed(block, shape.sigma_min)),
         ("inverse condition", number(shape.inverse_condition, 3)),
         ("condition", number(shape.condition, 2) if shape.condition < 1e4 else "∞" if found.lost else "over 10⁴"),
     ]
-    return (
-        pairs(rows)
-        + '<div class="eq small" title="Notes 5.142-5.144: the ellipsoid of joint speeds of length 1">'
-        + f"{mathml(volume(block))}</div>"
-        + f'<p class="dim">{scaling_words(block, units)} Drawn: 1 {block.unit} is {trimmed(block.drawn, 6)} m.</p>'
-    )
+    told = f"{scaling_words(block, units)} Drawn: 1 {block.unit} is {trimmed(block.drawn, 6)} m."
+    hint = "Notes 5.142-5.144: the ellipsoid of joint speeds of length 1"
+    return joined(pairs(rows), tag("div.eq.small", mathml(volume(block)), title=hint), tag("p.dim", told))
 
 
 PANEL = Panel(

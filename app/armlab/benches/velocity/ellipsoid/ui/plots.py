@@ -31,8 +31,9 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.timeline import OpenClip, Timeline
 from armlab.session.state import Post, State
 from armlab.ui import adapter
-from armlab.ui.colours import BLUE, GREEN, PURPLE
+from armlab.ui.colours import BLUE, GREEN, PURPLE, Rgb
 from armlab.ui.format import mathml, number
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.plot import TIME, Curve, Plot
 from armlab.ui.units import Units
 from armlab.ui.widgets import Gui
@@ -69,13 +70,13 @@ class Sweeping:
         self._note = gui.html()
         block = state[Manipulability].block
         unit = volume_unit(block, block.ellipsoid(state[Joints].q).joint_directions.shape[1])
-        curves_of = (
+        curves_of: tuple[tuple[Inside, str, str, Rgb], ...] = (
             (name_of_w(block), unit, "w", BLUE),
-            (f"Smallest half axis {mathml(SMALLEST)}", block.unit, "sigma_min", GREEN),
-            (f"Inverse condition {mathml(INVERSE)}", "", "inverse_condition", PURPLE),
+            (("Smallest half axis ", mathml(SMALLEST)), block.unit, "sigma_min", GREEN),
+            (("Inverse condition ", mathml(INVERSE)), "", "inverse_condition", PURPLE),
         )
         self._plots = [
-            Plot(gui, _with(title, unit), "", [Curve(_with(file, unit), colour)], file, height=HEIGHT, from_zero=True)
+            Plot(gui, _title(title, unit), "", [Curve(_with(file, unit), colour)], file, height=HEIGHT, from_zero=True)
             for title, unit, file, colour in curves_of
         ]
         self._shown: Course | None = None
@@ -95,7 +96,7 @@ class Sweeping:
             self._draw(state)
         elif wanted != self._wanted:
             self._wait()
-            self._note.show('<p class="dim">The curves are drawn again when the arm rests.</p>')
+            self._note.show(tag("p.dim", "The curves are drawn again when the arm rests."))
             self._later = asyncio.get_running_loop().call_later(REST, self._draw, state)
         self._wanted = wanted
         for plot in self._plots:
@@ -126,7 +127,11 @@ def _with(name: str, unit: str) -> str:
     return f"{name}, {unit}" if unit else name
 
 
-def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, revolute: bool) -> str:
+def _title(name: Inside, unit: str) -> Markup:
+    return joined(name, _with("", unit))
+
+
+def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, revolute: bool) -> Markup:
     """Return where the joint's motion passes a singularity."""
     name, text = units.variable(joint, revolute), units.angle if revolute else units.length
     low, high = (text(float(value)) for value in limits)
@@ -136,7 +141,7 @@ def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, re
         said = f"singular at {', '.join(text(value) for value in found.places)}"
     else:
         said = f"no singularity found in {found.samples} samples"
-    return f'<p class="dim">{name} from {low} to {high}: {said}.</p>'
+    return tag("p.dim", f"{name} from {low} to {high}: {said}.")
 
 
 class OverDistances:
@@ -144,7 +149,7 @@ class OverDistances:
 
     def __init__(self, gui: Gui, found: OverDistance, units: Units) -> None:
         self._units, self._link = units, found.link
-        gui.heading(f"Over the distance {mathml('r')} from joint 1 <small>section 5.3</small>")
+        gui.heading("Over the distance ", mathml("r"), " from joint 1 ", tag("small", "section 5.3"))
         r = "r, m"
         self._w = Plot(gui, "w, m²", r, [Curve("w, m²", BLUE)], "w over r", height=HEIGHT, from_zero=True)
         named = [Curve("σ₁, m/s", BLUE), Curve("σ₂, m/s", GREEN)]
@@ -168,7 +173,7 @@ class OverDistances:
         r = present_distance(state)
         w = float(np.prod(self._link.sigma(r)))
         at = f"Here r = {self._units.length(r)}, w = {number(w, 3)} m². "
-        self._note.show(f'<p class="dim">{at}{self._said}</p>')
+        self._note.show(tag("p.dim", f"{at}{self._said}"))
         for plot in (self._w, self._sigma):
             plot.cursor(r)
 
@@ -197,7 +202,7 @@ class Along:
     def _made(self, state: State) -> tuple[Plot, Plot]:
         block, gui = state[Manipulability].block, self._gui
         unit = volume_unit(block, min(block.m, block.arm.n))
-        title, least = _with(name_of_w(block), unit), f"Smallest half axis {mathml(SMALLEST)}, {block.unit}"
+        title, least = _title(name_of_w(block), unit), ("Smallest half axis ", mathml(SMALLEST), f", {block.unit}")
         w, sigma = Curve(_with("w", unit), BLUE), Curve(_with("sigma_min", block.unit), GREEN)
         gui.heading("Along the planned motion")
         return (

@@ -10,6 +10,7 @@ from armlab.benches.velocity.ellipsoid.ui.scene import speed
 from armlab.kin.arm import Arm
 from armlab.kin.joint_scale import DEFAULT_SPEED
 from armlab.ui.format import mathml, number, trimmed
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
@@ -70,14 +71,20 @@ def vector(u: Array) -> str:
     return f"({', '.join(number(sense * float(value), 2) for value in u)})"
 
 
-def name_of_w(block: VelocityBlock) -> str:
-    """Return what w is of."""
+def half_axis(name: str, direction: str, size: str, share: float) -> Markup:
+    """Return a half axis with a bar, which is as long as its share, in percent, of the longest."""
+    bar = tag("u", style=f"--part:{share:.1f}%")
+    return joined(tag("span", name), tag("i", direction), tag("b", size), bar)
+
+
+def name_of_w(block: VelocityBlock) -> Markup:
+    """Return the name of w, with the rows of J that it is of."""
     scaled = "" if block.speeds is None else ", scaled by limits"
-    return f"{mathml('w')} of {block.key}{scaled}"
+    return joined(mathml("w"), f" of {block.key}{scaled}")
 
 
 def volume(block: VelocityBlock) -> str:
-    """Return the formula by which w is computed, in LaTeX: scaled and transposed as it is."""
+    """Return the formula by which w of this block is computed, in LaTeX."""
     J = rf"J_{{{LETTERS[block.key]}}}"
     n, joints = block.arm.n, ""
     if block.speeds is not None:

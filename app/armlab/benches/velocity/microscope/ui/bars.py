@@ -5,8 +5,9 @@ from __future__ import annotations
 from armlab.benches.velocity.microscope.look import Look
 from armlab.benches.velocity.microscope.ui.words import NAMES, joint_speed
 from armlab.kin.control.side_by_side import Compared
+from armlab.ui import svg
 from armlab.ui.colours import css, joint_colour
-from armlab.ui.format import escaped
+from armlab.ui.html import Markup, tag
 from armlab.ui.units import Units
 
 WIDTH, HEIGHT = 320, 124
@@ -20,26 +21,24 @@ FILLED = 0.82
 """Part of its width that a group takes."""
 
 LEAST = 1e-9
-"""Scaled joint speed below which all bars are nothing."""
+"""Scaled joint speed below which all of them count as zero."""
 
 UNBOUNDED = ("inverse", "pinv")
 """Methods whose speeds have no bound beside a singularity: they do not choose the scale."""
 
 
-def bars(look: Look, units: Units) -> str:
+def bars(look: Look, units: Units) -> Markup:
     """Return the bars as SVG; what is cut ends in a point, and what has no answer says so."""
     answers, full = look.answers, scale_of(look.answers)
     middle, half = TOP + (HEIGHT - TOP - BOTTOM) / 2.0, (HEIGHT - TOP - BOTTOM) / 2.0
-    shapes = [f'<path class="axis" d="M0 {middle}H{WIDTH}"/>']
+    shapes = [svg.path("axis", f"M0 {middle}H{WIDTH}")]
     group = WIDTH / len(answers)
     for i, answer in enumerate(answers):
         left = i * group
         centre = left + group / 2.0
-        shapes.append(
-            f'<text x="{centre:.1f}" y="{HEIGHT - 4}" text-anchor="middle">{escaped(NAMES[answer.key])}</text>'
-        )
+        shapes.append(svg.text("", centre, HEIGHT - 4, NAMES[answer.key], "middle"))
         if answer.step.qdot is None:
-            shapes.append(_none(centre, middle))
+            shapes += _none(centre, middle)
             continue
         speeds = answer.step.qdot.tolist()
         wide = FILLED * group / len(speeds)
@@ -47,10 +46,7 @@ def bars(look: Look, units: Units) -> str:
             x = left + (1.0 - FILLED) / 2.0 * group + j * wide
             title = f"{units.variable(j, bool(look.part.arm.revolute[j]))}: {joint_speed(look, j, speed, units)}"
             shapes.append(_bar(x, wide, middle, half, speed / full, j, title))
-    label = "Joint speeds of each method"
-    return (
-        f'<svg class="ms-bars" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{label}">{"".join(shapes)}</svg>'
-    )
+    return svg.drawing("ms-bars", WIDTH, HEIGHT, "Joint speeds of each method", shapes)
 
 
 def scale_of(answers: tuple[Compared, ...]) -> float:
@@ -62,24 +58,21 @@ def scale_of(answers: tuple[Compared, ...]) -> float:
     return full if full > LEAST else 1.0
 
 
-def _bar(x: float, wide: float, middle: float, half: float, part: float, j: int, title: str) -> str:
+def _bar(x: float, wide: float, middle: float, half: float, part: float, j: int, title: str) -> Markup:
     cut = abs(part) > 1.0
     high = half * min(abs(part), 1.0)
     y = middle - high if part > 0.0 else middle
     colour, thick = css(joint_colour(j)), max(wide - 1.2, 1.0)
-    shape = f'<rect x="{x:.1f}" y="{y:.1f}" width="{thick:.1f}" height="{max(high, 0.6):.1f}" fill="{colour}"/>'
+    bar, point = svg.shape("rect", x=x, y=y, width=thick, height=max(high, 0.6), fill=colour), None
     if cut:
         tip, base = (y - 6.0, y) if part > 0.0 else (y + high + 6.0, y + high)
-        shape += (
-            f'<path d="M{x:.1f} {base:.1f}L{x + thick / 2.0:.1f} {tip:.1f}L{x + thick:.1f} {base:.1f}z"'
-            f' fill="{colour}" class="cut"/>'
-        )
-    return f"<g><title>{escaped(title)}</title>{shape}</g>"
+        corners = f"M{x:.1f} {base:.1f}L{x + thick / 2.0:.1f} {tip:.1f}L{x + thick:.1f} {base:.1f}z"
+        point = tag("path.cut", d=corners, fill=colour)
+    return tag("g", tag("title", title), bar, point)
 
 
-def _none(centre: float, middle: float) -> str:
-    lines = ("does", "not", "exist")
-    return "".join(
-        f'<text class="none" x="{centre:.1f}" y="{middle - 10.0 + 13.0 * k:.1f}" text-anchor="middle">{line}</text>'
-        for k, line in enumerate(lines)
-    )
+def _none(centre: float, middle: float) -> list[Markup]:
+    return [
+        svg.text("none", centre, middle - 10.0 + 13.0 * k, word, "middle")
+        for k, word in enumerate(("does", "not", "exist"))
+    ]

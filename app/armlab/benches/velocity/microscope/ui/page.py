@@ -26,8 +26,10 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, readable
+from armlab.ui.format import readable
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.plugin import Panel, Points, Show
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, plain_number, units_of
 from armlab.ui.widgets import Gui
 
@@ -55,17 +57,17 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         head.show(head_markup(head, state, units))
         verdict.show(condition_card(look, state.derived(near), units))
         wish.show(wish_markup(wish, look, units))
-        drawn.show(f"<h3>Joint speeds, each method</h3>{bars(look, units)}")
+        drawn.show(tag("h3", "Joint speeds, each method"), bars(look, units))
         methods.show(table(look, methods, units))
         damping.show(damping_markup(damping, look))
         said = scales_words(look)
-        note = f'<p class="dim">{escaped(said)}</p>' if said else ""
-        values.show(f"<h3>Singular values and directions</h3>{sigma_bars(look)}{note}")
+        note = tag("p.dim", said) if said else None
+        values.show(tag("h3", "Singular values and directions"), sigma_bars(look), note)
 
     return show
 
 
-def head_markup(form: Form, state: State, units: Units) -> str:
+def head_markup(form: Form, state: State, units: Units) -> Markup:
     """Return examples, and where the arm can be brought."""
     arm, part = state[Joints].arm, state[Microscope]
     chooser = examples(form, EXAMPLES, part.example, ChooseMicroscopeExample)
@@ -76,7 +78,7 @@ def head_markup(form: Form, state: State, units: Units) -> str:
         at = units.angle(value) if revolute else units.length(value)
         text = f"{place.name}: {units.variable(j, revolute)} = {at}"
         chips.append(form.chip(f"place {i}", text, BringNear(i), place.says))
-    found = "".join(chips) or '<span class="dim">No joint meets one from the home pose.</span>'
+    found = chips or tag("span.dim", "No joint meets one from the home pose.")
     away = form.field(
         "distance",
         readable(part.distance / units.factor(True), 2),
@@ -84,33 +86,34 @@ def head_markup(form: Form, state: State, units: Units) -> str:
         lambda text: Set(Microscope, "distance", units.read(text, True, "distance")),
     )
     hint = "Of a joint that slides, as many length scales as these are radians"
-    label = f'<label class="option" title="{hint}"><span>at a distance of</span>{away}<i>{units.angle_unit}</i></label>'
-    return f'{chooser}<h3>Bring the arm near a singularity</h3><div class="bar">{found}</div>{label}'
+    distance = _option("at a distance of", away, units.angle_unit, hint)
+    return joined(chooser, tag("h3", "Bring the arm near a singularity"), tag("div.bar", found), distance)
 
 
-def wish_markup(form: Form, look: Look, units: Units) -> str:
+def _option(name: Inside, field: Markup, unit: str, hint: str | None = None) -> Markup:
+    return tag("label.option", tag("span", name), field, tag("i", unit), title=hint)
+
+
+def wish_markup(form: Form, look: Look, units: Units) -> Markup:
     """Return the choice of the direction, the components and the speed."""
     part = look.part
-    aims = "".join(
+    aims = [
         form.chip(f"aim {aim}", text, Set(Microscope, "aim", aim), hint, aim == part.aim)
         for aim, (text, hint) in AIMS.items()
-    )
+    ]
     names = components(part.arm.task)
     natural = look.natural(look.wish).tolist()
     axes, typed = [], []
     for i, ((name, turns), value) in enumerate(zip(names, natural, strict=True)):
         axes.append(form.chip(f"along {i}", _symbol(name), AimAlong(i), "A velocity of this component alone"))
         field = form.field(f"v {i}", units.entry(value, turns), name, partial(_component, i, name, turns, units))
-        typed.append(f'<label class="option"><span>{_lowered(name)}</span>{field}<i>{units.unit(turns)}/s</i></label>')
+        typed.append(_option(with_indices(name), field, f"{units.unit(turns)}/s"))
     size = form.field(
         "speed", readable(part.size, 4), "Size of the velocity", lambda text: SetSpeed(plain_number(text, "size"))
     )
     title = f"Size of the velocity. {scales_words(look)}".strip()
-    return (
-        f'<h3>Wanted velocity of the tool</h3><div class="bar">{aims}{"".join(axes)}</div><div class="options ms-wish">'
-        f'<label class="option" title="{escaped(title)}"><span>size</span>{size}<i>{speed_unit(look)}</i></label>'
-        f"{''.join(typed)}</div>"
-    )
+    fields = tag("div.options.ms-wish", _option("size", size, speed_unit(look), title), typed)
+    return joined(tag("h3", "Wanted velocity of the tool"), tag("div.bar", aims, axes), fields)
 
 
 def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetComponent:
@@ -119,11 +122,6 @@ def _component(i: int, name: str, turns: bool, units: Units, text: str) -> SetCo
 
 def _symbol(name: str) -> str:
     return name.replace("_", "") if "about" not in name else name.replace("_E", "").replace("ω about ", "ω")
-
-
-def _lowered(name: str) -> str:
-    base, _, index = name.rpartition("_")
-    return f"{base}<sub>{index}</sub>" if base else escaped(name)
 
 
 def speed_unit(look: Look) -> str:
@@ -136,25 +134,24 @@ def speed_unit(look: Look) -> str:
     return "m/s" if look.task.length == 1.0 else SCALED
 
 
-def damping_markup(form: Form, look: Look) -> str:
+def damping_markup(form: Form, look: Look) -> Markup:
     """Return the options of the damped methods."""
     values = dict(look.part.damping)
 
-    def option(key: str, kind: Field) -> str:
+    def option(key: str, kind: Field) -> Markup:
         typed = form.field(
             f"d {key}",
             readable(values[key], 4),
             kind.title,
             lambda text: SetDamping(key, plain_number(text, kind.symbol)),
         )
-        symbol, unit = _lowered(kind.symbol), damping_unit(look, kind.unit)
-        return f'<label class="option" title="{escaped(kind.title)}"><span>{symbol}</span>{typed}<i>{unit}</i></label>'
+        return _option(with_indices(kind.symbol), typed, damping_unit(look, kind.unit), kind.title)
 
-    typed = "".join(option(key, kind) for key, (_, kind) in DAMPING.items())
+    typed = [option(key, kind) for key, (_, kind) in DAMPING.items()]
     used = next(answer.step.damping for answer in look.answers if answer.key == "dls_variable")
     squared = damping_unit(look, "sigma²")
     here = f"λ(σ) is {readable(used, 4)}{f' {squared}' if squared else ''} here"
-    return f'<div class="options ms-damping">{typed}<span class="dim">{here}</span></div>'
+    return tag("div.options.ms-damping", typed, tag("span.dim", here))
 
 
 def _around(state: State) -> Points:

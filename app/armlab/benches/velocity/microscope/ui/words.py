@@ -13,8 +13,10 @@ from armlab.kin.task import Task
 from armlab.session.fields import Set
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
-from armlab.ui.format import dot, escaped, number, scientific, subscript, trimmed
-from armlab.ui.markup import SIGNS
+from armlab.ui.format import dot, number, scientific, subscript, trimmed
+from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import verdict_box
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
@@ -26,7 +28,7 @@ NAMES = {
     "dls_constant": "DLS λ",
     "dls_variable": "DLS λ(σ)",
 }
-"""Of the methods, where there is little room."""
+"""Short names of the methods."""
 
 SQUARED = {"m": "m²", "": ""}
 
@@ -34,10 +36,10 @@ POOR = 0.1
 """Inverse condition below which a configuration is called close to a singularity."""
 
 HUGE = 1e5
-"""Numbers from here on have a power of ten."""
+"""Numbers from here on are written with a power of ten."""
 
 ROUND = 1e-9
-"""Radians or metres below which a distance is none."""
+"""Radians or metres below which a distance counts as zero."""
 
 
 def components(task: Task) -> list[tuple[str, bool]]:
@@ -53,15 +55,15 @@ def joint_speed(look: Look, j: int, scaled: float, units: Units) -> str:
     return f"{_figure(scaled * float(look.task.joint_units[j]), revolute, units)} {_rate(revolute, units)}"
 
 
-def condition_card(look: Look, near: Near | None, units: Units) -> str:
+def condition_card(look: Look, near: Near | None, units: Units) -> Markup:
     """Return how far from singular the configuration is, and which singularity is the nearest."""
     inverse, sigma = look.inverse_condition, float(look.sigma[-1])
     kind = "no" if look.singular else "warn" if inverse < POOR else "ok"
     head = "Singular" if look.singular else f"Inverse condition {_small(inverse)}"
     unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
-    text = f"σ_min = {'0' if look.singular else _small(sigma)}{unit}, σ_max = {number(float(look.sigma[0]), 3)}{unit}. "
-    said = _sub(escaped(text)) + escaped(_which(look, near, units))
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {head}</b>{said}</div>'
+    smallest = with_indices("σ_min"), f" = {'0' if look.singular else _small(sigma)}{unit}, "
+    largest = with_indices("σ_max"), f" = {number(float(look.sigma[0]), 3)}{unit}. "
+    return verdict_box(kind, head, smallest, largest, _which(look, near, units))
 
 
 def _which(look: Look, near: Near | None, units: Units) -> str:
@@ -84,7 +86,7 @@ def _looked(look: Look, units: Units) -> str:
     return " or ".join(said)
 
 
-def sigma_bars(look: Look) -> str:
+def sigma_bars(look: Look) -> Markup:
     """Return the singular values with bars, the directions of the smallest beside it."""
     largest = float(look.sigma[0]) or 1.0
     unit = f" {look.task.sigma_unit}" if look.task.sigma_unit else ""
@@ -92,56 +94,57 @@ def sigma_bars(look: Look) -> str:
     for i, value in enumerate(look.sigma.tolist()):
         name = subscript("σ", i + 1)
         said = f"u = ({', '.join(number(float(part), 2) for part in look.U[:, i])})"
-        rows.append(
-            f"<span>{name}</span><i>{said}</i><b>{_small(value) if value > SINGULAR * largest else '0'}{unit}</b>"
-            f'<u style="--part:{100.0 * value / largest:.1f}%"></u>'
-        )
-    last = look.V[:, -1].tolist()
-    v = ", ".join(f"{dot(css(joint_colour(j)))}{number(value, 2)}" for j, value in enumerate(last))
+        size = f"{_small(value) if value > SINGULAR * largest else '0'}{unit}"
+        bar = tag("u", style=f"--part:{100.0 * value / largest:.1f}%")
+        rows.append((tag("span", name), tag("i", said), tag("b", size), bar))
+    parts = [joined(dot(css(joint_colour(j))), number(value, 2)) for j, value in enumerate(look.V[:, -1].tolist())]
     name = subscript("v", len(look.sigma))
-    return f'<div class="half">{"".join(rows)}</div><p class="ms-v" title="Drawn at the joints">{name} = ({v})</p>'
+    last = tag("p.ms-v", f"{name} = (", joined(parts, between=", "), ")", title="Drawn at the joints")
+    return joined(tag("div.half", rows), last)
 
 
-def table(look: Look, form: Form, units: Units) -> str:
+def table(look: Look, form: Form, units: Units) -> Markup:
     """Return what each method does, a row each; the one that is drawn in the scene is marked."""
     arm = look.part.arm
     kinds = [turns for turns in (True, False) if bool(np.any(arm.revolute == turns))]
-    heads = "".join(f"<th>max |q̇|<br>{_rate(turns, units)}</th>" for turns in kinds)
-    met = '<th title="Component of the reached velocity along the wish">met</th>'
-    error = '<th title="|v reached − v| / |v|">error</th>'
-    rows = "".join(_row(look, answer, kinds, form, units) for answer in look.answers)
-    off = '<th title="Angle between the reached velocity and the wish">off by</th>'
-    return f'<table class="ms-table"><tr><th></th>{heads}{met}{error}{off}</tr>{rows}</table>'
+    heads = tag(
+        "tr",
+        tag("th"),
+        [tag("th", "max |q̇|", tag("br"), _rate(turns, units)) for turns in kinds],
+        tag("th", "met", title="Component of the reached velocity along the wish"),
+        tag("th", "error", title="|v reached − v| / |v|"),
+        tag("th", "off by", title="Angle between the reached velocity and the wish"),
+    )
+    return tag("table.ms-table", heads, [_row(look, answer, kinds, form, units) for answer in look.answers])
 
 
-def _row(look: Look, answer: Compared, kinds: list[bool], form: Form, units: Units) -> str:
+def _row(look: Look, answer: Compared, kinds: list[bool], form: Form, units: Units) -> Markup:
     pressed = look.part.method == answer.key
     title = f"{answer.title}, α = 1/σ_max²" if answer.key == "transpose" else answer.title
     hint = f"{title}: draw what it makes the tool do"
     name = form.chip(f"watch {answer.key}", NAMES[answer.key], Set(Microscope, "method", answer.key), hint, pressed)
     if answer.step.qdot is None:
-        return f'<tr><th>{name}</th><td colspan="{len(kinds) + 3}" class="said">{escaped(answer.step.says)}</td></tr>'
+        return tag("tr", tag("th", name), tag("td.said", answer.step.says, colspan=len(kinds) + 3))
     speeds = np.abs(answer.step.qdot * look.task.joint_units)
-    off = "–" if answer.off is None else units.angle(answer.off)
-    said = [
-        (f"{_percent(answer.along)} %", _reached(look, answer, units)),
-        (f"{_percent(answer.error)} %", ""),
-        (off, ""),
-    ]
-    cells = [_fastest(look, speeds, turns, units) for turns in kinds]
-    cells += [f'<td title="{escaped(hint)}">{text}</td>' if hint else f"<td>{text}</td>" for text, hint in said]
-    return f"<tr><th>{name}</th>{''.join(cells)}</tr>"
+    return tag(
+        "tr",
+        tag("th", name),
+        [_fastest(look, speeds, turns, units) for turns in kinds],
+        tag("td", f"{_percent(answer.along)} %", title=_reached(look, answer, units)),
+        tag("td", f"{_percent(answer.error)} %"),
+        tag("td", "–" if answer.off is None else units.angle(answer.off)),
+    )
 
 
-def _fastest(look: Look, speeds: Array, turns: bool, units: Units) -> str:
+def _fastest(look: Look, speeds: Array, turns: bool, units: Units) -> Markup:
     """Return the cell of the fastest joint that turns, or slides; marked where a joint is faster than it may be."""
     arm = look.part.arm
     those = arm.revolute == turns
     text = _figure(float(speeds[those].max(initial=0.0)), turns, units)
     above = [units.variable(j, turns) for j in np.flatnonzero(those & (speeds > arm.speed_limits)).tolist()]
     if not above:
-        return f"<td>{text}</td>"
-    return f'<td class="no" title="Above the speed limit: {escaped(", ".join(above))}">{text}&#8202;!</td>'
+        return tag("td", text)
+    return tag("td.no", f"{text}\N{HAIR SPACE}!", title=f"Above the speed limit: {', '.join(above)}")
 
 
 def _reached(look: Look, answer: Compared, units: Units) -> str:
@@ -189,7 +192,3 @@ def _percent(part: float) -> str:
 def _small(value: float) -> str:
     """Return a number of which the zeros count: with four digits, or with a power of ten."""
     return number(value, 4) if value >= 1e-3 or value == 0.0 else scientific(value)
-
-
-def _sub(text: str) -> str:
-    return text.replace("σ_min", "σ<sub>min</sub>").replace("σ_max", "σ<sub>max</sub>")

@@ -10,20 +10,21 @@ from armlab.benches.velocity.solve.pictures import DragTo, Square, StandAt, flat
 from armlab.benches.velocity.solve.state import Solve
 from armlab.benches.velocity.solve.ui.pictures import lines_svg, lines_words, marks_style, norm_svg, square_markup
 from armlab.benches.velocity.solve.ui.torus import pressed, torus_markup, torus_style
-from armlab.benches.velocity.solve.ui.words import card, small
+from armlab.benches.velocity.solve.ui.words import small
 from armlab.session.fields import Set
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.form import Form, Wish
-from armlab.ui.format import escaped, mathml
-from armlab.ui.markup import row
+from armlab.ui.format import mathml
+from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import row, verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 
 class PicturesPage:
-    """The page."""
+    """The page Pictures."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._units = units_of(state)
@@ -39,29 +40,29 @@ class PicturesPage:
             element.visible(not why)
         if why:
             self._drawn = why
-            self._map.show(card("warn", "No pictures", why))
+            self._map.show(verdict_box("warn", "No pictures", why))
             return
         units, found = self._units, flat(state)
-        equation = mathml(r"J\dot q=v")
-        title = f"<h3>Two lines {equation} <small>(1.18–1.24); rows of J, not columns</small></h3>"
-        self._lines.show(title + lines_svg(state, found, units) + lines_words(state, found, units))
+        aside = tag("small", "(1.18–1.24); rows of J, not columns")
+        title = tag("h3", "Two lines ", mathml(r"J\dot q=v"), " ", aside)
+        self._lines.show(title, lines_svg(state, found, units), lines_words(state, found, units))
         place = square(state)
         key = key_of(state)
         if key != self._drawn or self._map.stale:
             self._drawn = key
             self._map.show(maps_markup(self._map, state, place, units))
-        self._mark.show(marks_style(state, place, found) + torus_style(state, found))
+        self._mark.show(marks_style(state, place, found), torus_style(state, found))
         self._norm.show(norm_markup(state, units))
 
 
-def head_markup(form: Form, state: State, units: Units) -> str:
+def head_markup(form: Form, state: State, units: Units) -> Markup | None:
     """Return the choice of the two joints."""
     arm, pair = state[Joints].arm, state[Solve].pair
     if arm.n < 3 or not arm.description.axes_parallel:
-        return ""
+        return None
     names = {str(k): units.variable(k, bool(arm.revolute[k])) for k in range(arm.n)}
 
-    def choice(side: int, which: str) -> str:
+    def choice(side: int, which: str) -> Markup:
         def chosen(key: str) -> Set:
             joint = int(key)
             # The joint that stands on the other side changes places with this one.
@@ -70,18 +71,19 @@ def head_markup(form: Form, state: State, units: Units) -> str:
 
         return form.select(which, f"{which.capitalize()} joint", names, str(pair[side]), chosen)
 
-    return row("Joints", f"{choice(0, 'first')}<i>and</i>{choice(1, 'second')}<i>the others stand still</i>")
+    both = choice(0, "first"), tag("i", "and"), choice(1, "second"), tag("i", "the others stand still")
+    return row("Joints", both)
 
 
-def maps_markup(form: Form, state: State, found: Square, units: Units) -> str:
+def maps_markup(form: Form, state: State, found: Square, units: Units) -> Markup:
     """Return the torus, where both joints turn, and the square."""
     said = "singular everywhere" if found.always else "red: det J = 0"
-    press = f"<small>{said}; drag in it to move the arm (5.44–5.46)</small>"
+    press = tag("small", f"{said}; drag in it to move the arm (5.44–5.46)")
     drawn = square_markup(form.place("square", _in_square, drag=True), state, found, units)
     if not state[Joints].arm.revolute[list(state[Solve].pair)].all():
-        return f"<h3>Joint space {press}</h3>{drawn}"
+        return joined(tag("h3", "Joint space ", press), drawn)
     torus = torus_markup(form.place("torus", _on_torus, drag=True), found)
-    return f"<h3>Joint space, the torus S¹ × S¹ {press}</h3>{torus}<h3>Cut open</h3>{drawn}"
+    return joined(tag("h3", "Joint space, the torus S¹ × S¹ ", press), torus, tag("h3", "Cut open"), drawn)
 
 
 def _go(across: float, up: float, drag: int) -> StandAt:
@@ -102,19 +104,19 @@ def _on_torus(x: float, y: float, drag: int) -> Wish:
     return _go(across, up, drag)
 
 
-def norm_markup(state: State, units: Units) -> str:
+def norm_markup(state: State, units: Units) -> Markup:
     """Return the curve of the norm with where the arm is on it."""
     found, curve = flat(state), norm_curve(state)
     sigma = found.answer.spaces.sigma
     ratio = float(sigma[1] / sigma[0]) if sigma[0] > 0.0 else 0.0
     here = found.determinant, float(np.linalg.norm(found.answer.qdot)) if found.answer.verdict == "one" else math.inf
     second = units.variable(state[Solve].pair[1], bool(state[Joints].arm.revolute[state[Solve].pair[1]]))
-    return (
-        f"<h3>‖q̇‖ against det J <small>while {escaped(second)} goes through its range (1.20–1.24)</small></h3>"
-        f"{norm_svg(curve, here, units)}"
-        f'<p class="dim">Here det J = {small(found.determinant)} m², smallest σ : largest σ = {small(ratio)}. The '
-        "ratio tells how near a singularity is; det J alone does not, it changes with the unit of length.</p>"
+    said = (
+        f"Here det J = {small(found.determinant)} m², smallest σ : largest σ = {small(ratio)}. The ratio tells how "
+        "near a singularity is; det J alone does not, it changes with the unit of length."
     )
+    aside = tag("small", f"while {second} goes through its range (1.20–1.24)")
+    return joined(tag("h3", "‖q̇‖ against det J ", aside), norm_svg(curve, here, units), tag("p.dim", said))
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

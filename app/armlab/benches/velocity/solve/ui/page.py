@@ -13,7 +13,6 @@ from armlab.benches.velocity.solve.found import Found, found
 from armlab.benches.velocity.solve.motion import BeginAlong, SlideAlong, begun, looked_for, part_of
 from armlab.benches.velocity.solve.state import CLIP_KEY, AskFor, SetComponent, Solve, has_choice
 from armlab.benches.velocity.solve.ui.words import (
-    card,
     components,
     legend,
     markup_of,
@@ -31,7 +30,8 @@ from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, matrix, readable
-from armlab.ui.markup import row
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import row, verdict_box
 from armlab.ui.matrices import WIDE, copy_buttons
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
@@ -39,7 +39,7 @@ from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
 STEPS = 200
-"""Of the slider along a self-motion."""
+"""Number of steps of the slider along a self-motion."""
 
 REST = 0.4
 """Seconds without a motion after which the page finds out where on its self-motion the arm is."""
@@ -50,7 +50,7 @@ FOLDS = {"spaces": "Four subspaces", "svd": "U, Σ, V", "penrose": "Penrose cond
 
 
 class SolvePage:
-    """The page."""
+    """The page Solve."""
 
     def __init__(self, gui: Gui, state: State, post: Post) -> None:
         self._units = units_of(state)
@@ -66,65 +66,62 @@ class SolvePage:
         """Show a state."""
         units, solved = self._units, state.derived(found)
         self._head.show(head_markup(self._head, state, solved, units))
-        self._verdict.show(card(*verdict(solved, units)) + legend() + reached_markup(solved, units))
-        self._speeds.show(speeds_markup(solved, units) + null_markup(solved, units))
+        self._verdict.show(verdict_box(*verdict(solved, units)), legend(), reached_markup(solved, units))
+        self._speeds.show(speeds_markup(solved, units), null_markup(solved, units))
         self._motion.show(state, solved)
-        self._singular.show(f"<h3>Is J singular?</h3>{singular_card(solved)}{measures_markup(solved)}")
+        self._singular.show(tag("h3", "Is J singular?"), singular_card(solved), measures_markup(solved))
         self._folds.show(self._folded(solved))
 
-    def _folded(self, solved: Found) -> str:
+    def _folded(self, solved: Found) -> Inside:
         parts = []
         for key, title in FOLDS.items():
             on = key in self._unfolded
             turned = partial(self._fold, key)
             press = self._folds.button(key, f"{'▾' if on else '▸'} {title}", turned, "so-fold", pressed=on)
-            inside = MADE[key](solved) if on else ""
-            parts.append(press + inside)
-        return "".join(parts)
+            parts.append((press, MADE[key](solved) if on else None))
+        return parts
 
 
-def head_markup(form: Form, state: State, solved: Found, units: Units) -> str:
+def head_markup(form: Form, state: State, solved: Found, units: Units) -> Markup:
     """Return the choice of an example, what is asked, and the fields of the wanted velocity."""
     part = state[Solve]
-    chooser, asked = examples(form, EXAMPLES, part.example, ChooseSolveExample), ""
+    chooser, asked = examples(form, EXAMPLES, part.example, ChooseSolveExample), None
     if has_choice(part.arm):
         hint = "What is asked of the tool; the rest of its motion is left free"
         chips = [form.chip(f"rows-{key}", text, AskFor(key), hint, key == part.rows) for key, text in ASKED.items()]
-        asked = row("Asked", "".join(chips), wide=True)
+        asked = row("Asked", chips, wide=True)
     cells = []
     for k, (name, turning) in enumerate(components(solved.arm.task)):
         shown = readable(part.twist[k] / units.factor(turning), units.decimals(turning))
         field = form.field(f"v-{k}", shown, f"{name} wanted", partial(_component, k, name, turning, units))
-        cells.append(f"<label><span>{markup_of(name)}</span>{field}<i>{units.unit(turning)}/s</i></label>")
+        cells.append(tag("label", tag("span", markup_of(name)), field, tag("i", f"{units.unit(turning)}/s")))
     frame = "frame 0" + ("; ωx′, ωy′ about x, y of the tool" if part.arm.task.rotation == "approach" else "")
-    return (
-        f"{chooser}{asked}"
-        f"<h3>Wanted velocity {mathml('v')} <small>in axes of {frame}; or drag the blue arrow</small></h3>"
-        f'<div class="kit-numbers so-twist">{"".join(cells)}</div>'
-    )
+    aside = tag("small", f"in axes of {frame}; or drag the blue arrow")
+    title = tag("h3", "Wanted velocity ", mathml("v"), " ", aside)
+    return joined(chooser, asked, title, tag("div.kit-numbers.so-twist", cells))
 
 
 def _component(k: int, name: str, turning: bool, units: Units, text: str) -> SetComponent:
     return SetComponent(k, units.read(text.strip().removesuffix("/s"), turning, name))
 
 
-def svd_markup(solved: Found) -> str:
-    """Return the decomposition as matrices."""
+def svd_markup(solved: Found) -> Markup:
+    """Return U, Σ and V."""
     spaces = solved.spaces
     sigma: NDArray[np.float64] = np.zeros(solved.J.shape)
     np.fill_diagonal(sigma, spaces.sigma)
     written = mathml((r"\bar{J}" if solved.is_scaled else "J") + r"=U\,\Sigma\,V^T")
-    parts = [f'<div class="eq small">{written}</div>']
-    for name, values in (("U", spaces.U), (r"\Sigma", sigma), ("V", spaces.V)):
-        copies = f'<span class="copies">{copy_buttons(values)}</span>'
-        parts.append(f"<h3>{mathml(name)}{copies}</h3>{_scrolled(values)}")
+    parts = [
+        (tag("h3", mathml(name), tag("span.copies", copy_buttons(values))), _scrolled(values))
+        for name, values in (("U", spaces.U), (r"\Sigma", sigma), ("V", spaces.V))
+    ]
     m, n = solved.J.shape
     said = f"U is {m} × {m}, Σ {m} × {n}, V {n} × {n} (definition 11 has U and V exchanged)."
     said += " J̄ is J with metres and joint speeds scaled as said above." if solved.is_scaled else ""
-    return f'{"".join(parts)}<p class="dim">{said}</p>'
+    return joined(tag("div.eq.small", written), parts, tag("p.dim", said))
 
 
-def spaces_markup(solved: Found) -> str:
+def spaces_markup(solved: Found) -> Markup:
     """Return bases of the four subspaces, as columns."""
     spaces = solved.spaces
     parts = []
@@ -134,16 +131,17 @@ def spaces_markup(solved: Found) -> str:
         ("R(J^T)", "joint speeds that count", spaces.row),
         ("N(J)", "joint speeds that leave the tool where it is", spaces.null),
     ):
-        inside = _scrolled(basis) if basis.shape[1] else '<p class="dim">only zero</p>'
-        parts.append(f"<h3>{mathml(name)} <small>{what}; dimension {basis.shape[1]}</small></h3>{inside}")
+        inside = _scrolled(basis) if basis.shape[1] else tag("p.dim", "only zero")
+        aside = tag("small", f"{what}; dimension {basis.shape[1]}")
+        parts.append((tag("h3", mathml(name), " ", aside), inside))
     said = "Columns, in m/s and rad/s (5.72–5.78). Forbidden is every v with a part in N(Jᵀ), not only what lies in it."
-    return f'{"".join(parts)}<p class="dim">{said}</p>'
+    return joined(parts, tag("p.dim", said))
 
 
-def _scrolled(values: NDArray[np.float64]) -> str:
+def _scrolled(values: NDArray[np.float64]) -> Markup:
     """Return a matrix, set closer where it has many columns."""
     wide = values.shape[1] > WIDE
-    return f'<div class="scroll{" so-wide" if wide else ""}">{matrix(values, 2 if wide else 3)}</div>'
+    return tag("div.scroll.so-wide" if wide else "div.scroll", matrix(values, 2 if wide else 3))
 
 
 MADE = {"spaces": spaces_markup, "svd": svd_markup, "penrose": penrose_markup}
@@ -185,17 +183,17 @@ class _SelfMotion:
             self._later.cancel()
         self._later = asyncio.get_running_loop().call_later(REST, self._post, BeginAlong())
 
-    def _words(self, state: State, solved: Found, on: bool) -> str:
+    def _words(self, state: State, solved: Found, on: bool) -> Markup | None:
         if not solved.answer.free.shape[1]:
-            return ""
+            return None
         if not on:
             found = "none; these speeds leave the tool in place to first order only." if looked_for(state) else "…"
-            return f'<p class="dim">Self-motion: {found}</p>'
+            return tag("p.dim", f"Self-motion: {found}")
         hint = "Move the arm along and back; the tool stays"
         press = play_button(self._play, state, CLIP_KEY, "self", kind="chip", hint=hint)
         way = begun(state)
         kind = "closed" if way is not None and way[1].closed else "from end to end"
-        return f'<div class="bar">{press}<span class="dim">Self-motion, {kind}: the tool stays.</span></div>'
+        return tag("div.bar", press, tag("span.dim", f"Self-motion, {kind}: the tool stays."))
 
 
 def around(state: State) -> Points:

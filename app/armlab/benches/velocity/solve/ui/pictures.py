@@ -9,20 +9,25 @@ from numpy.typing import NDArray
 
 from armlab.benches.velocity.solve.pictures import Flat, NormCurve, Square
 from armlab.benches.velocity.solve.state import Solve
+from armlab.benches.velocity.solve.ui.torus import HINT
 from armlab.benches.velocity.solve.ui.words import dotted, speed_text
 from armlab.kin.arm import Arm
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui import svg
+from armlab.ui.form import Marks
 from armlab.ui.format import number, trimmed
+from armlab.ui.html import Inside, Markup, classes, joined, styles, tag
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
 
 WIDE, HIGH = 296, 216
-"""Of a drawing, pixels."""
+"""Width and height of a drawing, pixels."""
 
 SIDE = 250
-"""Of the square."""
+"""Side of the square, pixels."""
 
 FARTHEST = 8.0
 """The two lines are shown to so many times their distance from the origin at most."""
@@ -50,7 +55,7 @@ def nice(value: float) -> float:
 # -- two lines -------------------------------------------------------------------------------------------------------
 
 
-def lines_svg(state: State, found: Flat, units: Units) -> str:
+def lines_svg(state: State, found: Flat, units: Units) -> Markup:
     """Return the two equations as lines in the plane of the joint speeds, with the shortest answer."""
     arm, pair = state[Joints].arm, state[Solve].pair
     half = _window(found)
@@ -59,36 +64,38 @@ def lines_svg(state: State, found: Flat, units: Units) -> str:
     def at(point: Array) -> tuple[float, float]:
         return 0.5 * WIDE + scale * float(point[0]), 0.5 * HIGH - scale * float(point[1])
 
-    parts = [
-        f'<line class="axis" x1="0" y1="{HIGH / 2}" x2="{WIDE}" y2="{HIGH / 2}"/>',
-        f'<line class="axis" x1="{WIDE / 2}" y1="0" x2="{WIDE / 2}" y2="{HIGH}"/>',
-    ]
+    middle = WIDE / 2, HIGH / 2
+    parts = [svg.line("axis", 0, HIGH / 2, WIDE, HIGH / 2), svg.line("axis", WIDE / 2, 0, WIDE / 2, HIGH)]
     for k in (0, 1):
-        ends = _line(found.J[k], float(found.v[k]), half)
-        if ends is None:
-            continue
-        (x1, y1), (x2, y2) = at(ends[0]), at(ends[1])
-        parts.append(f'<line class="row{k + 1}" x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"/>')
+        ends = _ends(found.J[k], float(found.v[k]), half)
+        if ends is not None:
+            parts.append(svg.line(f"row{k + 1}", *at(ends[0]), *at(ends[1])))
     x, y = at(found.answer.qdot)
     shown = "answer" if found.answer.verdict != "none" else "nearest"
-    parts.append(f'<line class="shortest" x1="{WIDE / 2}" y1="{HIGH / 2}" x2="{x:.1f}" y2="{y:.1f}"/>')
-    parts.append(f'<circle class="{shown}" cx="{x:.1f}" cy="{y:.1f}" r="5"/>')
     first, second = (dotted(k, arm, units) for k in pair)
-    parts.append(f'<text x="{WIDE - 4}" y="{HIGH / 2 - 5}" text-anchor="end">{first}</text>')
-    parts.append(f'<text x="{WIDE / 2 + 6}" y="12">{second}</text>')
-    parts.append(_scale_mark(half, scale, state, units))
-    return _drawing("so-lines", WIDE, HIGH, "".join(parts), "The two equations of J q̇ = v as lines")
+    return svg.drawing(
+        "so-lines",
+        WIDE,
+        HIGH,
+        "The two equations of J q̇ = v as lines",
+        parts,
+        svg.line("shortest", *middle, x, y),
+        svg.circle(shown, x, y, 5),
+        svg.text("", WIDE - 4, HIGH / 2 - 5, first, "end"),
+        svg.text("", WIDE / 2 + 6, 12, second),
+        _scale_mark(half, scale, state, units),
+    )
 
 
 def _window(found: Flat) -> float:
-    """Return half the height of the picture in joint speeds, of a series so that it does not creep."""
+    """Return half the height of the picture in joint speeds, a round number so that it seldom changes."""
     sizes = np.linalg.norm(found.J, axis=1)
     far = max((abs(float(v)) / float(s) for v, s in zip(found.v, sizes, strict=True) if s > 1e-12), default=0.0)
     wanted = 1.35 * float(np.abs(found.answer.qdot).max(initial=0.0))
     return nice(min(max(wanted, 1.35 * far, 1e-3), max(FARTHEST * far, 1e-3)) or 1.0)
 
 
-def _line(row: Array, value: float, half: float) -> Array | None:
+def _ends(row: Array, value: float, half: float) -> Array | None:
     """Return two points of the line row . qdot = value, far outside of the picture; None where it is no line."""
     size = float(np.linalg.norm(row))
     if size < 1e-12:
@@ -97,7 +104,7 @@ def _line(row: Array, value: float, half: float) -> Array | None:
     return np.array([foot - 4.0 * half * way, foot + 4.0 * half * way])
 
 
-def _scale_mark(half: float, scale: float, state: State, units: Units) -> str:
+def _scale_mark(half: float, scale: float, state: State, units: Units) -> Markup:
     """Return a bar of a round length with its size."""
     arm, pair = state[Joints].arm, state[Solve].pair
     kind = bool(arm.revolute[pair[0]])
@@ -106,44 +113,46 @@ def _scale_mark(half: float, scale: float, state: State, units: Units) -> str:
         text = f"{trimmed(length, 3)} rad/s, m/s"
     else:
         text = f"{trimmed(length / units.factor(kind), 3)} {units.unit(kind)}/s"
-    y, end = HIGH - 8, 6 + length * scale
-    return f'<line class="rule" x1="6" y1="{y}" x2="{end:.1f}" y2="{y}"/><text x="6" y="{y - 5}">{text}</text>'
+    y = HIGH - 8
+    return joined(svg.line("rule", 6, y, 6 + length * scale, y), svg.text("", 6, y - 5, text))
 
 
-def lines_words(state: State, found: Flat, units: Units) -> str:
-    """Return what the two lines do."""
+def lines_words(state: State, found: Flat, units: Units) -> Markup:
+    """Return both equations, and whether their lines meet or are parallel."""
     arm, pair = state[Joints].arm, state[Solve].pair
     sizes = np.linalg.norm(found.J, axis=1)
-    names = [f"v<sub>{letter}</sub>" for letter in found.letters]
-    equations = "".join(
-        f'<div><i class="row{k + 1}"></i>{_equation(found.J[k], float(found.v[k]), names[k], pair, arm, units)}</div>'
+    names = [with_indices(f"v_{letter}") for letter in found.letters]
+    lines = [
+        tag("div", tag(f"i.row{k + 1}"), _equation(found.J[k], float(found.v[k]), names[k], pair, arm, units))
         for k in (0, 1)
-    )
+    ]
+    equations = tag("div.so-equations", lines)
     answer = found.answer
     qdot = ", ".join(
         speed_text(float(value), bool(arm.revolute[k]), units) for value, k in zip(answer.qdot, pair, strict=True)
     )
+    said: Inside
     if float(sizes.min()) <= PARALLEL * max(float(sizes.max()), 1e-300):
         zero = names[int(np.argmin(sizes))]
-        said = f"The row of {zero} is zero: it is no line, and holds for {zero} = 0 alone. "
+        said = "The row of ", zero, " is zero: it is no line, and holds for ", zero, " = 0 alone. "
     elif answer.verdict == "one":
-        return f'<div class="so-equations">{equations}</div><p>The lines meet in one point: q̇ = ({qdot}).</p>'
+        return joined(equations, tag("p", f"The lines meet in one point: q̇ = ({qdot})."))
     else:
         said = "The lines are parallel: det J = 0. "
     if answer.verdict == "many":
-        said += f"Every point of the one line is an answer; the shortest is nearest to the origin: ({qdot})."
+        shortest = f"Every point of the one line is an answer; the shortest is nearest to the origin: ({qdot})."
     else:
-        said += f"No point is on both; of those that come nearest the shortest is ({qdot})."
-    return f'<div class="so-equations">{equations}</div><p>{said}</p>'
+        shortest = f"No point is on both; of those that come nearest the shortest is ({qdot})."
+    return joined(equations, tag("p", said, shortest))
 
 
-def _equation(row: Array, value: float, name: str, pair: tuple[int, int], arm: Arm, units: Units) -> str:
+def _equation(row: Array, value: float, name: Markup, pair: tuple[int, int], arm: Arm, units: Units) -> Inside:
     terms = ""
     for k, factor in zip(pair, row.tolist(), strict=True):
         minus = round(factor, 3) < 0.0
         sign = (" − " if minus else " + ") if terms else "−" if minus else ""
         terms += f"{sign}{number(abs(factor), 3)} {dotted(k, arm, units)}"
-    return f"{terms} = {number(value, 3)} <small>({name}; m, rad, s)</small>"
+    return f"{terms} = {number(value, 3)} ", tag("small", "(", name, "; m, rad, s)")
 
 
 # -- norm against det J ----------------------------------------------------------------------------------------------
@@ -167,35 +176,34 @@ def _path(x: Array, y: Array) -> str:
     )
 
 
-def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> str:
+def norm_svg(curve: NormCurve, here: tuple[float, float], units: Units) -> Markup:
     """Return the size of the joint speeds over det J; ``here`` is the place of the arm."""
     most = float(np.abs(curve.determinant).max()) or 1.0
     finite = curve.norm[np.isfinite(curve.norm) & (curve.norm > 0.0)]
     top = units.factor(True) * nice(HIGHEST * float(finite.min()) / units.factor(True)) if len(finite) else 1.0
     height = 130.0
-    path = _path(*at_all(curve, most, top, height))
-    base = height - 14.0
+    base, below = height - 14.0, height - 3.0
     parts = [
-        f'<line class="axis" x1="0" y1="{base:.1f}" x2="{WIDE}" y2="{base:.1f}"/>',
-        f'<line class="zero" x1="{WIDE / 2}" y1="4" x2="{WIDE / 2}" y2="{base:.1f}"/>',
-        f'<path class="curve" d="{path}"/>',
+        svg.line("axis", 0, base, WIDE, base),
+        svg.line("zero", WIDE / 2, 4, WIDE / 2, base),
+        svg.path("curve", _path(*at_all(curve, most, top, height))),
     ]
     if math.isfinite(here[1]):
         x, y = 0.5 * WIDE + 0.47 * WIDE * here[0] / most, base - (height - 22.0) * min(here[1] / top, 1.02)
-        parts.append(f'<circle class="answer" cx="{x:.1f}" cy="{y:.1f}" r="4.5"/>')
+        parts.append(svg.circle("answer", x, y, 4.5))
     parts += [
-        f'<text x="{WIDE - 3}" y="{height - 3}" text-anchor="end">det J: {trimmed(most, 3)} m²</text>',
-        f'<text x="3" y="{height - 3}">−{trimmed(most, 3)}</text>',
-        f'<text x="{WIDE / 2}" y="{height - 3}" text-anchor="middle">0</text>',
-        f'<text x="3" y="12">{speed_text(top, True, units)}</text>',
+        svg.text("", WIDE - 3, below, f"det J: {trimmed(most, 3)} m²", "end"),
+        svg.text("", 3, below, f"−{trimmed(most, 3)}"),
+        svg.text("", WIDE / 2, below, "0", "middle"),
+        svg.text("", 3, 12, speed_text(top, True, units)),
     ]
-    return _drawing("so-norm", WIDE, height, "".join(parts), "Size of the joint speeds against det J")
+    return svg.drawing("so-norm", WIDE, height, "Size of the joint speeds against det J", parts)
 
 
 # -- the square ------------------------------------------------------------------------------------------------------
 
 
-def square_markup(place: str, state: State, found: Square, units: Units) -> str:
+def square_markup(place: Marks, state: State, found: Square, units: Units) -> Markup:
     """Return the square of the two joint values with the singular set; `place` of a form makes it be pressed."""
     arm, pair = state[Joints].arm, state[Solve].pair
     span = found.high - found.low
@@ -209,20 +217,14 @@ def square_markup(place: str, state: State, found: Square, units: Units) -> str:
         for part in (0.0, 0.5, 1.0):
             value = (found.low[side] + part * span[side]) / units.factor(turns)
             text = number(value, 0 if units.in_degrees or not turns else 2)
-            ticks.append(f'<i class="{"up" if side else ""}" style="--at:{100.0 * part:.0f}%">{text}</i>')
+            ticks.append(tag(classes("i", up=side == 1), text, style=f"--at:{100.0 * part:.0f}%"))
     names = [f"{units.variable(k, bool(arm.revolute[k]))}, {units.unit(bool(arm.revolute[k]))}" for k in pair]
-    hint = "Press where the two joints are to go"
-    drawing = f'<path class="singular" d="{pieces}"/>'
-    return (
-        f'<div class="so-square"><span class="up">{names[1]}</span>'
-        f'<div class="so-map" {place} title="{hint}">'
-        f"{_drawing('so-torus', SIDE, SIDE, drawing, 'Where det J is zero')}{''.join(ticks)}"
-        '<b class="so-way"></b><b class="so-here"></b></div>'
-        f"<span>{names[0]}</span></div>"
-    )
+    seen = svg.drawing("so-torus", SIDE, SIDE, "Where det J is zero", svg.path("singular", pieces))
+    plane = tag("div.so-map", seen, ticks, tag("b.so-way"), tag("b.so-here"), title=HINT, **place)
+    return tag("div.so-square", tag("span.up", names[1]), plane, tag("span", names[0]))
 
 
-def marks_style(state: State, found: Square, answer: Flat) -> str:
+def marks_style(state: State, found: Square, answer: Flat) -> Markup:
     """Return where the arm is in the square, and its velocity there, for the style sheet."""
     pair = list(state[Solve].pair)
     span = found.high - found.low
@@ -233,11 +235,4 @@ def marks_style(state: State, found: Square, answer: Flat) -> str:
     across, up = (SIDE * answer.answer.qdot / span).tolist()
     length, turn = min(math.hypot(across, up), LONGEST * SIDE), math.degrees(math.atan2(up, across))
     seen = "block" if length > SHORTEST else "none"
-    return (
-        f"<style>.al .so-map{{--x:{x:.2f}%;--y:{y:.2f}%;--len:{length:.1f}px;--turn:{-turn:.2f}deg;"
-        f"--way:{seen}}}</style>"
-    )
-
-
-def _drawing(kind: str, wide: float, high: float, inside: str, label: str) -> str:
-    return f'<svg class="{kind}" viewBox="0 0 {wide:g} {high:g}" role="img" aria-label="{label}">{inside}</svg>'
+    return styles([f".al .so-map{{--x:{x:.2f}%;--y:{y:.2f}%;--len:{length:.1f}px;--turn:{-turn:.2f}deg;--way:{seen}}}"])

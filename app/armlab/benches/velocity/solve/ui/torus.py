@@ -12,22 +12,27 @@ from armlab.benches.velocity.solve.pictures import Flat, Square
 from armlab.benches.velocity.solve.state import Solve
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
+from armlab.ui import svg
+from armlab.ui.form import Marks
+from armlab.ui.html import Markup, styles, tag
 
 Array = NDArray[np.float64]
 
+HINT = "Press where the two joints are to go"
+
 WIDE, HIGH = 284, 208
-"""Of the drawing, pixels."""
+"""Width and height of the drawing, pixels."""
 
 LARGE, SMALL = 1.0, 0.45
 """Radii: the first angle goes around the large circle, the second around the small one, from the outer edge upwards."""
 
 TILT = math.radians(38.0)
-"""From which height it is seen."""
+"""Angle above the plane of the large circle from which it is seen."""
 
 SCALE = 0.5 * (WIDE - 12) / (LARGE + SMALL)
 
 MERIDIANS, PARALLELS, PIECES = 24, 12, 72
-"""Circles either way, and pieces of each."""
+"""Number of circles either way, and of straight pieces of each."""
 
 NEAR, TOGETHER = 12.0, 4.0
 """Pixels from a press within which the torus is looked for, and from the nearest within which the front counts."""
@@ -75,22 +80,23 @@ def _mesh() -> tuple[str, str]:
     return path(lines, True), path(lines, False)
 
 
-def torus_markup(place: str, found: Square) -> str:
+def torus_markup(place: Marks, found: Square) -> Markup:
     """Return the torus with the singular set; `place` of a form makes it be pressed."""
     front, behind = _mesh()
-    inside = (
-        f'<path class="behind" d="{behind}"/><path class="mesh" d="{front}"/>'
-        f'<path class="singular far" d="{path(found.singular, False)}"/>'
-        f'<path class="singular" d="{path(found.singular, True)}"/>'
+    seen = svg.drawing(
+        "",
+        WIDE,
+        HIGH,
+        "The torus of both joint angles",
+        svg.path("behind", behind),
+        svg.path("mesh", front),
+        svg.path("singular.far", path(found.singular, False)),
+        svg.path("singular", path(found.singular, True)),
     )
-    return (
-        f'<div class="so-ring" {place} title="Press where the two joints are to go">'
-        f'<svg viewBox="0 0 {WIDE} {HIGH}" role="img" aria-label="The torus of both joint angles">{inside}</svg>'
-        '<b class="so-way"></b><b class="so-here"></b></div>'
-    )
+    return tag("div.so-ring", seen, tag("b.so-way"), tag("b.so-here"), title=HINT, **place)
 
 
-def torus_style(state: State, answer: Flat) -> str:
+def torus_style(state: State, answer: Flat) -> Markup:
     """Return where the arm is on the torus, and its velocity there, for the style sheet."""
     q = np.array(state[Joints].q[list(state[Solve].pair)])
     (x, y), seen = projected(q)
@@ -99,9 +105,11 @@ def torus_style(state: State, answer: Flat) -> str:
     across, down = ((ahead - (x, y)) / 1e-4).tolist()
     length, turn = min(math.hypot(across, down), LONGEST), math.degrees(math.atan2(down, across))
     way = "block" if length > SHORTEST else "none"
-    return (
-        f"<style>.al .so-ring{{--x:{100.0 * x / WIDE:.2f}%;--y:{100.0 * (1.0 - y / HIGH):.2f}%;--len:{length:.1f}px;"
-        f"--turn:{turn:.2f}deg;--way:{way};--fade:{1.0 if seen else 0.45:g}}}</style>"
+    return styles(
+        [
+            f".al .so-ring{{--x:{100.0 * x / WIDE:.2f}%;--y:{100.0 * (1.0 - y / HIGH):.2f}%;--len:{length:.1f}px;"
+            f"--turn:{turn:.2f}deg;--way:{way};--fade:{1.0 if seen else 0.45:g}}}"
+        ]
     )
 
 

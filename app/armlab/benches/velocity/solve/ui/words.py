@@ -11,8 +11,10 @@ from armlab.kin.ellipsoid import RANK_TOLERANCE
 from armlab.kin.task import Task
 from armlab.kin.velocity.answer import full_rank_inverse
 from armlab.ui.colours import BLUE, GREEN, VERDICT, css, joint_colour
-from armlab.ui.format import dot, escaped, mathml, number, pairs, scientific, trimmed
-from armlab.ui.markup import SIGNS
+from armlab.ui.format import dot, mathml, number, pairs, scientific, trimmed
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import verdict_box
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units
 
 Array = NDArray[np.float64]
@@ -21,13 +23,13 @@ NEAR = 0.02
 """Smallest singular value over the largest below which a configuration is called nearly singular."""
 
 MOST_LISTED = 8
-"""Minors and null vectors that are written out."""
+"""Most minors, or null vectors, that are written out."""
 
 OVER = 1.0 + 1e-9
-"""Of its limit, above which a joint speed is marked."""
+"""Part of its limit above which a joint speed is marked."""
 
 PENROSE = (r"J J^\# J-J", r"J^\# J J^\#-J^\#", r"(J J^\#)^T-J J^\#", r"(J^\# J)^T-J^\# J")
-"""The four conditions: what is 0 of a pseudo-inverse."""
+"""The four conditions: each of these is 0 for a pseudo-inverse."""
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -44,9 +46,9 @@ def components(task: Task) -> list[tuple[str, bool]]:
     return moving + [(name, True) for name in turning]
 
 
-def markup_of(name: str) -> str:
+def markup_of(name: str) -> Inside:
     """Return a component's name with its index lowered."""
-    return f"{name[0]}<sub>{name[1:]}</sub>" if name[0] in "vω" else name
+    return (name[0], tag("sub", name[1:])) if name[0] in "vω" else name
 
 
 def speed_text(value: float, turning: bool, units: Units) -> str:
@@ -92,31 +94,26 @@ def _why_none(found: Found, units: Units) -> str:
     return f"{first} {' and '.join(lost)} of it {'is' if len(lost) == 1 else 'are'} lost; the rest is reached."
 
 
-def card(kind: str, head: str, body: str) -> str:
-    """Return a verdict."""
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {escaped(head)}</b>{escaped(body)}</div>'
-
-
 # -- joint speeds ----------------------------------------------------------------------------------------------------
 
 
-def speeds_markup(found: Found, units: Units) -> str:
+def speeds_markup(found: Found, units: Units) -> Markup:
     """Return the shortest joint speeds as bars, and their size."""
     arm, qdot = found.arm, found.answer.qdot
     scale = np.where(np.isfinite(arm.speed_limits), arm.speed_limits, np.abs(qdot).max() or 1.0)
     over = np.abs(qdot) > OVER * arm.speed_limits
     bars = []
     for i in range(arm.n):
-        turns = bool(arm.revolute[i])
-        mark = ' class="no" title="Faster than the joint can"' if over[i] else ""
-        bars.append(
-            f"<span>{dot(css(joint_colour(i)))}{dotted(i, arm, units)}</span>{_bar(float(qdot[i] / scale[i]), i)}"
-            f"<b{mark}>{speed_text(float(qdot[i]), turns, units)}</b>"
-        )
+        name = tag("span", dot(css(joint_colour(i))), dotted(i, arm, units))
+        kind, hint = ("b.no", "Faster than the joint can") if over[i] else ("b", None)
+        speed = tag(kind, speed_text(float(qdot[i]), bool(arm.revolute[i]), units), title=hint)
+        bars.append((name, _bar(float(qdot[i] / scale[i]), i), speed))
     limits = "Bars: parts of the speed limits." if np.isfinite(arm.speed_limits).any() else ""
-    return (
-        "<h3>q̇ = J<sup>#</sup>v <small>the shortest that comes nearest (5.123, 5.128)</small></h3>"
-        f'<div class="so-bars">{"".join(bars)}</div><p class="dim">{_size(found, units)} {limits}</p>'
+    aside = tag("small", "the shortest that comes nearest (5.123, 5.128)")
+    return joined(
+        tag("h3", "q̇ = J", tag("sup", "#"), "v ", aside),
+        tag("div.so-bars", bars),
+        tag("p.dim", f"{_size(found, units)} {limits}"),
     )
 
 
@@ -129,97 +126,90 @@ def _size(found: Found, units: Units) -> str:
     return f"‖q̇‖ = {trimmed(float(np.linalg.norm(qdot / found.spaces.speeds)), 3)}, each speed in parts of its limit."
 
 
-def _bar(part: float, i: int) -> str:
+def _bar(part: float, i: int) -> Markup:
     """Return a bar from the middle, of a part from -1 to 1."""
     share = 50.0 * min(max(part, -1.0), 1.0)
     left = 50.0 + min(share, 0.0)
-    return f'<u style="--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{css(joint_colour(i))}"></u>'
+    return tag("u", style=f"--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{css(joint_colour(i))}")
 
 
-def null_markup(found: Found, units: Units) -> str:
+def null_markup(found: Found, units: Units) -> Markup | None:
     """Return the null space as bars; nothing where there is none."""
     null = found.answer.free
     k = null.shape[1]
     if k == 0:
-        return ""
+        return None
     arm = found.arm
     columns = []
     for column in null.T[:MOST_LISTED]:
         largest = column[int(np.argmax(np.abs(column) > np.abs(column).max() - 1e-9))]
         parts = column / largest
-        bars = "".join(
-            f"<span>{dotted(i, arm, units)}</span>{_bar(float(parts[i]), i)}<b>{number(float(parts[i]), 3)}</b>"
+        bars = [
+            (tag("span", dotted(i, arm, units)), _bar(float(parts[i]), i), tag("b", number(float(parts[i]), 3)))
             for i in range(arm.n)
-        )
-        columns.append(f'<div class="so-bars so-null">{bars}</div>')
+        ]
+        columns.append(tag("div.so-bars.so-null", bars))
     what = "one direction" if k == 1 else f"{k} directions"
-    mixed = "" if arm.revolute.all() or not arm.revolute.any() else " In rad/s and m/s."
-    return (
-        f"<h3>Null space N(J) <small>{what}; J q̇ = 0</small></h3>"
-        f'{"".join(columns)}<p class="dim">Times any factor, added to q̇: the tool moves the same (5.132–5.138).'
-        f"{mixed}</p>"
+    mixed = " In rad/s and m/s." if _mixed_joints(found) else ""
+    return joined(
+        tag("h3", "Null space N(J) ", tag("small", f"{what}; J q̇ = 0")),
+        columns,
+        tag("p.dim", f"Times any factor, added to q̇: the tool moves the same (5.132–5.138).{mixed}"),
     )
 
 
-def reached_markup(found: Found, units: Units) -> str:
+def reached_markup(found: Found, units: Units) -> Markup:
     """Return v, what is reached and what is lost, component by component."""
     names = components(found.arm.task)
     answer = found.answer
     rows = []
     for k, (name, turning) in enumerate(names):
-        cells = "".join(
-            f"<td>{units.text(float(values[k]), turning)}</td>" for values in (found.v, answer.reached, answer.lost)
-        )
-        rows.append(f"<tr><th>{markup_of(name)}</th>{cells}<td>{units.unit(turning)}/s</td></tr>")
-    head = "<tr><th></th><th>v</th><th>reached</th><th>lost</th><th></th></tr>"
-    return f'<table class="so-table">{head}{"".join(rows)}</table>'
+        cells = [units.text(float(values[k]), turning) for values in (found.v, answer.reached, answer.lost)]
+        rows.append(line(*cells, f"{units.unit(turning)}/s", name=markup_of(name)))
+    return tag("table.so-table", head_line(None, "v", "reached", "lost", None), rows)
 
 
 # -- singular or not -------------------------------------------------------------------------------------------------
 
 
-def singular_card(found: Found) -> str:
+def singular_card(found: Found) -> Markup:
     """Return whether J is singular here, and why."""
     sigma, usual = found.spaces.sigma, found.usual
     ratio = float(sigma[usual - 1] / sigma[0]) if usual else 0.0
     if found.singular:
-        texts = "".join(f"<p>{escaped(each.says)}</p>" for each in found.reasons)
-        head = f"{SIGNS['no']} Singular: rank {found.spaces.rank}, usually {usual}"
-        return f'<div class="verdict no"><b>{head}</b>{texts}</div>'
+        head = f"Singular: rank {found.spaces.rank}, usually {usual}"
+        return verdict_box("no", head, [tag("p", each.says) for each in found.reasons])
     if ratio < NEAR:
-        return card(
-            "warn",
-            "Nearly singular",
-            f"smallest σ : largest σ = {scientific(ratio) if ratio < 1e-3 else number(ratio, 4)}.",
-        )
-    return card("ok", f"Regular: rank {usual}", f"smallest σ : largest σ = {number(ratio, 3)}.")
+        small_ratio = scientific(ratio) if ratio < 1e-3 else number(ratio, 4)
+        return verdict_box("warn", "Nearly singular", f"smallest σ : largest σ = {small_ratio}.")
+    return verdict_box("ok", f"Regular: rank {usual}", f"smallest σ : largest σ = {number(ratio, 3)}.")
 
 
-def measures_markup(found: Found) -> str:
+def measures_markup(found: Found) -> Markup:
     """Return the determinants, the minors and the smallest singular value."""
     tests, (m, n) = found.tests, found.J.shape
-    rows = []
+    rows: list[tuple[Markup, str]] = []
     formula = found.formula
     if tests.determinant is not None:
         rows.append((mathml(r"\det J"), _value(tests.determinant, found, 1)))
     if m != n:
         rows.append(_product(found))
     rows.append((mathml(r"\sigma_{min}"), _sigma(found)))
-    return _formula(found) + pairs(rows) + _minors(found, formula is not None) + _scaling(found)
+    return joined(_formula(found), pairs(rows), _minors(found, formula is not None), _scaling(found))
 
 
-def _formula(found: Found) -> str:
+def _formula(found: Found) -> Markup | None:
     formula = found.formula
     if formula is None or not formula.square:
-        return ""
+        return None
     # A factor a formula, so that a long product goes on in the next line.
     first, *rest = formula.minors[0].latex.split(r"\,\left(")
     parts = [rf"\det J={first}", *(rf"\left({factor}" for factor in rest)]
-    written = " ".join(mathml(part) for part in parts)
-    return f'<div class="eq small so-det" title="Notes 5.84-5.91; the same in any axes">{written}</div>'
+    written = joined(map(mathml, parts), between=" ")
+    return tag("div.eq.small.so-det", written, title="Notes 5.84-5.91; the same in any axes")
 
 
-def _product(found: Found) -> tuple[str, str]:
+def _product(found: Found) -> tuple[Markup, str]:
     """Return the name and the value of det(J J^T) or det(J^T J).
 
     It adds squares of minors. Where these have several units, it is that of the scaled matrix.
@@ -271,27 +261,24 @@ def _sigma(found: Found) -> str:
     return f"{'0' if found.spaces.rank < len(found.spaces.sigma) else small(sigma)}{_unit_of_sigma(found)}"
 
 
-def _minors(found: Found, symbolic: bool) -> str:
+def _minors(found: Found, symbolic: bool) -> Markup | None:
     """Return the minors of a matrix that is not square (5.92-5.98)."""
     tests, (m, n) = found.tests, found.J.shape
     if m == n or not tests.minors:
-        return ""
+        return None
     what = "columns" if m < n else "rows"
     largest = sorted(tests.minors, key=lambda minor: -abs(minor.value))[:MOST_LISTED]
     shown = largest if tests.count > MOST_LISTED else list(tests.minors)
     formulas = {}
     if symbolic and m < n and found.formula is not None:
         formulas = {minor.joints: mathml(minor.latex) for minor in found.formula.minors}
-    lines = "".join(
-        f"<tr><th>{', '.join(map(str, minor.chosen))}</th><td>{formulas.get(minor.chosen, '')}</td>"
-        f"<td>{small(minor.value)}{_power(_metres(found, minor.chosen))}</td></tr>"
-        for minor in shown
-    )
+    lines = []
+    for minor in shown:
+        name, value = ", ".join(map(str, minor.chosen)), f"{small(minor.value)}{_power(_metres(found, minor.chosen))}"
+        lines.append(line(formulas.get(minor.chosen), value, name=name))
     more = f", the {MOST_LISTED} largest" if tests.count > MOST_LISTED else ""
-    return (
-        f"<h3>Minors <small>{tests.count} choices of {what}{more}; singular where all are 0 (5.92–5.98)</small></h3>"
-        f'<table class="so-table so-minors">{lines}</table>'
-    )
+    aside = f"{tests.count} choices of {what}{more}; singular where all are 0 (5.92–5.98)"
+    return joined(tag("h3", "Minors ", tag("small", aside)), tag("table.so-table.so-minors", lines))
 
 
 def _metres(found: Found, chosen: tuple[int, ...]) -> int:
@@ -302,7 +289,7 @@ def _metres(found: Found, chosen: tuple[int, ...]) -> int:
     return rows - int(np.sum(~found.arm.revolute[columns]))
 
 
-def _scaling(found: Found) -> str:
+def _scaling(found: Found) -> Markup:
     """Return what the rank and the singular values rest on."""
     spaces, arm = found.spaces, found.arm
     said = [f"σ counts as 0 below {scientific(RANK_TOLERANCE, 0)} σ₁."]
@@ -312,13 +299,13 @@ def _scaling(found: Found) -> str:
         said.append("Joint speeds are in parts of their limits.")
     if found.J.shape[0] == found.J.shape[1]:
         said.append("How small det J is says little: it changes with the unit of length; the ratio of σ does not.")
-    return f'<p class="dim">{" ".join(said)}</p>'
+    return tag("p.dim", " ".join(said))
 
 
 # -- U, Sigma, V and Penrose -----------------------------------------------------------------------------------------
 
 
-def penrose_markup(found: Found) -> str:
+def penrose_markup(found: Found) -> Markup:
     """Return the residuals of the four conditions, and of the formula of full rank where it holds."""
     J, plain = (r"\bar{J}", "J̄") if found.is_scaled else ("J", "J")
     names = [name.replace("J", J) for name in PENROSE]
@@ -335,10 +322,10 @@ def penrose_markup(found: Found) -> str:
         said += " J̄ is J with metres and joint speeds scaled as said above."
     residuals = [scientific(value, 1) if value > 1e-16 else "0" for value in differences]
     rows = list(zip(map(mathml, names), residuals, strict=True))
-    return f'{pairs(rows)}<p class="dim">Largest entries (definition 10). {said}</p>'
+    return joined(pairs(rows), tag("p.dim", f"Largest entries (definition 10). {said}"))
 
 
-def legend() -> str:
+def legend() -> Markup:
     """Return what the colours of the arrows mean."""
     marks = ((BLUE, "wanted v"), (GREEN, "reached"), (VERDICT["no"], "lost"))
-    return f'<div class="legend">{"".join(f"<span>{dot(css(colour))}{name}</span>" for colour, name in marks)}</div>'
+    return tag("div.legend", [tag("span", dot(css(colour)), name) for colour, name in marks])

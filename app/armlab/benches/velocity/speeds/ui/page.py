@@ -37,6 +37,7 @@ from armlab.session.state import Command, Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.matrices import MatrixView
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Points, Show
@@ -45,7 +46,7 @@ from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
 MARGIN = 1.2
-"""Of an arrow with its label, in lengths of the arrow."""
+"""Length of an arrow with its label, in lengths of the arrow."""
 
 AXES = {"world": "world", "base": "base", "tool": "tool"}
 
@@ -78,8 +79,8 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         axes.show(axes_markup(axes, state))
         decimals = 3 if moving.J.shape[1] <= MOST_WIDE else 2
         matrix.show(state, _title(state), moving.matrix, decimals, None, columns_of(state), ROWS)
-        words.show(f'<p class="dim ve-said">{in_words(state, moving)}</p>')
-        total.show(sum_markup(state) + size_markup(state))
+        words.show(tag("p.dim.ve-said", in_words(state, moving)))
+        total.show(sum_markup(state), size_markup(state))
         points.show(folded_markup("points", "Two points of a link", points, state, points_markup))
         higher.show(
             folded_markup("higher", "Acceleration and jerk", higher, state, lambda _, state: higher_markup(state))
@@ -88,19 +89,17 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def head_markup(form: Form, state: State) -> str:
+def head_markup(form: Form, state: State) -> Markup:
     """Return the examples, what plays, and what is drawn."""
     chooser = examples(form, EXAMPLES, state[Velocity].example, ChooseVelocityExample)
-    both = form.chip("all", "all", SetAllSpeeds(True), "Each with its usual speed")
-    both += form.chip("none", "none", SetAllSpeeds(False), "q̇ = 0")
+    every = form.chip("all", "all", SetAllSpeeds(True), "Each with its usual speed")
+    none = form.chip("none", "none", SetAllSpeeds(False), "q̇ = 0")
     hint = "Move the joints with these speeds, until one is at a limit"
     play = play_button(form, state, CLIP_KEY, "speeds", "Drive", hint=hint)
     last = first_at_limit(state)
     told = "All joints stand still." if last is None else _until(last, time_left(state))
-    return (
-        f'{chooser}<h3>Joint speeds<span class="copies">{both}</span></h3>'
-        f'<div class="bar">{play}<span class="dim">{told}</span></div>'
-    )
+    title = tag("h3", "Joint speeds", tag("span.copies", every, none))
+    return joined(chooser, title, tag("div.bar", play, tag("span.dim", told)))
 
 
 def _until(joint: int, seconds: float) -> str:
@@ -110,45 +109,46 @@ def _until(joint: int, seconds: float) -> str:
     return f"Joint {joint + 1} at its limit in {number(seconds, 1)} s."
 
 
-def below_markup(form: Form, state: State) -> str:
+def below_markup(form: Form, state: State) -> Markup:
     """Return one joint alone, and what is drawn in the scene."""
     part, arm, units = state[Velocity], state[Joints].arm, units_of(state)
     moving = [i for i, speed in enumerate(part.qdot) if speed]
-    alone = "".join(
+    alone = [
         form.chip(f"alone {i}", dotted(arm, i, units), MoveAlone(i), "Move this joint alone", moving == [i])
         for i in range(arm.n)
-    )
-    drawn = "".join(
+    ]
+    drawn = [
         _switch(form, f"mark {name}", text, partial(DrawVelocities, name), hint, name in part.marks)
         for name, (text, hint) in MARKS.items()
-    )
+    ]
     way = "The way of the tool if one joint alone moved"
-    drawn += _switch(form, "swept", "γ", partial(SetSwitch, SWEPT.name), way, SWEPT.on(state))
-    return (
-        f'<div class="bar"><span class="dim">One alone</span>{alone}</div>'
-        f'<div class="bar"><span class="dim">In the scene</span>{drawn}</div>'
-    )
+    swept = _switch(form, "swept", "γ", partial(SetSwitch, SWEPT.name), way, SWEPT.on(state))
+    return joined(_bar("One alone", alone), _bar("In the scene", drawn, swept))
 
 
-def _switch(form: Form, cell: str, text: str, switched: Callable[[bool], Command], hint: str, on: bool) -> str:
+def _bar(name: str, *chips: Inside) -> Markup:
+    return tag("div.bar", tag("span.dim", name), chips)
+
+
+def _switch(form: Form, cell: str, text: str, switched: Callable[[bool], Command], hint: str, on: bool) -> Markup:
     return form.chip(f"{cell} {'off' if on else 'on'}", text, switched(not on), hint, on)
 
 
-def axes_markup(form: Form, state: State) -> str:
+def axes_markup(form: Form, state: State) -> Markup:
     """Return the choice of the axes of J."""
     chosen = form.chips(
         "axes", AXES, state[Velocity].axes, "In whose axes the rows of J are", partial(Set, Velocity, "axes")
     )
-    return f'<div class="bar"><span class="dim">J in the axes of</span>{chosen}</div>'
+    return _bar("J in the axes of", chosen)
 
 
-def _title(state: State) -> str:
+def _title(state: State) -> Markup:
     frame = FRAMES[state[Velocity].axes]
     units = "m or 1 above, 1 below" if not state[Joints].arm.revolute.all() else "m above, 1 below"
-    return f'<span class="ve-j">{mathml(f"{{}}^{{{frame}}}J(q)")}</span> <small>{units}</small>'
+    return joined(tag("span.ve-j", mathml(f"{{}}^{{{frame}}}J(q)")), " ", tag("small", units))
 
 
-def folded_markup(key: str, title: str, form: Form, state: State, markup: Callable[[Form, State], str]) -> str:
+def folded_markup(key: str, title: str, form: Form, state: State, markup: Callable[[Form, State], Inside]) -> Markup:
     """Return a part of the page that is folded away until it is asked for."""
     open_now = key in state[Velocity].unfolded
     head = form.button(
@@ -158,7 +158,7 @@ def folded_markup(key: str, title: str, form: Form, state: State, markup: Callab
         "ve-fold",
         aria_expanded=str(open_now).lower(),
     )
-    return head + (markup(form, state) if open_now else "")
+    return joined(head, markup(form, state) if open_now else None)
 
 
 def _around(state: State) -> Points:

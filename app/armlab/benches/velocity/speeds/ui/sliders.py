@@ -9,6 +9,7 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Post, State
 from armlab.ui.adapter import gui_id
 from armlab.ui.colours import css, joint_colour
+from armlab.ui.html import Markup, styles
 from armlab.ui.units import Units
 from armlab.ui.widgets import Control, Gui
 
@@ -53,7 +54,7 @@ class SpeedSliders:
             slider.show(self._shown(state, i))
             slider.enable(not state[Joints].locked[i])
 
-    def _colours(self) -> str:
+    def _colours(self) -> Markup:
         """Return the style that gives each slider the colour of its joint, and its label room for the unit."""
         rules = []
         for i, slider in enumerate(self._sliders):
@@ -64,4 +65,4 @@ class SpeedSliders:
                 f"label[for='{key}']::before{{content:'';display:inline-block;width:9px;height:9px;border-radius:50%;"
                 f"margin-right:7px;background:{colour}}}div:has(>p>label[for='{key}']){{width:5.6em!important}}"
             )
-        return f"<style>{''.join(rules)}</style>"
+        return styles(rules)

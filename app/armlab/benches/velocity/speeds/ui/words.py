@@ -13,24 +13,26 @@ from armlab.session.parts.joints import Joints
 from armlab.session.parts.selection import Selection
 from armlab.session.state import State
 from armlab.ui.format import number, subscript
+from armlab.ui.html import Inside, Markup, joined
 from armlab.ui.units import Units, units_of
 
 IN = {"world": "the world", "base": "frame 0", "tool": "the tool"}
 
 
-def in_words(state: State, moving: Moving) -> str:
-    """Return a sentence or two on what is lit."""
+def in_words(state: State, moving: Moving) -> Markup:
+    """Return a sentence or two on what is selected."""
     arm, units, selected = state[Joints].arm, units_of(state), state[Selection].of(MATRIX)
     row, column = selected.row, selected.column
+    said: Inside = None
     if not selected.matrix:
-        return matrix_words(state, moving)
-    if row is None and column is not None:
-        return _column(arm, moving, column, units)
-    if row is not None and column is None:
-        return _row(state, moving, row)
-    if row is not None and column is not None:
-        return _entry(state, moving, row, column)
-    return ""
+        said = matrix_words(state, moving)
+    elif row is None and column is not None:
+        said = _column(arm, moving, column, units)
+    elif row is not None and column is None:
+        said = _row(state, moving, row)
+    elif row is not None and column is not None:
+        said = _entry(state, moving, row, column)
+    return joined(said)
 
 
 def axis_name(arm: Arm, j: int) -> str:
@@ -58,15 +60,18 @@ def _column(arm: Arm, moving: Moving, j: int, units: Units) -> str:
     )
 
 
-def _row(state: State, moving: Moving, i: int) -> str:
+def _row(state: State, moving: Moving, i: int) -> Markup:
     total = float(moving.matrix[i] @ moving.speeds)
     units = units_of(state)
     value = f"{units.text(total, i >= 3)} {units.unit(i >= 3)}/s"
     where = IN[state[Velocity].axes]
     kind = "the tool's speed along" if i < 3 else "its turning about"
-    return (
-        f"Row {i + 1}: how much each joint gives to {ROWS[i]}, {kind} {'xyz'[i % 3]} of {where}; the arrows stand at "
-        f"the joints. With the chosen speeds {ROWS[i]} = {value}."
+    return joined(
+        f"Row {i + 1}: how much each joint gives to ",
+        ROWS[i],
+        f", {kind} {'xyz'[i % 3]} of {where}; the arrows stand at the joints. With the chosen speeds ",
+        ROWS[i],
+        f" = {value}.",
     )
 
 

@@ -30,6 +30,7 @@ from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, readable
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Points, Show
 from armlab.ui.widgets import Gui
@@ -58,25 +59,25 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def head_markup(form: Form, part: Statics) -> str:
+def head_markup(form: Form, part: Statics) -> Markup:
     """Return the choice of an example, of the axes, and the fields of the wrench."""
     chooser = examples(form, EXAMPLES, part.example, ChooseExample)
     hint = "Along which axes the wrench is written; the wrench itself stays"
-    axes = "".join(form.chip(key, title, WriteAlong(key), hint, key == part.axes) for key, title in AXES_TITLES.items())
+    axes = [form.chip(key, title, WriteAlong(key), hint, key == part.axes) for key, title in AXES_TITLES.items()]
     release = form.button("release", "No wrench", ReleaseWrench(), "chip", "Force and moment zero")
-    lines = "".join(_line(form, part, *each) for each in PARTS)
-    drawn = "Drag the tip of the force in the scene, or type."
-    return (
-        f"{chooser}<h3>Wrench at the tool <small>by the robot on the environment</small></h3>"
-        f"{row('Axes', axes + release)}{lines}"
-        f'<p class="dim">{drawn}</p>'
+    return joined(
+        chooser,
+        tag("h3", "Wrench at the tool ", tag("small", "by the robot on the environment")),
+        row("Axes", (axes, release)),
+        [_line(form, part, *each) for each in PARTS],
+        tag("p.dim", "Drag the tip of the force in the scene, or type."),
     )
 
 
-def _line(form: Form, part: Statics, letter: str, kind: str, unit: str) -> str:
+def _line(form: Form, part: Statics, letter: str, kind: str, unit: str) -> Markup:
     """Return the three components of force or moment."""
     values = part.force if kind == "force" else part.moment
-    cells = "".join(
+    cells = [
         form.field(
             f"{kind} {axis}",
             readable(value, 3),
@@ -84,8 +85,8 @@ def _line(form: Form, part: Statics, letter: str, kind: str, unit: str) -> str:
             partial(_component, kind, axis, unit),
         )
         for axis, value in enumerate(values)
-    )
-    return f'<div class="st-wrench"><span>{mathml(letter)}, {unit}</span>{cells}</div>'
+    ]
+    return tag("div.st-wrench", tag("span", mathml(letter), f", {unit}"), cells)
 
 
 def _component(kind: str, axis: int, unit: str, text: str) -> SetComponent:
@@ -98,7 +99,7 @@ def _component(kind: str, axis: int, unit: str, text: str) -> SetComponent:
 
 
 def _around(state: State) -> Points:
-    """Return the ends of the arrows of force and moment, about."""
+    """Return about where the arrows of force and moment end."""
     part, joints = state[Statics], state[Joints]
     tool = np.asarray(joints.tool_pose)
     wrench, reach = part.wrench(tool), SHOWN * 2.0 * joints.arm.length_scale

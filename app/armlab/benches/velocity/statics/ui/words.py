@@ -21,7 +21,9 @@ from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
 from armlab.ui.format import dot, mathml, number, pairs, scientific, subscript, trimmed
-from armlab.ui.markup import SIGNS
+from armlab.ui.html import Inside, Markup, classes, joined, tag
+from armlab.ui.markup import verdict_box
+from armlab.ui.tables import head_line
 from armlab.ui.units import units_of
 
 Array = NDArray[np.float64]
@@ -30,15 +32,15 @@ ALONG = 0.9995
 """Component of a unit vector above which it is called an axis of the world."""
 
 SAME_WORK = 1e-9
-"""Of the larger work: below it both sides are equal but for rounding."""
+"""Difference over the larger work below which both sides are equal but for rounding."""
 
 MILLI = 1e3
 
 LAW, TOOL_WORK, JOINT_WORK = r"\tau=J^TF", r"F^T(J\,\delta q)", r"\tau^T\delta q"
 
 
-def torques_markup(state: State) -> str:
-    """Return the torques with bars, about what the whole wrench can need at most."""
+def torques_markup(state: State) -> Markup:
+    """Return the torques with bars, relative to the most that the whole wrench can need."""
     found, arm = state.derived(balance), state[Joints].arm
     part = state[Statics]
     full = part.full_torque(arm)
@@ -48,29 +50,24 @@ def torques_markup(state: State) -> str:
         unit, whole = ("N m", full) if turns else ("N", part.full_force or full)
         none = abs(value) <= float(found.least[i])
         share = 0.0 if none or not whole else max(-50.0, min(50.0, 50.0 * value / whole))
-        shown = '<b class="zero">0</b>' if none else f"<b>{number(value, _decimals(full))}</b>"
-        left = 50.0 + min(share, 0.0)
-        rows.append(
-            f"<span>{dot(css(joint_colour(i)))}{subscript('τ', i + 1)}</span>"
-            f'<u style="--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{css(joint_colour(i))}"></u>'
-            f"{shown}<i>{unit}</i>"
-        )
-    title = f"<h3>Torques <small>{mathml(LAW)}, notes 5.163</small></h3>"
+        shown = tag("b.zero", "0") if none else tag("b", number(value, _decimals(full)))
+        left, colour = 50.0 + min(share, 0.0), css(joint_colour(i))
+        bar = tag("u", style=f"--left:{left:.1f}%;--width:{abs(share):.1f}%;--c:{colour}")
+        rows.append((tag("span", dot(colour), subscript("τ", i + 1)), bar, shown, tag("i", unit)))
+    title = tag("h3", "Torques ", tag("small", mathml(LAW), ", notes 5.163"))
     scale = f"Full bar and full arc: {trimmed(full, 6)} N m." if full else ""
     if full and not arm.revolute.all():
         scale += f" Sliding joints: {trimmed(part.full_force or full, 6)} N."
-    return f'{title}<div class="st-bars">{"".join(rows)}</div><p class="dim">{scale}</p>'
+    return joined(title, tag("div.st-bars", rows), tag("p.dim", scale))
 
 
 def _decimals(full: float) -> int:
     return 6 if full <= 0.02 else 3 if full <= 20.0 else 2 if full <= 200.0 else 1
 
 
-def verdict_markup(state: State) -> str:
+def verdict_markup(state: State) -> Markup:
     """Return in a card which joint works hardest, or why none works."""
-    found = state.derived(balance)
-    kind, head, body = verdict(found, state[Joints].arm.revolute)
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {head}</b>{body}</div>'
+    return verdict_box(*verdict(state.derived(balance), state[Joints].arm.revolute))
 
 
 def verdict(found: Balance, revolute: NDArray[np.bool_]) -> tuple[str, str, str]:
@@ -96,7 +93,7 @@ def _listed(numbers: list[int]) -> str:
     return f"{', '.join(first)} and {last}" if first else last
 
 
-def work_markup(form: Form, state: State) -> str:
+def work_markup(form: Form, state: State) -> Markup:
     """Return both sides of the virtual work in numbers."""
     found, units, arm = state.derived(work), units_of(state), state[Joints].arm
     dq = state.derived(displacement)
@@ -108,35 +105,31 @@ def work_markup(form: Form, state: State) -> str:
     tool, joints = float(found.tool), float(found.joints)
     apart = abs(tool - joints)
     same = apart <= SAME_WORK * max(abs(tool), abs(joints), 1e-6)
-    rows = [
-        ("tool, " + mathml(TOOL_WORK), f"{number(MILLI * tool, 3)} mJ"),
-        ("joints, " + mathml(JOINT_WORK), f"{number(MILLI * joints, 3)} mJ"),
+    rows: list[tuple[Inside, str]] = [
+        (("tool, ", mathml(TOOL_WORK)), f"{number(MILLI * tool, 3)} mJ"),
+        (("joints, ", mathml(JOINT_WORK)), f"{number(MILLI * joints, 3)} mJ"),
         ("difference", f"{'✓ ' if same else '✕ '}{scientific(MILLI * apart)} mJ"),
     ]
     again = form.button("displacement", "Another δq", DrawDisplacement(), "chip", "Draw another virtual displacement")
-    return (
-        f'<h3>Virtual work <small>notes 5.160</small><span class="copies">{again}</span></h3>'
-        f'<p class="dim">δq = ({moved})</p>{pairs(rows)}'
-    )
+    title = tag("h3", "Virtual work ", tag("small", "notes 5.160"), tag("span.copies", again))
+    return joined(title, tag("p.dim", f"δq = ({moved})"), pairs(rows))
 
 
-def free_markup(state: State) -> str:
+def free_markup(state: State) -> Markup:
     """Return which forces and moments need no torque."""
     found = state.derived(dualities)
     joints = state[Joints]
     force = _directions(free_forces_at(joints.arm, joints.q), "force", "along")
     moment = _directions(found.moment.wrenches, "moment", "about")
-    dashes = '<span class="st-free"></span>' if found.force.wrenches.shape[1] else ""
+    dashes = tag("span.st-free") if found.force.wrenches.shape[1] else None
     count = found.whole.wrenches.shape[1]
     whole = (
         "Every wrench needs torques."
         if count == 0
         else f"Force and moment together: {count} of the 6 dimensions of wrenches need none."
     )
-    return (
-        f"<h3>Without torque <small>{mathml(r'J^TF=0')}</small></h3>"
-        f'<p>{dashes}{force}</p><p>{moment}</p><p class="dim">{whole}</p>'
-    )
+    title = tag("h3", "Without torque ", tag("small", mathml("J^TF=0")))
+    return joined(title, tag("p", dashes, force), tag("p", moment), tag("p.dim", whole))
 
 
 def _directions(free: Array, name: str, word: str) -> str:
@@ -170,25 +163,28 @@ SPACES = (
 """Of the duality table: letters, words, and the columns of `Duality`."""
 
 
-def duality_markup(state: State) -> str:
+def duality_markup(state: State) -> Markup:
     """Return the dimensions of the four subspaces, for whole wrenches, for forces and for moments alone."""
     found, arm = state.derived(dualities), state[Joints].arm
     units = units_of(state)
     parts: tuple[Duality, ...] = (found.whole, found.force, found.moment)
-    heads = "".join(f"<th>{head}</th>" for head in ("v, ω<br>F, M", "v<br>F", "ω<br>M"))
-    rows = "".join(
-        f"<tr><td>{letters}</td><td>{words}</td>{''.join(_count(getattr(part, key)) for part in parts)}</tr>"
+    heads = [(speed, tag("br"), load) for speed, load in (("v, ω", "F, M"), ("v", "F"), ("ω", "M"))]
+    rows = [
+        tag("tr", tag("td", letters), tag("td", words), [_count(getattr(part, key)) for part in parts])
         for letters, words, key in SPACES
+    ]
+    said = (
+        "ℛ(J) and 𝒩(Jᵀ) are orthogonal and fill all rows of J, ℛ(Jᵀ) and 𝒩(J) all joints: where the tool loses a "
+        "velocity it gains a force for nothing. Six rows together: "
+        f"{units.length(arm.length_scale)} count as much as 1 rad (half the reach)."
     )
-    length = f"{units.length(arm.length_scale)} count as much as 1 rad (half the reach)"
-    return (
-        f"<h3>Dual subspaces <small>dimensions</small></h3>"
-        f'<table class="st-dual"><tr><th></th><th></th>{heads}</tr>{rows}</table>'
-        f'<p class="dim">ℛ(J) and 𝒩(Jᵀ) are orthogonal and fill all rows of J, ℛ(Jᵀ) and 𝒩(J) all joints: where the '
-        f"tool loses a velocity it gains a force for nothing. Six rows together: {length}.</p>"
+    return joined(
+        tag("h3", "Dual subspaces ", tag("small", "dimensions")),
+        tag("table.st-dual", head_line(None, None, *heads), rows),
+        tag("p.dim", said),
     )
 
 
-def _count(basis: Array) -> str:
+def _count(basis: Array) -> Markup:
     dimension = basis.shape[1]
-    return f"<td{'' if dimension else ' class=zero'}>{dimension}</td>"
+    return tag(classes("td", zero=dimension == 0), str(dimension))

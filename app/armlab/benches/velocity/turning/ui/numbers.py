@@ -24,8 +24,10 @@ from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.colours import css, joint_colour
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, dot, escaped, mathml, matrix, number, pairs, scientific
-from armlab.ui.markup import SIGNS, row
+from armlab.ui.format import capitalised, dot, mathml, matrix, number, pairs, scientific
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import row, verdict_box
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, units_of
 
 Floats = NDArray[np.float64]
@@ -44,7 +46,10 @@ T_MATRIX = (
 )
 
 ANALYTIC = r"J_\phi=T^{-1}J_A"
-RATES = "Notes 5.51 multiplies J<sub>r</sub> by (q̇₁, q̇₂, φ̇): φ̇ = q̇₁ + q̇₂ is what comes out of it."
+RATES = joined("Notes 5.51 multiplies J", tag("sub", "r"), " by (q̇₁, q̇₂, φ̇): φ̇ = q̇₁ + q̇₂ is what comes out of it.")
+
+EN_SPACE = "\N{EN SPACE}"
+"""Between the components of a vector."""
 
 WIDE = 5
 """Columns there is room for; more are set closer."""
@@ -54,7 +59,7 @@ ORDERS = (
 )
 
 
-def form_markup(form: Form, state: State) -> str:
+def form_markup(form: Form, state: State) -> Markup:
     """Return the sequence, the angles and the rates."""
     part, units = state[Turning], units_of(state)
     titles = {axes: axes.upper() for axes in SEQUENCES}
@@ -68,58 +73,55 @@ def form_markup(form: Form, state: State) -> str:
     )
     take = form.chip("tool", "of the tool", TakeToolAngles(), "Take the angles of the tool in the world")
     name = NAMES.get((part.axes, part.fixed), "")
-    told = f'<p class="dim">{escaped(capitalised(name))}.</p>' if name else ""
-    names = [mathml(symbol) for symbol in angle_symbols(part.axes, part.fixed)]
-    angles = "".join(_field(form, "angles", k, part.angles[k], units) for k in range(3))
-    rates = "".join(_field(form, "rates", k, part.rates[k], units) for k in range(3))
-    heads = "".join(f"<th>{dot(css(joint_colour(k)))}{name}</th>" for k, name in enumerate(names))
-    return (
-        f'<div class="kit-head">{chooser}{about}</div>{told}'
-        f'<table class="kit-points ve-points"><tr><th></th>{heads}</tr>'
-        f"<tr><th>φ, {units.angle_unit}</th>{angles}</tr><tr><th>φ̇, {units.angle_unit}/s</th>{rates}</tr></table>"
-        f'<div class="bar">{take}</div>'
-    )
+    told = tag("p.dim", f"{capitalised(name)}.") if name else None
+    symbols = enumerate(angle_symbols(part.axes, part.fixed))
+    heads = head_line(None, *[(dot(css(joint_colour(k))), mathml(symbol)) for k, symbol in symbols])
+    angles = [_field(form, "angles", k, part.angles[k], units) for k in range(3)]
+    rates = [_field(form, "rates", k, part.rates[k], units) for k in range(3)]
+    rows = line(*angles, name=f"φ, {units.angle_unit}"), line(*rates, name=f"φ̇, {units.angle_unit}/s")
+    table = tag("table.kit-points.ve-points", heads, rows)
+    return joined(tag("div.kit-head", chooser, about), told, table, tag("div.bar", take))
 
 
-def _field(form: Form, what: str, k: int, value: float, units: Units) -> str:
+def _field(form: Form, what: str, k: int, value: float, units: Units) -> Markup:
     where = f"{what.removesuffix('s')} {k + 1}"
 
     def taken(text: str) -> SetTurning:
         return SetTurning(what, k, units.read(text, True, where))
 
-    return f"<td>{form.field(f'{what} {k}', units.entry(value, True), capitalised(where), taken)}</td>"
+    return form.field(f"{what} {k}", units.entry(value, True), capitalised(where), taken)
 
 
-def columns_of(state: State) -> tuple[str, ...]:
+def columns_of(state: State) -> tuple[Markup, ...]:
     """Return the heads of the columns of T: the rates."""
     part = state[Turning]
     return tuple(
-        f'<b style="color:{css(joint_colour(k))}">{mathml(DOTTED % symbol)}</b>'
+        tag("b", mathml(DOTTED % symbol), style=f"color:{css(joint_colour(k))}")
         for k, symbol in enumerate(angle_symbols(part.axes, part.fixed))
     )
 
 
-def columns_markup(state: State) -> str:
+def columns_markup(state: State) -> Markup:
     """Return T in symbols."""
     part = state[Turning]
     columns = r"\;|\;".join(columns_latex(part.axes, part.fixed))
-    return f'<div class="eq small" title="Notes 5.42-5.43">{mathml(f"T=[{columns}]")}</div>'
+    return tag("div.eq.small", mathml(f"T=[{columns}]"), title="Notes 5.42-5.43")
 
 
-def rates_markup(state: State) -> str:
+def rates_markup(state: State) -> Markup:
     """Return omega, det T with what it says, and the check with the rotation."""
     part, units, found = state[Turning], units_of(state), state.derived(turned_of)
     sign, function = _determinant(part)
     second = angle_symbols(part.axes, part.fixed)[1]
     away = float(np.abs(found.measured - found.omega).max())
-    rows = [
-        (f"{mathml(OMEGA)}, {units.angle_unit}/s", _three(found.omega, units)),
+    rows: list[tuple[Inside, Inside]] = [
+        ((mathml(OMEGA), f", {units.angle_unit}/s"), _three(found.omega, units)),
         (f"|ω|, and |φ̇|, {units.angle_unit}/s", _sizes(found.omega, np.array(part.rates), units)),
         (mathml(rf"\det T={sign}\{function}{second}"), number(found.determinant, 4)),
-        (f"ω from {mathml(RDOT)}, {units.angle_unit}/s", _three(found.measured, units)),
+        (("ω from ", mathml(RDOT), f", {units.angle_unit}/s"), _three(found.measured, units)),
         ("largest difference, rad/s", scientific(away)),
     ]
-    return pairs(rows) + _verdict(part, found.determinant, found.lost) + f'<p class="dim">{T_MATRIX}</p>'
+    return joined(pairs(rows), _verdict(part, found.determinant, found.lost), tag("p.dim", T_MATRIX))
 
 
 def _determinant(part: Turning) -> tuple[str, str]:
@@ -130,7 +132,7 @@ def _determinant(part: Turning) -> tuple[str, str]:
     return ("" if follows else "-"), "cos "
 
 
-def _verdict(part: Turning, determinant: float, lost: Floats) -> str:
+def _verdict(part: Turning, determinant: float, lost: Floats) -> Markup:
     where = " or ".join(f"{round(np.degrees(angle))}°".replace("-", "−") for angle in singular_angles(part.axes))
     if abs(determinant) < SINGULAR_SINE:
         axis = ", ".join(number(float(value), 3) for value in lost)
@@ -142,38 +144,35 @@ def _verdict(part: Turning, determinant: float, lost: Floats) -> str:
     else:
         head, kind = "Regular", "ok"
         text = f"Every ω has its rates φ̇ = T⁻¹ω; not so at a second angle of {where}."
-    return f'<div class="verdict {kind}"><b>{SIGNS[kind]} {head}</b>{text}</div>'
+    return verdict_box(kind, head, text)
 
 
-def tool_markup(state: State) -> str:
+def tool_markup(state: State) -> Markup:
     """Return the analytic Jacobian of the tool's angles, and what the chosen joint speeds make of them."""
     part, units, found = state[Turning], units_of(state), state.derived(tool_angles_of)
-    head = f"<h3>Analytic Jacobian of the tool <small>{mathml(ANALYTIC)} 5.47–5.51</small></h3>"
-    rows = [(f"φ of the tool, {units.angle_unit}", _three(found.angles, units))]
+    head = tag("h3", "Analytic Jacobian of the tool ", tag("small", mathml(ANALYTIC), " 5.47–5.51"))
+    rows: list[tuple[Inside, Inside]] = [(f"φ of the tool, {units.angle_unit}", _three(found.angles, units))]
     if found.J is None or found.rates is None:
         told = f"{capitalised(singular_sentence(part.axes))}."
-        return f'{head}{pairs(rows)}<div class="verdict no"><b>{SIGNS["no"]} There is none here</b>{told}</div>'
+        return joined(head, pairs(rows), verdict_box("no", "There is none here", told))
     rows += [
-        (f"φ̇ = J<sub>φ</sub> q̇, {units.angle_unit}/s", _three(found.rates, units)),
-        (f"ω = J<sub>A</sub> q̇, {units.angle_unit}/s", _three(found.omega, units)),
+        (("φ̇ = J", tag("sub", "φ"), f" q̇, {units.angle_unit}/s"), _three(found.rates, units)),
+        (("ω = J", tag("sub", "A"), f" q̇, {units.angle_unit}/s"), _three(found.omega, units)),
     ]
-    wide = " ve-wide" if found.J.shape[1] > WIDE else ""
-    shown = f'<div class="scroll{wide}">{matrix(found.J, 3 if not wide else 2)}</div>'
-    return f'{head}{shown}{pairs(rows)}<p class="dim">With the joint speeds of “Speeds”. {RATES}</p>'
+    wide = found.J.shape[1] > WIDE
+    shown = tag("div.scroll.ve-wide" if wide else "div.scroll", matrix(found.J, 2 if wide else 3))
+    return joined(head, shown, pairs(rows), tag("p.dim", "With the joint speeds of “Speeds”. ", RATES))
 
 
-def laws_markup(state: State) -> str:
+def laws_markup(state: State) -> Markup:
     """Return the two time laws, their equal integrals and the orientations they lead to."""
     units, end = units_of(state), laws_time(state)
     quarter = f"{units.text(np.pi / 2, True)} {units.angle_unit}/s"
     told = (f"about z for 1 s, then about x: {quarter}", f"about x for 1 s, then about z: {quarter}")
     halves = []
     for law, words in enumerate(told):
-        R = law_rotation(law, end)
-        halves.append(
-            f'<div class="tu-law"><b>{dot(css(joint_colour(law)))}Law {law + 1}</b><p class="dim">{words}</p>'
-            f"{matrix(R, 2)}</div>"
-        )
+        head = tag("b", dot(css(joint_colour(law))), f"Law {law + 1}")
+        halves.append(tag("div.tu-law", head, tag("p.dim", words), matrix(law_rotation(law, end), 2)))
     apart = between(law_rotation(0, end), law_rotation(1, end))
     rows = [
         (f"∫ω¹ dt, {units.angle_unit}", _three(law_integral(end, 0), units)),
@@ -181,41 +180,39 @@ def laws_markup(state: State) -> str:
         ("angle between them", units.angle(apart)),
     ]
     same = bool(np.allclose(law_integral(end, 0), law_integral(end, 1))) and apart > SEEN
-    verdict = (
-        '<div class="verdict warn"><b>◐ Same integral, other orientation</b>The integral of ω is no orientation: '
-        "the order of the turns counts (notes 5.19–5.21). The sum of two shifts does not know their order.</div>"
-        if same
-        else ""
+    why = (
+        "The integral of ω is no orientation: the order of the turns counts (notes 5.19–5.21). "
+        "The sum of two shifts does not know their order."
     )
-    head = f"<h3>Orientations after {number(end, 2)} s <small>starting from I</small></h3>"
-    return f'{head}<div class="tu-laws">{"".join(halves)}</div>{pairs(rows)}{verdict}'
+    verdict = verdict_box("warn", "Same integral, other orientation", why) if same else None
+    title = tag("h3", f"Orientations after {number(end, 2)} s ", tag("small", "starting from I"))
+    return joined(title, tag("div.tu-laws", halves), pairs(rows), verdict)
 
 
-def small_markup() -> str:
+def small_markup() -> Markup:
     """Return how far the six orders of small turns are apart."""
-    lines = "".join(
-        f"<tr><td>{each.size:g}</td><td>{scientific(each.apart, 2)}</td><td>{scientific(each.from_sum, 2)}</td>"
-        f"<td>{number(each.from_sum / each.size**2, 2)}</td></tr>"
-        for each in commuting()
-    )
-    return (
-        "<h3>Small turns commute <small>5.22–5.27</small></h3>"
-        '<table class="kit-table"><tr><th>dφ, rad</th><th>two orders</th><th>from I + S(dφ)</th><th>/ dφ²</th></tr>'
-        f'{lines}</table><p class="dim">Largest difference of an entry, of turns by dφ about x, y and z. '
-        f"A tenth of dφ leaves a hundredth. {ORDERS}</p>"
+    lines = []
+    for each in commuting():
+        ratio = number(each.from_sum / each.size**2, 2)
+        lines.append(line(f"{each.size:g}", scientific(each.apart, 2), scientific(each.from_sum, 2), ratio))
+    said = "Largest difference of an entry, of turns by dφ about x, y and z. A tenth of dφ leaves a hundredth."
+    return joined(
+        tag("h3", "Small turns commute ", tag("small", "5.22–5.27")),
+        tag("table.kit-table", head_line("dφ, rad", "two orders", "from I + S(dφ)", "/ dφ²"), lines),
+        tag("p.dim", f"{said} {ORDERS}"),
     )
 
 
-def views_markup(form: Form, state: State) -> str:
-    """Return what is looked at."""
+def views_markup(form: Form, state: State) -> Markup:
+    """Return the choice of what is shown."""
     views = {"angles": "φ, φ̇ and ω", "laws": "Two time laws of ω"}
     show = partial(Set, Turning, "shown")
     return row("Look at", form.chips("shown", views, state[Turning].shown, "What is shown", show))
 
 
 def _three(vector: Floats, units: Units) -> str:
-    return "&ensp;".join(units.text(float(value), True) for value in vector)
+    return EN_SPACE.join(units.text(float(value), True) for value in vector)
 
 
 def _sizes(one: Floats, other: Floats, units: Units) -> str:
-    return "&ensp;".join(units.text(float(np.linalg.norm(each)), True) for each in (one, other))
+    return EN_SPACE.join(units.text(float(np.linalg.norm(each)), True) for each in (one, other))

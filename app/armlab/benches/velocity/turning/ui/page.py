@@ -29,16 +29,18 @@ from armlab.session.state import Post, State
 from armlab.ui.colours import BLUE
 from armlab.ui.form import Form
 from armlab.ui.format import mathml, number
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.matrices import MatrixView
 from armlab.ui.playing import play_button
 from armlab.ui.plot import Curve, Plot
 from armlab.ui.plugin import Panel, Points, Show
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import units_of
 from armlab.ui.widgets import Gui
 
-ROWS = tuple(f"ω<sub>{axis}</sub>" for axis in "xyz")
+ROWS = tuple(with_indices(f"ω_{axis}") for axis in "xyz")
 
-TITLE = f"{mathml('T')} <small>columns are the axes of the turns, in the fixed axes</small>"
+TITLE = joined(mathml("T"), " ", tag("small", "columns are the axes of the turns, in the fixed axes"))
 
 HEIGHT = 100
 POINTS = 181
@@ -79,31 +81,23 @@ def build(gui: Gui, state: State, post: Post) -> Show:
 
     def show(state: State) -> None:
         angles = state[Turning].shown == "angles"
-        top.show(views_markup(top, state) + clock_markup(top, state))
-        form.show(form_markup(form, state) if angles else "")
+        top.show(views_markup(top, state), clock_markup(top, state))
+        form.show(form_markup(form, state) if angles else None)
         matrix.visible(angles)
         if angles:
-            matrix.show(
-                state,
-                TITLE,
-                state.derived(turned_of).T,
-                3,
-                None,
-                columns_of(state),
-                ROWS,
-            )
-        numbers.show(columns_markup(state) + rates_markup(state) if angles else "")
+            matrix.show(state, TITLE, state.derived(turned_of).T, columns=columns_of(state), rows=ROWS)
+        numbers.show((columns_markup(state), rates_markup(state)) if angles else None)
         plot.show(state)
-        rest.show(tool_markup(state) if angles else laws_markup(state) + small_markup())
+        rest.show(tool_markup(state) if angles else (laws_markup(state), small_markup()))
 
     return show
 
 
-def clock_markup(form: Form, state: State) -> str:
-    """Return what plays, and the time of what is shown."""
+def clock_markup(form: Form, state: State) -> Markup:
+    """Return the button that plays, and the time of what is shown."""
     play = play_button(form, state, CLIP_KEY, "turning", "Turn", hint="The body beside the arm turns")
     time = laws_time(state) if state[Turning].shown == "laws" else film_time(state)
-    return f'<div class="bar">{play}<span class="dim">t = {number(time, 2)} s</span></div>'
+    return tag("div.bar", play, tag("span.dim", f"t = {number(time, 2)} s"))
 
 
 def _around(state: State) -> Points:

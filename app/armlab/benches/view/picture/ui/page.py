@@ -12,7 +12,7 @@ from armlab.session.session import StartFresh
 from armlab.session.state import Post, State
 from armlab.ui.camera import PRESETS
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plugin import Panel, Show, switches
 from armlab.ui.switches import GENERAL, Switch
 from armlab.ui.units import BOOKS
@@ -45,7 +45,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     gui.heading("Look from")
     gui.buttons("Camera", tuple(PRESETS), gui.camera.look_from, "Drag to orbit, wheel to zoom, right button to pan.")
     gui.heading("Shared computer")
-    gui.html('<p class="dim">Work is kept for this browser: the next person should start fresh.</p>')
+    gui.html(tag("p.dim", "Work is kept for this browser: the next person should start fresh."))
     gui.button(
         "Start fresh ...",
         lambda: gui.confirm(
@@ -71,19 +71,19 @@ def _chooser(name: str, post: Post) -> Callable[[str], None]:
     return lambda key: post(Set(Notation, name, key))
 
 
-def _switches(form: Form, state: State) -> str:
+def _switches(form: Form, state: State) -> Inside:
     """Return all switches in two columns, by what they are about."""
-    return "".join(
-        f'<h3>{title}</h3><div class="switches">{"".join(_switch(form, switch, state) for switch in group)}</div>'
+    return [
+        (tag("h3", title), tag("div.switches", [_switch(form, switch, state) for switch in group]))
         for title, group in _groups().items()
-    )
+    ]
 
 
-def _switch(form: Form, switch: Switch, state: State) -> str:
+def _switch(form: Form, switch: Switch, state: State) -> Markup:
     on = switch.on(state)
     return form.button(
         switch.name,
-        f"{escaped(switch.title)}<kbd>{switch.key}</kbd>",
+        (switch.title, tag("kbd", switch.key)),
         SetSwitch(switch.name, not on),
         "switch",
         _hint(switch),

@@ -15,7 +15,8 @@ from armlab.session.share import short
 from armlab.session.state import Post, State
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.qr import qr_svg
 from armlab.ui.units import units_of
@@ -39,16 +40,13 @@ class Link:
     address: str
     state: State
 
-    def markup(self, present: State) -> str:
+    def markup(self, present: State) -> Inside:
         """Return it with its length, and its code where that can be read."""
         code = qr_svg(self.address)
         old = any(present[kind] is not self.state[kind] for kind in TABLE)
         about = f"{len(self.address)} characters." + (" It holds the arm as it was before." if old else "")
-        return (
-            f'<input class="field" readonly aria-label="Link" value="{escaped(self.address)}">'
-            f'<p class="dim">{about}</p>'
-            + (f'<div class="qr">{code}</div>' if code else '<p class="dim">Too long for a QR code.</p>')
-        )
+        line = tag("input.field", readonly=True, aria_label="Link", value=self.address)
+        return line, tag("p.dim", about), tag("div.qr", code) if code else tag("p.dim", "Too long for a QR code.")
 
 
 class SharePage:
@@ -67,7 +65,7 @@ class SharePage:
         self._place = gui.form(post)
         gui.heading("Link")
         self._made = gui.form(post)
-        gui.html(f'<p class="dim">{TRAVELS}</p>')
+        gui.html(tag("p.dim", TRAVELS))
         gui.heading("Worksheet")
         self._sheets = gui.form(post)
 
@@ -78,17 +76,17 @@ class SharePage:
         self._made.show(self._linked(self._made))
         self._sheets.show(self._worksheets(self._sheets))
 
-    def _linked(self, form: Form) -> str:
+    def _linked(self, form: Form) -> Inside:
         if self._link is None:
-            return f'<div class="bar">{form.chip("make-link", "Make link", self._make)}</div>'
-        copied = f'<button class="chip" data-copy="{escaped(self._link.address)}">Copy link</button>'
-        bar = form.chip("make-link", "Make link again", self._make) + copied
-        return f'<div class="bar">{bar}</div>{self._link.markup(self._state)}'
+            return tag("div.bar", form.chip("make-link", "Make link", self._make))
+        copied = tag("button.chip", "Copy link", data_copy=self._link.address)
+        bar = tag("div.bar", form.chip("make-link", "Make link again", self._make), copied)
+        return bar, self._link.markup(self._state)
 
-    def _worksheets(self, form: Form) -> str:
+    def _worksheets(self, form: Form) -> Markup:
         hint = "The table, every A, T and J of this pose, with their numbers"
         chips = (form.chip(key, title, partial(self._save, key), hint) for key, (title, _) in FORMATS.items())
-        return f'<div class="bar">{"".join(chips)}</div>'
+        return tag("div.bar", chips)
 
     def _make(self) -> None:
         self._link = None
@@ -100,16 +98,16 @@ class SharePage:
         self._gui.save(f"{file_name(robot.name)}.{FORMATS[key][1]}", text)
 
 
-def _place(form: Form, shelf: Shelf) -> str:
+def _place(form: Form, shelf: Shelf) -> Markup | None:
     """Return what waits, and the way back to it; nothing when the student is at home."""
     if shelf.place == SHARED:
         back = form.chip("back-mine", "Back to my work", BackFromShared())
-        return f'<div class="verdict warn"><b>◐ A shared arm is open</b>Your own work waits as it was. {back}</div>'
+        return verdict_box("warn", "A shared arm is open", "Your own work waits as it was. ", back)
     if shelf.place == SANDBOX and shelf.waiting:
-        title = escaped(at_place(shelf.waiting).title)
+        title = at_place(shelf.waiting).title
         back = form.chip("back-lesson", "Back to the lesson", BackToLesson())
-        return f'<div class="verdict warn"><b>◐ Your own sandbox</b>{title} waits as it was. {back}</div>'
-    return ""
+        return verdict_box("warn", "Your own sandbox", f"{title} waits as it was. ", back)
+    return None
 
 
 def build(gui: Gui, state: State, post: Post) -> Show:

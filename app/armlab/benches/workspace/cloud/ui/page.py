@@ -36,7 +36,8 @@ from armlab.ui.examples import examples
 from armlab.ui.file_names import file_name
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised, readable
-from armlab.ui.markup import row
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import progress_bar, row
 from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -89,27 +90,27 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def choices_markup(form: Form, state: State, units: Units) -> str:
+def choices_markup(form: Form, state: State, units: Units) -> Inside:
     """Return what can be chosen, and the button that samples or cancels."""
     part = state[Workspace]
     titles = {key: capitalised(measure.title) for key, measure in MEASURES.items()}
     counts = {str(count): counted(count) for count in COUNTS}
     seed = form.field("seed", str(part.seed), "Seed of the random numbers", _seed)
-    seeded = f'<label class="option" title="The same seed gives the same points"><span>seed</span>{seed}</label>'
+    seeded = tag("label.option", tag("span", "seed"), seed, title="The same seed gives the same points")
     measure = form.select("measure", "Colour", titles, part.measure, lambda key: LookAtWorkspace(measure=key))
     count = form.select("count", "Samples", counts, str(part.count), lambda key: LookAtWorkspace(count=int(key)))
     drawings = _offered(state, DRAWINGS, "surface")
     draw = form.chips("draw", drawings, drawing(state), DRAW_HINT, lambda key: LookAtWorkspace(draw=key))
     cut = form.chips("cut", _cuts(state), _cut(state), CUT_HINT, lambda key: LookAtWorkspace(cut=key))
     return (
-        examples(form, EXAMPLES, part.example, ChooseWorkspaceExample)
-        + row("Colour", measure)
-        + row("Samples", count + seeded)
-        + _action(form, part)
-        + row("Show as", draw)
-        + row("Cut", cut)
-        + (_slice(form, state, units) if _cut(state) in AXES else "")
-        + row("Scene", _switches(form, part))
+        examples(form, EXAMPLES, part.example, ChooseWorkspaceExample),
+        row("Colour", measure),
+        row("Samples", (count, seeded)),
+        _action(form, part),
+        row("Show as", draw),
+        row("Cut", cut),
+        _slice(form, state, units) if _cut(state) in AXES else None,
+        row("Scene", _switches(form, part)),
     )
 
 
@@ -137,13 +138,13 @@ def _cut(state: State) -> str:
     return cut if cut in _cuts(state) else "none"
 
 
-def _switches(form: Form, part: Workspace) -> str:
+def _switches(form: Form, part: Workspace) -> Inside:
     edge, clicks = LookAtWorkspace(edge=not part.edge), LookAtWorkspace(clicks=not part.clicks)
     near = form.chip("edge", "Near the boundary", edge, "Only points near the boundary of the workspace", part.edge)
-    return near + form.chip("clicks", "Click: go there", clicks, "A click on a point moves the arm there", part.clicks)
+    return near, form.chip("clicks", "Click: go there", clicks, "A click on a point moves the arm there", part.clicks)
 
 
-def _slice(form: Form, state: State, units: Units) -> str:
+def _slice(form: Form, state: State, units: Units) -> Markup:
     part, step = state[Workspace], STEP * state[Joints].arm.reach
     name = f"place of the slice, {part.cut}"
 
@@ -153,37 +154,37 @@ def _slice(form: Form, state: State, units: Units) -> str:
     at = form.field("offset", readable(part.offset / units.factor(False), 1), capitalised(name), typed)
     less = form.chip("slice -1", "−", LookAtWorkspace(offset=part.offset - step), "Move the slice back")
     more = form.chip("slice 1", "+", LookAtWorkspace(offset=part.offset + step), "Move the slice on")
-    return row(f"{part.cut} =", f'<label class="option">{at}<i>{units.length_unit}</i></label>{less}{more}')
+    return row(f"{part.cut} =", (tag("label.option", at, tag("i", units.length_unit)), less, more))
 
 
-def _action(form: Form, part: Workspace) -> str:
+def _action(form: Form, part: Workspace) -> Inside:
     if part.asked is not None:
         found = part.found
         done = found.part if found is not None and found.question == part.asked else 0.0
         press = form.chip("cancel", "Cancel", CancelWorkspace(), "Stop; what there is stays")
-        bar = f'<div class="progress" style="--part:{100.0 * done:.0f}%"></div>'
-        return f'<div class="bar">{press}<span class="dim">Sampling: {100.0 * done:.0f} %</span></div>{bar}'
-    clear = form.chip("clear", "Clear", ClearWorkspace(), "Take the workspace away") if part.found is not None else ""
-    return f'<div class="bar">{form.button("sample", "Sample", SampleWorkspace(), "main")}{clear}</div>'
+        return tag("div.bar", press, tag("span.dim", f"Sampling: {100.0 * done:.0f} %")), progress_bar(done)
+    sample = form.button("sample", "Sample", SampleWorkspace(), "main")
+    clear = form.chip("clear", "Clear", ClearWorkspace(), "Take the workspace away") if part.found is not None else None
+    return tag("div.bar", sample, clear)
 
 
 def told_markup(
     form: Form, state: State, units: Units, save: Callable[[str], None], ways: Callable[[int], Command]
-) -> str:
+) -> Inside:
     """Return what was found, and what can be done with it: ``save`` gets the kind of file, ``ways`` a sample."""
     part = state[Workspace]
     found = part.found
     if found is None:
-        return (
-            '<p class="dim">Random configurations inside the joint limits, each with the place of its tool: '
-            "the reachable workspace WS<sub>1</sub> (4.17).</p>"
+        about = (
+            "Random configurations inside the joint limits, each with the place of its tool: the reachable workspace "
         )
-    saves = "".join(form.chip(kind, f"Save {kind.upper()}", partial(save, kind), hint) for kind, hint in SAVED.items())
-    coloured = "" if drawing(state) == "surface" and part.section is not None else scale(found)
+        return tag("p.dim", about, "WS", tag("sub", "1"), " (4.17).")
+    saves = [form.chip(kind, f"Save {kind.upper()}", partial(save, kind), hint) for kind, hint in SAVED.items()]
+    coloured = None if drawing(state) == "surface" and part.section is not None else scale(found)
     waits = asks_for_boundary(part, state[Joints].arm)
-    wait = '<p class="dim">The boundary is being found …</p>' if waits else ""
+    wait = tag("p.dim", "The boundary is being found …") if waits else None
     there = chosen(form, state, units, ways)
-    return f'{wait}{coloured}{there}{facts(state, found, units)}<div class="bar">{saves}</div>'
+    return wait, coloured, there, facts(state, found, units), tag("div.bar", saves)
 
 
 def _around(state: State) -> Points:

@@ -15,7 +15,9 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 from armlab.ui import measured
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, escaped, pairs
+from armlab.ui.format import capitalised, pairs
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.units import Units
 
 
@@ -30,28 +32,27 @@ def with_unit(found: Sampled, value: float) -> str:
     return f"{measured.figure(value)} {unit}".strip()
 
 
-def scale(found: Sampled) -> str:
+def scale(found: Sampled) -> Markup:
     """Return the colours and what they stand for."""
     return measured.scale(found.question.arm, found.question.measure, found.low, found.high)
 
 
-def facts(state: State, found: Sampled, units: Units) -> str:
+def facts(state: State, found: Sampled, units: Units) -> Inside:
     """Return what was found."""
     left = int(np.count_nonzero(state.derived(kept)))
     rows = [("Samples", counted(found.done))]
     if drawing(state) == "cloud":
         rows.append(("Points drawn", f"{counted(left)} of the first {counted(len(found.shown.points))}"))
     rows.append(("Farthest sample, from frame 0", units.length(found.farthest)))
-    none = "" if left else '<p class="dim">No sample lies here: move the slice.</p>'
-    return f"{none}{pairs(rows)}"
+    return None if left else tag("p.dim", "No sample lies here: move the slice."), pairs(rows)
 
 
-def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command]) -> str:
+def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command]) -> Inside:
     """Return the point the arm went to, and what can be done there; ``ways`` gets its number."""
     part = state[Workspace]
     found, index = part.found, part.chosen
     if found is None or index is None or index >= len(found.shown.points):
-        return ""
+        return None
     point = found.shown.points[index]
     place = ", ".join(units.text(float(value), False) for value in point)
     value = with_unit(found, float(found.shown.values[index]))
@@ -60,12 +61,9 @@ def chosen(form: Form, state: State, units: Units, ways: Callable[[int], Command
     title = measure_named(found.question.measure).title
     go = form.chip("again", "Go there", GoToSample(index), "Move the arm to this configuration", off=there)
     target = "Put the target there and open Solutions"
-    return (
-        f'<div class="verdict ok"><b>◉ ({place}) {units.length_unit}</b>'
-        f"{escaped(capitalised(title))} {escaped(value)}. {here}</div>"
-        f'<div class="bar">{go}'
-        f"{form.chip('ways', 'All ways to be there', partial(ways, index), target)}</div>"
-    )
+    all_ways = form.chip("ways", "All ways to be there", partial(ways, index), target)
+    said = f"{capitalised(title)} {value}. {here}"
+    return verdict_box("ok", f"({place}) {units.length_unit}", said, sign="◉"), tag("div.bar", go, all_ways)
 
 
 def _is_there(state: State, found: Sampled, index: int) -> bool:

@@ -38,7 +38,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
-from armlab.ui.markup import row
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import progress_bar, row
 from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -68,68 +69,69 @@ def build(gui: Gui, state: State, post: Post) -> Show:
             gui.camera.keep_in_view()
         choices.show(choices_markup(choices, state, units))
         rings = method_of(state) == "rings"
-        table.show(tool_words(state, units) + regions_table(table, state, units) if rings else "")
+        table.show((tool_words(state, units), regions_table(table, state, units)) if rings else None)
         told.show(_told(state, units))
 
     return show
 
 
-def choices_markup(form: Form, state: State, units: Units) -> str:
+def choices_markup(form: Form, state: State, units: Units) -> Inside:
     """Return how orientations are found, what is shown of them, and how far that has come."""
     arm, part = state[Joints].arm, state[Dexterous]
     known, method = methods(arm), method_of(state)
     names: dict[str, str] = {key: TITLES[key] for key in known}
-    lines = row("By", form.chips("method", names, method, HINTS, lambda key: Set(Dexterous, "method", key)))
+    by = form.chips("method", names, method, HINTS, lambda key: Set(Dexterous, "method", key))
+    lines: list[Inside] = [row("By", by)]
     if known == ("sampled",):
-        lines += f'<p class="dim">{why_sampled_alone(arm)}</p>'
+        lines.append(tag("p.dim", why_sampled_alone(arm)))
     if state.derived(rings_alone):
         return lines
     if method == "wrist":
-        lines += row("Show", form.chips("draw", DRAWINGS, part.draw, "", lambda key: Set(Dexterous, "draw", key)))
+        drawn = form.chips("draw", DRAWINGS, part.draw, "", lambda key: Set(Dexterous, "draw", key))
+        lines.append(row("Show", drawn))
     if method == "wrist" and part.draw == "body":
         shares = {str(share): "all" if share >= 1.0 else f"{100.0 * share:.0f} %" for share in SHARES}
         hint = "Of the approach directions"
         chosen = form.chips("share", shares, str(part.share), hint, lambda key: Set(Dexterous, "share", float(key)))
-        lines += row("At least", chosen)
-        lines += _nowhere(state)
+        lines += [row("At least", chosen), _nowhere(state)]
     else:
-        lines += _slice(form, state, units)
+        lines.append(_slice(form, state, units))
     if method in ("rings", "sampled"):
         counts = {str(count): _counted(count) for count in COUNTS}
         chosen = form.chips("count", counts, str(part.count), "", lambda key: Set(Dexterous, "count", int(key)))
-        lines += row("Samples", chosen)
-    return lines + _progress(form, state)
+        lines.append(row("Samples", chosen))
+    return lines, _progress(form, state)
 
 
-def _nowhere(state: State) -> str:
+def _nowhere(state: State) -> Markup | None:
     """Return why no body is seen, where no point has the chosen share."""
     found, share = state.derived(study_of), state[Dexterous].share
     if found is None or found.wrist is None:
-        return ""
+        return None
     largest = largest_share(found.wrist)
     if largest is not None and largest >= share:
-        return ""
+        return None
     wanted = "all directions" if share >= 1.0 else f"{100.0 * share:.0f} % of the directions"
     other = "" if largest is None else f"; try {100.0 * largest:.0f} %"
-    return f"<p>No point has {wanted}{other}.</p>"
+    return tag("p", f"No point has {wanted}{other}.")
 
 
 def _counted(count: int) -> str:
     return f"{count / 1e6:g} M"
 
 
-def _slice(form: Form, state: State, units: Units) -> str:
+def _slice(form: Form, state: State, units: Units) -> Markup | None:
     """Return where the slice is, and the button that brings it to the tool."""
     joint, method = first_joint(state[Joints].arm), method_of(state)
     through = form.chip("through", "As the tool is", LookThroughTool(), _THROUGH[method == "count"])
     if joint.planar:
-        return row("Turned", through) if method == "count" else ""
+        return row("Turned", through) if method == "count" else None
     turns = joint.revolute
     s = slice_of(state)
     shown = units.turned(s) if turns else units.text(s, turns)
     label = "Half plane through axis 1" if turns else "Place of the plane"
     cell = form.field("slice", shown, label, lambda text: Set(Dexterous, "s", units.read(text, turns, "slice")))
-    return row("Slice at", f'<label class="option">{cell}<i>{units.unit(turns)}</i></label>{through}')
+    return row("Slice at", (tag("label.option", cell, tag("i", units.unit(turns))), through))
 
 
 _THROUGH = (
@@ -138,26 +140,25 @@ _THROUGH = (
 )
 
 
-def _progress(form: Form, state: State) -> str:
+def _progress(form: Form, state: State) -> Inside:
     question, found = state.derived(question_of), state.derived(study_of)
     if question is None or (found is not None and found.finished):
-        return ""
+        return None
     if question == state[Dexterous].stopped:
         press = form.button("resume", "Compute", ResumeDexterous(), "main")
-        return f'<div class="bar">{press}<span class="dim">Stopped.</span></div>'
-    done = 100.0 * (found.done if found is not None else 0.0)
-    bar = f'<div class="progress" style="--part:{done:.0f}%"></div>'
+        return tag("div.bar", press, tag("span.dim", "Stopped."))
+    done = found.done if found is not None else 0.0
     press = form.chip("stop", "Cancel", StopDexterous(), "Stop; what there is stays")
-    return f'<div class="bar">{press}<span class="dim">Computing: {done:.0f} %</span></div>{bar}'
+    return tag("div.bar", press, tag("span.dim", f"Computing: {100.0 * done:.0f} %")), progress_bar(done)
 
 
-def _told(state: State, units: Units) -> str:
+def _told(state: State, units: Units) -> Inside:
     """Return what was found, and how sure it is."""
     found, method = state.derived(study_of), method_of(state)
-    rings = planar_words(state, units) if method == "rings" else ""
+    rings = planar_words(state, units) if method == "rings" else None
     if found is None:
         return rings
-    return f"{rings}{scale(state, found)}{tool_line(state, found)}{proven(state, found, units)}"
+    return rings, scale(state, found), tool_line(state, found), proven(state, found, units)
 
 
 def _around(state: State) -> Points:

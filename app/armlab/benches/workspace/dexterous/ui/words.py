@@ -23,7 +23,8 @@ from armlab.session.state import State
 from armlab.ui import measured
 from armlab.ui.colours import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, VIRIDIS_CSS, YELLOW, Rgb, css
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, number, pairs
+from armlab.ui.format import number, pairs
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.units import Units
 
 COLOURS: dict[str, Rgb] = {
@@ -47,29 +48,29 @@ NOTES_DIFFER = {
 }
 
 
-def regions_table(form: Form, state: State, units: Units) -> str:
+def regions_table(form: Form, state: State, units: Units) -> Markup | None:
     """Return the regions from the inside out, each a button that brings the tool there, and what holds at the tool."""
     arm = state[Joints].arm
     lengths, standing = lengths_of(arm), state.derived(tool_standing)
     if lengths is None or standing is None:
-        return ""
+        return None
     rows = []
     for index, region in enumerate(regions(lengths)):
         here = region is standing.region
         rows.append(_row(form, index, region, here, units))
         if here:
             rows.append(_here(form, index, region, state, units))
-    heads = "<span></span><span>r, " + units.length_unit + "</span><span>Region</span><span>Orientations</span>"
-    return f'<div class="dx-regions"><div class="dx-head">{heads}</div>{"".join(rows)}</div>'
+    heads = [tag("span", head) for head in ("", f"r, {units.length_unit}", "Region", "Orientations")]
+    return tag("div.dx-regions", tag("div.dx-head", heads), rows)
 
 
-def _row(form: Form, index: int, region: Region, here: bool, units: Units) -> str:
+def _row(form: Form, index: int, region: Region, here: bool, units: Units) -> Markup:
     circle = region.low == region.high
     span = units.text(region.low, False)
     if not circle:
         span = f"{span} – {units.text(region.high, False)}"
-    swatch = f'<i class="{"ring" if circle else "area"}" style="--c:{css(COLOURS[region.kind])}"></i>'
-    inside = f"{swatch}<span>{span}</span><span>{escaped(region.name)}</span><span>{_measure(region, units)}</span>"
+    swatch = tag("i.ring" if circle else "i.area", style=f"--c:{css(COLOURS[region.kind])}")
+    inside = swatch, [tag("span", text) for text in (span, region.name, _measure(region, units))]
     hint = "Bring the tool there"
     return form.button(f"region {index}", inside, GoToRegion(index), "dx-region", hint, pressed=here)
 
@@ -90,24 +91,24 @@ def _rounded(angle: float, units: Units) -> str:
     return number(math.degrees(angle), 0) if units.in_degrees else number(angle, 2)
 
 
-def _here(form: Form, index: int, region: Region, state: State, units: Units) -> str:
+def _here(form: Form, index: int, region: Region, state: State, units: Units) -> Markup:
     """Return what there is to say about the region of the tool, and its singular configurations to look at."""
-    ways = ""
+    ways = None
     if region.ways:
-        each = "".join(
+        each = [
             form.chip(f"way {index} {k}", " ".join(WAYS[sign] for sign in way), StandStretched(index, k), "Stand so")
             for k, way in enumerate(region.ways)
-        )
-        ways = f'<p>Singular: {each}<br><small class="dim">→ a link outward, ← a link back</small></p>'
-    return f'<div class="dx-here"><p>{escaped(region.says)}</p>{ways}</div>'
+        ]
+        ways = tag("p", "Singular: ", each, tag("br"), tag("small.dim", "→ a link outward, ← a link back"))
+    return tag("div.dx-here", tag("p", region.says), ways)
 
 
-def tool_words(state: State, units: Units) -> str:
+def tool_words(state: State, units: Units) -> Markup | None:
     """Return the numbers of the tool's own place, and of the target's."""
     arm, standing = state[Joints].arm, state.derived(tool_standing)
     lengths = lengths_of(arm)
     if lengths is None or standing is None:
-        return ""
+        return None
     place = standing.place
     rows = [("Tool", f"r = {units.length(place.r)}")]
     if len(lengths) == 3:
@@ -129,11 +130,11 @@ def _possible(lengths: tuple[float, ...], r: float) -> float:
     return float(np.nan_to_num(orientations(lengths, min(max(r, space.inner), space.outer))))
 
 
-def planar_words(state: State, units: Units) -> str:
+def planar_words(state: State, units: Units) -> Inside:
     """Return the workspaces of a planar arm in closed form, and where the notes differ."""
     lengths = lengths_of(state[Joints].arm)
     if lengths is None:
-        return ""
+        return None
     space = planar_workspace(lengths)
     pieces = [
         f"{units.text(low, False)} – {units.length(high)}"
@@ -148,18 +149,18 @@ def planar_words(state: State, units: Units) -> str:
         ("Area of WS₁", f"{number(space.area, 3)} m²"),
         ("WS₂", " and ".join(pieces) if pieces else "empty"),
     ]
-    differs = ""
+    differs = None
     if len(lengths) == 3 or space.dexterous:
-        differs = f'<details><summary>Where the notes differ</summary><p class="dim">{NOTES_DIFFER[len(lengths)]}</p>'
-        differs += "</details>"
-    limits = ""
-    if not turns_fully(state[Joints].arm):
-        limits = (
-            '<p class="dim">Not every joint turns all the way round: the circles hold <b>without joint limits</b>. '
-            "With them it is what the coloured cells show, which are sampled.</p>"
-        )
-    return pairs(rows) + limits + differs
+        differs = tag("details", tag("summary", "Where the notes differ"), tag("p.dim", NOTES_DIFFER[len(lengths)]))
+    return pairs(rows), None if turns_fully(state[Joints].arm) else WITHOUT_LIMITS, differs
 
+
+WITHOUT_LIMITS = tag(
+    "p.dim",
+    "Not every joint turns all the way round: the circles hold ",
+    tag("b", "without joint limits"),
+    ". With them it is what the coloured cells show, which are sampled.",
+)
 
 NEVER_TURNS = "The tool never turns"
 
@@ -171,7 +172,7 @@ AT_A_POINT = {
 """By how many ways the tool turns in place, where these are too few for all orientations."""
 
 
-def proven(state: State, found: Study, units: Units) -> str:
+def proven(state: State, found: Study, units: Units) -> Inside:
     """Return what is known for sure and what was sampled."""
     if found.wrist is not None:
         return _wrist_words(found, units)
@@ -184,11 +185,11 @@ def proven(state: State, found: Study, units: Units) -> str:
         )
         turned = "" if found.question.arm.task.rotation == "none" else ", the tool turned the same everywhere"
         text = f"{sure}, in the middle of each cell, inside the joint limits{turned}."
-        return f'<p class="dim">{text}</p>'
+        return tag("p.dim", text)
     return _sampled_words(found)
 
 
-def _sampled_words(found: Study) -> str:
+def _sampled_words(found: Study) -> Inside:
     """Return what samples say, after what is known of the arm without them."""
     assert found.map is not None
     arm, circle = found.question.arm, found.map.sheet.bins.circle
@@ -198,24 +199,18 @@ def _sampled_words(found: Study) -> str:
     everywhere = float((values >= 1.0).mean()) if len(values) else 0.0
     rows = [("Samples", met)]
     if never_turns(arm):
-        return pairs(rows) + f"<p>{NEVER_TURNS}: one orientation, the same wherever it gets.</p>"
+        return pairs(rows), tag("p", f"{NEVER_TURNS}: one orientation, the same wherever it gets.")
     rows.append(("Most in a cell", _at_least(float(values.max())) if len(values) else "–"))
-    known = ""
+    known = None
     if misses_orientations(arm):
-        known = f"<p>{AT_A_POINT[turns_in_place(arm)]}; never all, except perhaps at singular points.</p>"
+        known = tag("p", f"{AT_A_POINT[turns_in_place(arm)]}; never all, except perhaps at singular points.")
     else:
         rows.append(("Cells with all of them", f"at least {_percent(everywhere)}" if everywhere > 0.0 else "none met"))
-    return (
-        pairs(rows)
-        + known
-        + (
-            f'<p class="dim">Sampled inside the joint limits: {what}. A direction that was met is possible somewhere '
-            "in the cell; others may have been missed.</p>"
-        )
-    )
+    note = "A direction that was met is possible somewhere in the cell; others may have been missed."
+    return pairs(rows), known, tag("p.dim", f"Sampled inside the joint limits: {what}. {note}")
 
 
-def _wrist_words(found: Study, units: Units) -> str:
+def _wrist_words(found: Study, units: Units) -> Inside:
     wrist = found.wrist
     assert wrist is not None
     body = "a closed form" if wrist.points.exact else "a table of samples"
@@ -234,18 +229,16 @@ def _wrist_words(found: Study, units: Units) -> str:
         counted = "All joint limits are counted; the wrist turns freely."
     else:
         counted = "All joint limits are counted, those of the wrist too."
-    return pairs(rows) + (
-        '<p class="dim">The share of the directions from the wrist centre to the tool point, the roll about them not '
-        f"counted. Where the wrist centre can be is {body}. {counted}</p>"
-    )
+    share = "The share of the directions from the wrist centre to the tool point, the roll about them not counted."
+    return pairs(rows), tag("p.dim", f"{share} Where the wrist centre can be is {body}. {counted}")
 
 
-def tool_line(state: State, found: Study) -> str:
+def tool_line(state: State, found: Study) -> Markup | None:
     """Return what was found where the tool is."""
     here = state.derived(at_tool)
     if here is None:
-        return ""
-    return f'<p class="dx-tool"><b>At the tool:</b> {_at_tool(here, found)}</p>'
+        return None
+    return tag("p.dx-tool", tag("b", "At the tool:"), f" {_at_tool(here, found)}")
 
 
 def _at_tool(here: AtTool, found: Study) -> str:
@@ -269,24 +262,22 @@ def _at_tool(here: AtTool, found: Study) -> str:
     )
 
 
-def scale(state: State, found: Study) -> str:
+def scale(state: State, found: Study) -> Markup | None:
     """Return the colours and what they stand for."""
     if found.question.method == "count" and found.map is not None:
         numbers = sorted({float(value) for value in found.map.values[~np.isnan(found.map.values)].ravel()})
-        marks = "".join(
-            f'<span><i style="background:{css(count_colour(value))}"></i>{"∞" if math.isinf(value) else f"{value:.0f}"}'
-            "</span>"
-            for value in numbers
-        )
-        return f'<div class="kit-scale"><b>Solutions inside the limits</b><div class="dx-counts">{marks}</div></div>'
+        marks = [tag("span", _swatch(value), "∞" if math.isinf(value) else f"{value:.0f}") for value in numbers]
+        return tag("div.kit-scale", tag("b", "Solutions inside the limits"), tag("div.dx-counts", marks))
     if found.map is not None and never_turns(found.question.arm):
-        return ""
+        return None
     circle = found.map is not None and found.map.sheet.bins.circle
     head = "Orientations in the plane" if circle else "Approach directions"
-    return (
-        f'<div class="kit-scale"><b>{head}</b><u style="background:{VIRIDIS_CSS}"></u>'
-        "<div><i>0 %</i><i>50 %</i><i>100 %</i></div></div>"
-    )
+    ends = tag("div", [tag("i", text) for text in ("0 %", "50 %", "100 %")])
+    return tag("div.kit-scale", tag("b", head), tag("u", style=f"background:{VIRIDIS_CSS}"), ends)
+
+
+def _swatch(count: float) -> Markup:
+    return tag("i", style=f"background:{css(count_colour(count))}")
 
 
 COUNT_COLOURS: dict[float, Rgb] = {
@@ -312,11 +303,11 @@ def count_colour(count: float) -> Rgb:
     return r, g, b
 
 
-def definition() -> str:
+def definition() -> Markup:
     """Return what the page is about."""
-    return (
-        '<p class="dim">WS<sub>2</sub>: the points of WS<sub>1</sub> that the tool reaches in <b>every</b> '
-        "orientation (4.21).</p>"
+    two, one = ("WS", tag("sub", "2")), ("WS", tag("sub", "1"))
+    return tag(
+        "p.dim", two, ": the points of ", one, " that the tool reaches in ", tag("b", "every"), " orientation (4.21)."
     )
 
 

@@ -26,7 +26,8 @@ from armlab.session.parts.target import Target
 from armlab.session.state import Command, Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import capitalised
-from armlab.ui.markup import row
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import progress_bar, row
 from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
@@ -50,8 +51,8 @@ class SectionPage:
         found = found_of(state)
         self._choices.show(choices_markup(self._choices, state, self._units))
         if found is None or not found.section.filled.any():
-            self._view.show('<p class="dim">The section of the workspace is being found …</p>')
-            self._told.show("")
+            self._view.show(tag("p.dim", "The section of the workspace is being found …"))
+            self._told.show()
             return
         if found is not self._pictured:
             if self._pictured is None:
@@ -62,23 +63,19 @@ class SectionPage:
         self._told.show(facts(found, self._units))
 
 
-def view_markup(form: Form, state: State, found: Found, units: Units) -> str:
+def view_markup(form: Form, state: State, found: Found, units: Units) -> Inside:
     """Return the picture, how far it is, its colours, and how far the boundary is."""
     picture = view(state, found, units, form.place("go", partial(_picked, found)))
-    return picture + _progress(found) + scale(found) + distances(form, state, units)
+    return picture, _progress(found), scale(found), distances(form, state, units)
 
 
-def _progress(found: Found) -> str:
+def _progress(found: Found) -> Inside:
     if found.finished:
-        return ""
-    percent = 100.0 * found.done
-    return (
-        f'<div class="progress" style="--part:{percent:.0f}%"></div>'
-        f'<p class="dim">Filling the section: {percent:.0f} %</p>'
-    )
+        return None
+    return progress_bar(found.done), tag("p.dim", f"Filling the section: {100.0 * found.done:.0f} %")
 
 
-def choices_markup(form: Form, state: State, units: Units) -> str:
+def choices_markup(form: Form, state: State, units: Units) -> Inside:
     """Return the choice of colour and slice, and where the slice stands."""
     part, found = state[SectionView], found_of(state)
     titles = {key: capitalised(title) for key, title in COLOURS.items()}
@@ -91,10 +88,10 @@ def choices_markup(form: Form, state: State, units: Units) -> str:
         names = {"none": "Off", "axis": "Through axis 1" if turns else "Across axis 1", "x": "x", "y": "y", "z": "z"}
         chosen = part.slice
     slices = row("Slice", form.chips("slice", names, chosen, SLICE_HINT, partial(Set, SectionView, "slice")))
-    return colour + slices + _place(form, state, found, units)
+    return colour, slices, _place(form, state, found, units)
 
 
-def _place(form: Form, state: State, found: Found | None, units: Units) -> str:
+def _place(form: Form, state: State, found: Found | None, units: Units) -> Markup | None:
     """Return where the slice stands."""
     part = state[SectionView]
 
@@ -102,17 +99,17 @@ def _place(form: Form, state: State, found: Found | None, units: Units) -> str:
         return PlaceSlice(units.read(text, revolute, "place of the slice"))
 
     if part.slice == "none" or found is None or found.section.grid.flat:
-        return ""
+        return None
     if part.slice != "axis":
         label = f"Place of the slice, {part.slice}"
         at = form.field("at", units.text(part.offset, False), label, partial(typed, False))
-        return row(f"{part.slice} =", f'<label class="option sc-at">{at}<i>{units.length_unit}</i></label>')
+        return row(f"{part.slice} =", tag("label.option.sc-at", at, tag("i", units.length_unit)))
     revolute = found.section.joint.revolute
     shown = units.text(slice_at(state, found), revolute)
     at = form.field("at", shown, "Place of the slice", partial(typed, revolute))
     hint = "The slice goes where the tool is"
     follow = form.chip("follow", "With the tool", PlaceSlice(None), hint, part.turn is None)
-    return row("at", f'<label class="option sc-at">{at}<i>{units.unit(revolute)}</i></label>{follow}')
+    return row("at", (tag("label.option.sc-at", at, tag("i", units.unit(revolute))), follow))
 
 
 def _picked(found: Found, x: float, y: float, _drag: int) -> Command:

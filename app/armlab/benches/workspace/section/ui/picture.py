@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +15,8 @@ from armlab.benches.workspace.section.ui.pixels import pixels
 from armlab.kin.workspace.outline import Outline
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
-from armlab.ui.format import escaped
+from armlab.ui import svg
+from armlab.ui.html import Attribute, Inside, Markup, styles, tag
 from armlab.ui.png import as_address, rgba_png
 from armlab.ui.scene._polyline import simplified
 from armlab.ui.units import Units
@@ -35,7 +36,9 @@ THIN = 0.25
 SHORT = 0.04
 """Of the larger side: a shorter dimension is not drawn."""
 
-TICK = 3.5
+TICK, TOOL = 3.5, 3.6
+"""Half a dash at the end of a dimension, and the radius of the tool's mark."""
+
 LINE_APART = 16.0
 
 
@@ -80,27 +83,27 @@ def frame_of(found: Found) -> Frame:
     return Frame(low, high, float(scale))
 
 
-def image_rule(found: Found, name: str) -> str:
+def image_rule(found: Found, name: str) -> Markup:
     """Return the picture of what is reached as a rule of style for a class: it changes less often than the marks."""
     drawn = in_own_plane(found) or section_picture(found)
     picture = pixels(found, drawn.reached, drawn.values)
     address = as_address(rgba_png(picture))
-    return f"<style>.al .{name}{{background-image:url({address})}}</style>"
+    return styles([f".al .{name}{{background-image:url({address})}}"])
 
 
-def view(state: State, found: Found, units: Units, place: str) -> str:
+def view(state: State, found: Found, units: Units, place: Mapping[str, Attribute]) -> Markup:
     """Return the picture; ``place`` are the attributes of what a click on it is sent by."""
     whole, frame = in_own_plane(found), frame_of(found)
     box, seen = _image_box(found, whole, frame), frame.at([frame.low, frame.high])
     reach = _dimensions(found, whole, frame, units)
     said = "Side view of the workspace" if whole is None else "Workspace in its plane"
-    return (
-        f'<div class="sc-view" style="aspect-ratio:{WIDTH:g}/{frame.height:.1f}">'
-        f'<div class="sc-image" style="{_placed(box, frame)}"></div>'
-        f'<svg viewBox="0 0 {WIDTH:g} {frame.height:.1f}" role="img" aria-label="{said}">'
-        f"{_axes(found, whole, frame)}{_outlines(found)}{reach}{_marks(state, found, frame)}</svg>"
-        f'<div class="sc-pick" {place} style="{_placed(seen, frame)}"'
-        f' title="{escaped("Click: the tool goes there")}"></div></div>'
+    shapes = _axes(found, whole, frame), _outlines(found), reach, _marks(state, found, frame)
+    return tag(
+        "div.sc-view",
+        tag("div.sc-image", style=_placed(box, frame)),
+        svg.drawing("", WIDTH, frame.height, said, shapes),
+        tag("div.sc-pick", style=_placed(seen, frame), title="Click: the tool goes there", **place),
+        style=f"aspect-ratio:{WIDTH:g}/{frame.height:.1f}",
     )
 
 
@@ -125,24 +128,24 @@ def _placed(box: Floats, frame: Frame) -> str:
     return ";".join(f"{name}:{100.0 * part:.3f}%" for name, part in zip(names, parts, strict=True))
 
 
-def _axes(found: Found, whole: Slice | None, frame: Frame) -> str:
+def _axes(found: Found, whole: Slice | None, frame: Frame) -> Inside:
     """Return the axis of a joint 1 that turns, and the height, or the line, of frame 0."""
     if not found.section.joint.revolute:
-        return ""
+        return None
     x, y = frame.at([0.0, 0.0]).tolist()
     top, bottom = TOP - 8.0, frame.height - BOTTOM + 6.0
     right = WIDTH - RIGHT + 6.0
     names = ("z", "ρ") if whole is None else ("", "")
     return (
-        f'<line class="axis" x1="{x:.1f}" y1="{top:.1f}" x2="{x:.1f}" y2="{bottom:.1f}"/>'
-        f'<line class="axis" x1="{LEFT - 8:.1f}" y1="{y:.1f}" x2="{right:.1f}" y2="{y:.1f}"/>'
-        f'<text class="name" x="{x - 10:.1f}" y="{top + 9:.1f}">{names[0]}</text>'
-        f'<text class="name" x="{right - 8:.1f}" y="{y - 4:.1f}">{names[1]}</text>'
+        svg.line("axis", x, top, x, bottom),
+        svg.line("axis", LEFT - 8.0, y, right, y),
+        svg.text("name", x - 10.0, top + 9.0, names[0]),
+        svg.text("name", right - 8.0, y - 4.0, names[1]),
     )
 
 
 @once_each
-def _outlines(found: Found) -> str:
+def _outlines(found: Found) -> Markup:
     whole, frame = in_own_plane(found), frame_of(found)
     if whole is None:
         # Of a section that is being found, specks are left out: there are hundreds, and others wait meanwhile.
@@ -155,7 +158,7 @@ def _outlines(found: Found) -> str:
         y = corner[1] + (np.arange(rows) - 0.5) * whole.plane.height / (rows - 2)
         along = np.full((columns - 1, rows), 0.5), np.full((columns, rows - 1), 0.5)
         lines = Outline(x, y, reached, *along).contours
-    return f'<path class="outline" d="{_paths([frame.at(line) for line in lines])}"/>'
+    return svg.path("outline", _paths([frame.at(line) for line in lines]))
 
 
 def _paths(lines: Sequence[Floats]) -> str:
@@ -171,11 +174,11 @@ def _paths(lines: Sequence[Floats]) -> str:
 # -- dimensions ------------------------------------------------------------------------------------------------------
 
 
-def _dimensions(found: Found, whole: Slice | None, frame: Frame, units: Units) -> str:
+def _dimensions(found: Found, whole: Slice | None, frame: Frame, units: Units) -> Inside:
     """Return the dimension lines: below along u, on the right along v."""
     reach = found.reach
     if reach is None:
-        return ""
+        return None
     joint, flat = found.section.joint, whole is not None
     least = SHORT * float((frame.high - frame.low).max())
     shapes = []
@@ -183,7 +186,7 @@ def _dimensions(found: Found, whole: Slice | None, frame: Frame, units: Units) -
     for k, (low, high) in enumerate(span for span in spans if span[1] - span[0] > least):
         shapes.append(_below(frame, low, high, k, units.length(high - low)))
     if flat and joint.revolute:
-        return "".join(shapes)
+        return shapes
     if flat:
         tall = [(float(frame.low[1]), float(frame.high[1]))]
     elif joint.revolute and reach.low < 0.0 < reach.high:
@@ -191,52 +194,47 @@ def _dimensions(found: Found, whole: Slice | None, frame: Frame, units: Units) -
     else:
         tall = [(reach.low, reach.high)]
     shapes += [_beside(frame, *span, units.length(span[1] - span[0])) for span in tall if span[1] - span[0] > least]
-    return "".join(shapes)
+    return shapes
 
 
-def _below(frame: Frame, low: float, high: float, line: int, text: str) -> str:
+def _below(frame: Frame, low: float, high: float, line: int, text: str) -> Inside:
     y = frame.height - BOTTOM + 12.0 + LINE_APART * line
     (x0, _), (x1, _) = frame.at([[low, 0.0], [high, 0.0]]).tolist()
-    return (
-        f'<path class="dim" d="M{x0:.1f} {y - TICK:.1f}v{2 * TICK}M{x1:.1f} {y - TICK:.1f}v{2 * TICK}'
-        f'M{x0:.1f} {y:.1f}H{x1:.1f}"/><text class="size" x="{x1 + 5:.1f}" y="{y + 4:.1f}">{text}</text>'
-    )
+    ends = f"M{x0:.1f} {y - TICK:.1f}v{2 * TICK}M{x1:.1f} {y - TICK:.1f}v{2 * TICK}"
+    return svg.path("dim", f"{ends}M{x0:.1f} {y:.1f}H{x1:.1f}"), svg.text("size", x1 + 5.0, y + 4.0, text)
 
 
-def _beside(frame: Frame, low: float, high: float, text: str) -> str:
+def _beside(frame: Frame, low: float, high: float, text: str) -> Inside:
     x = float(frame.at([frame.high[0], 0.0])[0]) + 14.0
     (_, y0), (_, y1) = frame.at([[0.0, low], [0.0, high]]).tolist()
-    return (
-        f'<path class="dim" d="M{x - TICK:.1f} {y0:.1f}h{2 * TICK}M{x - TICK:.1f} {y1:.1f}h{2 * TICK}'
-        f'M{x:.1f} {y0:.1f}V{y1:.1f}"/><text class="size" x="{x + 5:.1f}" y="{0.5 * (y0 + y1) + 4:.1f}">{text}</text>'
-    )
+    ends = f"M{x - TICK:.1f} {y0:.1f}h{2 * TICK}M{x - TICK:.1f} {y1:.1f}h{2 * TICK}"
+    middle = 0.5 * (y0 + y1) + 4.0
+    return svg.path("dim", f"{ends}M{x:.1f} {y0:.1f}V{y1:.1f}"), svg.text("size", x + 5.0, middle, text)
 
 
 # -- what moves ------------------------------------------------------------------------------------------------------
 
 
-def _marks(state: State, found: Found, frame: Frame) -> str:
+def _marks(state: State, found: Found, frame: Frame) -> list[Inside]:
     """Return the arm seen from the side, tool and target, and from each a line to the boundary."""
     bones = frame.at(silhouette(found, state[Joints].q))
-    shapes = [f'<polyline class="bones" points="{" ".join(f"{x:.1f},{y:.1f}" for x, y in bones.tolist())}"/>']
+    corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in bones.tolist())
+    shapes: list[Inside] = [tag("polyline.bones", points=corners)]
     for kind, measured in (("target", state.derived(target_measured)), ("tool", state.derived(tool_measured))):
         if measured is not None:
             shapes.append(_way(found, frame, measured, kind))
     if state.derived(tool_measured) is None and len(bones):
         x, y = bones[-1].tolist()
-        shapes.append(f'<circle class="tool" cx="{x:.1f}" cy="{y:.1f}" r="3.6"/>')
-    return "".join(shapes)
+        shapes.append(svg.circle("tool", x, y, TOOL))
+    return shapes
 
 
-def _way(found: Found, frame: Frame, measured: Measured, kind: str) -> str:
+def _way(found: Found, frame: Frame, measured: Measured, kind: str) -> Inside:
     points = np.stack([measured.point, measured.to.foot])
     flat = found.section.grid.flat
     places = frame.at(_in_plane(found, points) if flat else found.section.joint.split(points)[:, :2])
     (x, y), (x1, y1) = places.tolist()
     sign = "in" if measured.to.distance >= 0.0 else "out"
-    mark = (
-        f'<circle class="tool" cx="{x:.1f}" cy="{y:.1f}" r="3.6"/>'
-        if kind == "tool"
-        else f'<path class="target" d="M{x:.1f} {y - 5:.1f}l5 5l-5 5l-5 -5z"/>'
-    )
-    return f'<line class="way {sign}" x1="{x:.1f}" y1="{y:.1f}" x2="{x1:.1f}" y2="{y1:.1f}"/>{mark}'
+    tool = kind == "tool"
+    mark = svg.circle("tool", x, y, TOOL) if tool else svg.path("target", f"M{x:.1f} {y - 5:.1f}l5 5l-5 5l-5 -5z")
+    return svg.line(f"way.{sign}", x, y, x1, y1), mark

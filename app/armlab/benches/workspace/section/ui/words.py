@@ -15,6 +15,7 @@ from armlab.session.state import State
 from armlab.ui import measured
 from armlab.ui.form import Form
 from armlab.ui.format import MINUS, number, pairs
+from armlab.ui.html import Inside, tag
 from armlab.ui.units import Units
 
 EDGE = 2.0
@@ -26,31 +27,29 @@ SAME = 1e-9
 CENTRE = "The point of axis 1 that is nearest to the origin of frame 0"
 
 
-def scale(found: Found) -> str:
+def scale(found: Found) -> Inside:
     """Return the colours and what they stand for; nothing where one colour tells what is reached."""
     if found.colour == REACH or found.values is None:
-        return ""
+        return None
     note = "" if found.coloured else " Being averaged …"
-    return (
-        f"{measured.scale(found.arm, found.colour, found.low, found.high)}"
-        f'<p class="dim">Mean over random configurations in and beside each cell.{note}</p>'
-    )
+    colours = measured.scale(found.arm, found.colour, found.low, found.high)
+    return colours, tag("p.dim", f"Mean over random configurations in and beside each cell.{note}")
 
 
-def facts(found: Found, units: Units) -> str:
+def facts(found: Found, units: Units) -> Inside:
     """Return size and reach."""
     if found.size is None or found.reach is None:
-        return ""
+        return None
     joint, reach = found.section.joint, found.reach
     flat = found.section.grid.flat
-    rows = [("Area" if flat else "Volume", _size(found))]
+    rows: list[tuple[Inside, Inside]] = [("Area" if flat else "Volume", _size(found))]
     if joint.revolute:
         rows.append(("From the axis of joint 1", f"{units.text(reach.inner, False)} to {units.length(reach.outer)}"))
         if not flat:
             upright = joint.axes[:, 2] @ joint.arm.base[:3, 2] > 1.0 - SAME
             along = "Height over frame 0" if upright else "Along axis 1"
             rows.append((along, f"{units.text(reach.low, False)} to {units.length(reach.high)}"))
-            rows.append((f"Farthest from {_centre(joint)}", units.length(reach.farthest)))
+            rows.append((("Farthest from ", _centre(joint)), units.length(reach.farthest)))
     else:
         first, second = across(joint)
         rows.append((f"Along {first}", f"{units.text(reach.inner, False)} to {units.length(reach.outer)}"))
@@ -60,7 +59,7 @@ def facts(found: Found, units: Units) -> str:
         rows.append(
             ("Joint 1", f"{units.text(joint.low, joint.revolute)} to {_joint(joint.high, joint.revolute, units)}")
         )
-    return f'<div class="sc-facts">{pairs(rows)}</div><p class="dim">{_how(found, units)}</p>'
+    return tag("div.sc-facts", pairs(rows)), tag("p.dim", _how(found, units))
 
 
 def across(joint: FirstJoint) -> tuple[str, str]:
@@ -76,11 +75,11 @@ def _direction(along: NDArray[np.float64]) -> str:
     return f"{'' if along[k] > 0.0 else MINUS}{'xyz'[k]}₀"
 
 
-def _centre(joint: FirstJoint) -> str:
+def _centre(joint: FirstJoint) -> Inside:
     """Return from where the reach is measured; axis 1 need not meet the origin of frame 0."""
     apart = float(np.linalg.norm(joint.origin - joint.arm.base[:3, 3]))
     meets = apart <= SAME * (joint.arm.reach or 1.0)
-    return "frame 0" if meets else f'<span title="{CENTRE}">ρ = z = 0</span>'
+    return "frame 0" if meets else tag("span", "ρ = z = 0", title=CENTRE)
 
 
 def _joint(value: float, revolute: bool, units: Units) -> str:
@@ -102,26 +101,26 @@ def _how(found: Found, units: Units) -> str:
     )
 
 
-def distances(form: Form, state: State, units: Units) -> str:
+def distances(form: Form, state: State, units: Units) -> Inside:
     """Return how far tool and target are from the boundary, and a way to go there."""
     tool, target = state.derived(tool_measured), state.derived(target_measured)
     if tool is None:
-        return ""
-    rows = [("Tool", _way(state, tool, units))]
+        return None
+    rows: list[tuple[Inside, Inside]] = [("Tool", _way(state, tool, units))]
     if target is not None:
         rows.append(("Target", _way(state, target, units)))
     x, y, z = (target or tool).to.foot.tolist()
     place = ", ".join(units.text(value, False) for value in (x, y, z))
     rows.append(("Boundary at", f"({place}) {units.length_unit}"))
     go = form.chip("boundary", "Go to it", GoToPoint((x, y, z)), "Bring the tool to the nearest boundary point")
-    return f"<h3>To the boundary</h3><div class='sc-facts'>{pairs(rows)}</div><div class='bar'>{go}</div>"
+    return tag("h3", "To the boundary"), tag("div.sc-facts", pairs(rows)), tag("div.bar", go)
 
 
-def _way(state: State, measured: Measured, units: Units) -> str:
+def _way(state: State, measured: Measured, units: Units) -> Inside:
     found = found_of(state)
     assert found is not None
     if abs(measured.to.distance) <= EDGE * fineness(found.section.grid) * found.section.step:
         return "on the boundary"
     inside = measured.to.distance >= 0.0
-    mark = '<span class="ok">✓</span>' if inside else '<span class="no">✕</span>'
-    return f"{mark} {units.length(abs(measured.to.distance))} {'inside' if inside else 'outside'}"
+    mark = tag("span.ok", "✓") if inside else tag("span.no", "✕")
+    return mark, f" {units.length(abs(measured.to.distance))} {'inside' if inside else 'outside'}"

@@ -27,7 +27,8 @@ from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, escaped
+from armlab.ui.format import capitalised
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.markup import row
 from armlab.ui.plugin import NOTHING, Panel, Points, Show
 from armlab.ui.units import Units, units_of
@@ -68,7 +69,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def choices_markup(form: Form, part: WhatIf, units: Units) -> str:
+def choices_markup(form: Form, part: WhatIf, units: Units) -> Inside:
     """Return the rows of the table and the numbers of one of them."""
     arm = part.arm
     joints = {str(i): str(i + 1) if i < arm.n else "tool" for i in range(arm.n + 1)}
@@ -79,14 +80,11 @@ def choices_markup(form: Form, part: WhatIf, units: Units) -> str:
     each = form.chips(
         "field", numbers, part.field, "Lengths, twist, limits of the joint", partial(ChooseQuantity, part.row)
     )
-    return (
-        '<p class="dim">Change a number in thought and see what it does to the workspace.</p>'
-        + row("Joint", rows)
-        + row("Number", each)
-    )
+    about = tag("p.dim", "Change a number in thought and see what it does to the workspace.")
+    return about, row("Joint", rows), row("Number", each)
 
 
-def exact_markup(form: Form, part: WhatIf, units: Units) -> str:
+def exact_markup(form: Form, part: WhatIf, units: Units) -> Markup:
     """Return the field of the number at hand, and what the number is of the arm as it is."""
     angle = turns(part.arm, part.row, part.field)
     name = name_of(part.arm, part.row, part.field, units)
@@ -97,21 +95,19 @@ def exact_markup(form: Form, part: WhatIf, units: Units) -> str:
 
     field = form.field("value", thought, f"{name}, {NAMED[part.field]}, in {units.unit(angle)}", typed)
     now = f"now {with_unit(value_of(part.arm, part.row, part.field), angle, units)}"
-    number = f'<label class="option wi-exact">{field}<i>{units.unit(angle)},</i></label>'
-    return row(
-        f"{escaped(name)} =", f'{number}<span class="dim">{escaped(now)}</span>', hint=capitalised(NAMED[part.field])
-    )
+    number = tag("label.option.wi-exact", field, tag("i", f"{units.unit(angle)},"))
+    return row(f"{name} =", (number, tag("span.dim", now)), hint=capitalised(NAMED[part.field]))
 
 
-def told_markup(form: Form, state: State, units: Units) -> str:
+def told_markup(form: Form, state: State, units: Units) -> Inside:
     """Return the changes, what can be done with them, and what is known."""
     part = state[WhatIf]
     hint = "Edit the table of the arm like this"
     take = form.button("take", "Take over", TakeOver(), "main", hint, off=not part.changes)
     forget = form.chip("forget", "Forget all", ForgetChanges(), "The arm as it is", off=not part.changes)
     found = part.found
-    known = "" if found is None else figures_markup(found, units) + picture(found, units) + legend_markup(found)
-    return changes_markup(form, part, units) + f'<div class="bar">{take}{forget}</div>' + verdict_markup(state) + known
+    known = None if found is None else (figures_markup(found, units), picture(found, units), legend_markup(found))
+    return changes_markup(form, part, units), tag("div.bar", take, forget), verdict_markup(state), known
 
 
 def _around(state: State) -> Points:

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from armlab.benches.workspace.what_if.found import Compared
 from armlab.kin.workspace.section import Section
+from armlab.ui import svg
+from armlab.ui.html import Markup, tag
 from armlab.ui.units import Units
 
 Floats = NDArray[np.float64]
@@ -22,10 +24,10 @@ EDGE = 16.0
 SPARE = 1e-9
 
 
-def picture(found: Compared, units: Units) -> str:
+def picture(found: Compared, units: Units) -> Markup | None:
     """Return the sections as SVG; nothing as long as they are not known, or of a planar arm, where they are lines."""
     if found.sections is None or found.sections[0].grid.flat or found.sections[1].grid.flat:
-        return ""
+        return None
     sections = found.sections[:1] if found.same else found.sections
     turning = sections[0].joint.revolute
     corners = np.concatenate([line for section in sections for line in section.contours] or [np.zeros((1, 2))])
@@ -39,24 +41,17 @@ def picture(found: Compared, units: Units) -> str:
     def at(points: Floats) -> Floats:
         return np.column_stack([left + scale * (points[:, 0] - low[0]), EDGE + scale * (high[1] - points[:, 1])])
 
-    shapes = "".join(
-        f'<path class="{kind}" d="{_path(at, section)}"/>'
-        for kind, section in zip(("was", "then"), sections, strict=False)
-    )
+    shapes = [svg.path(kind, _path(at, section)) for kind, section in zip(("was", "then"), sections, strict=False)]
     x, y = at(np.zeros((1, 2)))[0].tolist()
     axis = (
-        f'<line class="axis" x1="{x:.1f}" x2="{x:.1f}" y1="2" y2="{height - 2:.1f}"/>'
-        f'<line class="axis" x1="{x:.1f}" x2="{WIDTH:.0f}" y1="{y:.1f}" y2="{y:.1f}"/>'
-        f'<text x="{x - 10:.1f}" y="11">z</text><text x="{WIDTH:.0f}" y="{y - 4:.1f}" class="end">ρ</text>'
-        f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.5"/>'
-        if turning
-        else ""
+        svg.line("axis", x, 2.0, x, height - 2.0),
+        svg.line("axis", x, y, WIDTH, y),
+        svg.text("", x - 10.0, 11.0, "z"),
+        svg.text("end", WIDTH, y - 4.0, "ρ"),
+        svg.circle("", x, y, 2.5),
     )
     said = f"Side view: {units.length(float(wide))} wide, {units.length(float(tall))} high"
-    return (
-        f'<svg class="wi-section" viewBox="0 0 {WIDTH:.0f} {height:.0f}" role="img" aria-label="{said}">'
-        f"<title>{said}</title>{axis}{shapes}</svg>"
-    )
+    return svg.drawing("wi-section", WIDTH, height, said, tag("title", said), axis if turning else None, shapes)
 
 
 def _path(at: Callable[[Floats], Floats], section: Section) -> str:

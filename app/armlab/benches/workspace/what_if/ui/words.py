@@ -14,7 +14,9 @@ from armlab.kin.workspace.first_joint import first_joint
 from armlab.session.state import State
 from armlab.ui.colours import css
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, number
+from armlab.ui.format import dot, number
+from armlab.ui.html import Inside, Markup, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.units import Units
 
 NAMES = {"low": "from", "high": "to"}
@@ -58,29 +60,29 @@ def with_unit(value: float, angle: bool, units: Units) -> str:
     return units.angle(value) if angle else units.length(value)
 
 
-def changes_markup(form: Form, part: WhatIf, units: Units) -> str:
+def changes_markup(form: Form, part: WhatIf, units: Units) -> Inside:
     """Return what is thought to be different, each with a button that takes it back."""
     if not part.changes:
-        return ""
-    rows = "".join(_change(form, part.arm, change, units) for change in part.changes)
-    return f'<h3>Changes in thought</h3><div class="wi-changes">{rows}</div>'
+        return None
+    rows = [_change(form, part.arm, change, units) for change in part.changes]
+    return tag("h3", "Changes in thought"), tag("div.wi-changes", rows)
 
 
-def _change(form: Form, arm: Arm, change: Change, units: Units) -> str:
+def _change(form: Form, arm: Arm, change: Change, units: Units) -> Inside:
     angle = turns(arm, change.row, change.field)
     was = value_of(arm, change.row, change.field)
     name = name_of(arm, change.row, change.field, units)
     as_it_is = Suppose(change.row, change.field, was)
     back = form.chip(f"back {change.row} {change.field}", "×", as_it_is, f"{name} as it is")
-    ends = f"{with_unit(was, angle, units)} → <b>{with_unit(change.value, angle, units)}</b>"
-    return f"<span>{escaped(name)}</span><span>{ends}</span>{back}"
+    ends = tag("span", f"{with_unit(was, angle, units)} → ", tag("b", with_unit(change.value, angle, units)))
+    return tag("span", name), ends, back
 
 
-def verdict_markup(state: State) -> str:
+def verdict_markup(state: State) -> Markup | None:
     """Return in a sentence what the change does to the size."""
     part, found = state[WhatIf], state[WhatIf].found
     if found is None or not part.changes:
-        return ""
+        return None
     before, after = (each.size for each in found.figures)
     if not is_present(state) or before is None or after is None:
         return _card("warn", "…", FOLLOWED)
@@ -104,11 +106,12 @@ def verdict_markup(state: State) -> str:
     return _card(kind, f"{mark} The {what} is {word}{part_of}", said)
 
 
-def _card(kind: str, head: str, said: str) -> str:
-    return f'<div class="verdict {kind}"><b>{head}</b>{said}</div>'
+def _card(kind: str, head: str, said: str) -> Markup:
+    """Return a card whose head has a sign of its own."""
+    return verdict_box(kind, head, said, sign="")
 
 
-def figures_markup(found: Compared, units: Units) -> str:
+def figures_markup(found: Compared, units: Units) -> Inside:
     """Return size and reach, as it is and with the changes."""
     sides, flat = found.figures, [first_joint(arm).planar for arm in (found.before, found.after)]
     units_of_size = ["m²" if each else "m³" for each in flat]
@@ -118,14 +121,12 @@ def figures_markup(found: Compared, units: Units) -> str:
     rows = [(title, *(_size_of(each) + end for each, end in zip(sides, ends, strict=True)))]
     rows += _reach_rows(found, all(flat), units)
     width = 1 if found.same else 2
-    head = "<th></th><th>as it is</th>" + ("" if found.same else "<th>what if</th>")
-    body = "".join(_row(name, cells[:width]) for name, *cells in rows)
+    heads = [tag("th", head) for head in ("", "as it is", "what if")[: width + 1]]
+    body = [_row(name, cells[:width]) for name, *cells in rows]
     refined = all(each.refined for each in sides)
     kind = "from the boundary of the section" if refined else "of samples so far"
-    return (
-        f"<h3>Workspace <small>lengths in {units.length_unit}, {kind}</small></h3>"
-        f'<table class="wi-figures"><tr>{head}</tr>{body}</table>'
-    )
+    title = tag("h3", "Workspace ", tag("small", f"lengths in {units.length_unit}, {kind}"))
+    return title, tag("table.wi-figures", tag("tr", heads), body)
 
 
 def _reach_rows(found: Compared, flat: bool, units: Units) -> list[tuple[str, ...]]:
@@ -145,23 +146,21 @@ def _reach_rows(found: Compared, flat: bool, units: Units) -> list[tuple[str, ..
     return rows
 
 
-def _row(name: str, cells: list[str]) -> str:
-    hint = next((f' title="{text}"' for start, text in HINTS.items() if name.startswith(start)), "")
-    return f"<tr><th{hint}>{name}</th>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
+def _row(name: str, cells: list[str]) -> Markup:
+    hint = next((text for start, text in HINTS.items() if name.startswith(start)), None)
+    return tag("tr", tag("th", name, title=hint), [tag("td", cell) for cell in cells])
 
 
-def legend_markup(found: Compared) -> str:
+def legend_markup(found: Compared) -> Markup:
     """Return what the colours of the points stand for."""
     if found.same:
         names: tuple[str, ...] = ("kept",)
     else:
         names = ("kept", "gained", "lost") if found.finished else ("kept", "thought")
     texts = {**LEGEND, "kept": "as it is" if not found.finished or found.same else LEGEND["kept"]}
-    dots = "".join(
-        f'<span><span class="dot" style="background:{css(COLOURS[name])}"></span>{texts[name]}</span>' for name in names
-    )
-    line = f'<span><u style="background:{css(THOUGHT)}"></u>the arm with the changes</span>'
-    return f'<div class="wi-legend">{dots}{"" if found.same else line}</div>'
+    dots = [tag("span", dot(css(COLOURS[name])), texts[name]) for name in names]
+    line = tag("span", tag("u", style=f"background:{css(THOUGHT)}"), "the arm with the changes")
+    return tag("div.wi-legend", dots, None if found.same else line)
 
 
 def _ends(low: float, high: float, units: Units) -> str:

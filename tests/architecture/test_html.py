@@ -1,0 +1,83 @@
+"""Text becomes markup in one place, where it is escaped."""
+
+import ast
+import re
+
+import pytest
+
+from support.sources import PACKAGE, tree_of
+
+TAG = re.compile(r"</?[a-zA-Z][a-zA-Z0-9]*(\s[^<>]*)?/?>|<[a-zA-Z][a-zA-Z0-9]*\s[^<>]*=")
+ENTITY = re.compile(r"&(?:[a-z]+|#\w+);")
+
+TAKEN_AS_IT_IS = {
+    "ui/html.py": "makes elements of texts, which it escapes",
+    "ui/format.py": "MathML that latex2mathml makes of a formula",
+    "ui/qr.py": "an SVG picture that segno makes of a link",
+    "ui/lesson/asking.py": "questions and verdicts of lessons, whose reader lets only known elements pass",
+    "ui/lesson/page.py": "what a check says, whose words are escaped where they are made",
+    "ui/lesson/text.py": "the text of lessons, whose reader lets only known elements pass",
+}
+"""Modules that take a text for markup, and why it is."""
+
+READS = {"ui/html.py", "ui/lesson/text.py", "ui/recording.py"}
+"""Modules that make elements, or look for one in a page they are given."""
+
+
+def written_by_hand(package):
+    """Return every place of the interface that writes markup in a text, or takes a text for markup."""
+    found = []
+    for path in sorted([*(package / "ui").rglob("*.py"), *(package / "benches").glob("*/*/ui/**/*.py")]):
+        file = path.relative_to(package).as_posix()
+        tree = tree_of(path)
+        said = _docstrings(tree)
+        for node in ast.walk(tree):
+            text = node.value if isinstance(node, ast.Constant) and node not in said else None
+            if isinstance(text, str) and file not in READS and (TAG.search(text) or ENTITY.search(text)):
+                found.append(f"{file}:{node.lineno} writes markup in a text")
+            if isinstance(node, ast.Call) and _takes(node) and file not in TAKEN_AS_IT_IS:
+                found.append(f"{file}:{node.lineno} takes a text for markup")
+    return found
+
+
+def _takes(node):
+    """Return whether a text is taken for markup; markup without anything in it is none."""
+    name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+    return name == "Markup" and bool(node.args)
+
+
+def _docstrings(tree):
+    """Return the constants that stand by themselves: they are read, not shown."""
+    return {
+        node.value for node in ast.walk(tree) if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    }
+
+
+def test_text_becomes_markup_in_one_place():
+    assert written_by_hand(PACKAGE) == []
+
+
+def test_modules_that_take_a_text_for_markup_still_do():
+    for file in TAKEN_AS_IT_IS:
+        calls = [node for node in ast.walk(tree_of(PACKAGE / file)) if isinstance(node, ast.Call)]
+        assert any("Markup" in ast.unparse(node) for node in calls), file
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "MADE = '<b>1</b>'",
+        "def made(text):\n    return f'<p class=\"dim\">{text}</p>'",
+        "def made(text):\n    return '</table>'",
+        "def made(text):\n    return f'<i hidden data-x=\"{text}\">'",
+        "SPACE = 'a&ensp;b'",
+        "def made(text):\n    return Markup(text)",
+        "def made(text):\n    return html.Markup(text)",
+    ],
+)
+def test_planted_markup_is_found(line, tmp_path):
+    (tmp_path / "ui").mkdir()
+    page = tmp_path / "benches" / "robot" / "film" / "ui" / "page.py"
+    page.parent.mkdir(parents=True)
+    page.write_text(line, encoding="utf-8")
+    assert written_by_hand(tmp_path)
