@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import time
 from collections.abc import Callable, Hashable
+
+log = logging.getLogger(__name__)
 
 PIECE = 0.003
 """Seconds of a turn of the loop; what has begun is done, the rest follows when messages of all have been looked at."""
@@ -29,16 +32,16 @@ class Spread:
 
         The loop is the running one. What is put from inside such a call comes after it.
         """
+        is_first = not self._waiting  # nobody's call is done inside what another one is at
         self._waiting[key] = call
-        self._go_on()
+        if is_first and not self._calling:
+            self._go_on()
 
     def drop(self, key: Hashable) -> None:
         """Forget what waits with this key, if anything does."""
         self._waiting.pop(key, None)
 
     def _go_on(self) -> None:
-        if self._calling:
-            return
         while self._waiting and self._spent < PIECE:
             if not self._comes_round:
                 self._comes_round = True
@@ -50,6 +53,9 @@ class Spread:
         began, self._calling = self._clock(), True
         try:
             call()
+        except Exception:
+            # One that fails must stop neither those behind it nor whoever has put it.
+            log.exception("something could not be shown")
         finally:
             self._calling = False
             self._spent += self._clock() - began
