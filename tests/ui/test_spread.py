@@ -71,6 +71,30 @@ def test_ten_calls_are_spread_so_that_each_turn_takes_little_and_a_message_passe
     assert max(in_a_turn) < 10
 
 
+def test_where_messages_take_long_what_is_shown_gets_as_much_time(clock):
+    async def story():
+        spread, done, of_turn = Spread(clock), [], []
+
+        def call():
+            clock.work(PIECE)
+            done.append(len(done))
+
+        def messages():
+            of_turn.append(len(done))
+            clock.work(10.0 * PIECE)
+            if len(done) < 40:
+                asyncio.get_running_loop().call_soon(messages)
+
+        for k in range(40):
+            spread.put(k, call)
+        messages()
+        await turns_until(lambda: len(done) == 40)
+        return of_turn
+
+    # One at once; then in each turn as many as the messages have taken.
+    assert run(story()) == [1, 11, 21, 31]
+
+
 def test_of_several_with_one_key_the_newest_counts_in_the_place_of_the_first(clock):
     async def story():
         spread, done = Spread(clock), []
@@ -123,7 +147,7 @@ def test_whoever_puts_a_call_does_not_do_what_waits_of_others(clock):
         spread, done = Spread(clock), []
         spread.put("long", lambda: clock.work(2.0 * PIECE))
         spread.put("a", lambda: done.append("a"))
-        spread._spent = 0.0  # the next turn has begun, with another's callback
+        spread._left = PIECE  # the next turn has begun, with another's callback
         spread.put("b", lambda: done.append("b"))
         before = list(done)
         await turns_until(lambda: len(done) == 2)

@@ -10,11 +10,12 @@ from collections.abc import Callable, Hashable
 log = logging.getLogger(__name__)
 
 PIECE = 0.003
-"""Seconds of a turn of the loop; what has begun is done, the rest follows when messages of all have been looked at."""
+"""Seconds of a turn of the loop; what has begun is done, the rest follows when messages of all have been looked at.
+Where those take longer, what is shown gets as much: otherwise a class that drags would be heard and not answered."""
 
 
 class Spread:
-    """Calls in the order in which they came, as many each time the loop goes round as fit into `PIECE`.
+    """Calls in the order in which they came, as many each time the loop goes round as its time allows; see `PIECE`.
 
     Parameters
     ----------
@@ -25,7 +26,8 @@ class Spread:
     def __init__(self, clock: Callable[[], float] = time.perf_counter) -> None:
         self._clock = clock
         self._waiting: dict[Hashable, Callable[[], None]] = {}
-        self._spent, self._calling, self._comes_round = 0.0, False, False
+        self._left, self._ended = PIECE, 0.0
+        self._calling, self._comes_round = False, False
 
     def put(self, key: Hashable, call: Callable[[], None]) -> None:
         """Call it now, if there is time in this turn and nothing else waits; the newest of those with one key counts.
@@ -42,7 +44,7 @@ class Spread:
         self._waiting.pop(key, None)
 
     def _go_on(self) -> None:
-        while self._waiting and self._spent < PIECE:
+        while self._waiting and self._left > 0.0:
             if not self._comes_round:
                 self._comes_round = True
                 asyncio.get_running_loop().call_soon(self._next_turn)
@@ -57,9 +59,10 @@ class Spread:
             # One that fails must stop neither those behind it nor whoever has put it.
             log.exception("something could not be shown")
         finally:
-            self._calling = False
-            self._spent += self._clock() - began
+            self._calling, self._ended = False, self._clock()
+            self._left -= self._ended - began
 
     def _next_turn(self) -> None:
-        self._spent, self._comes_round = 0.0, False
+        self._comes_round = False
+        self._left = max(PIECE, self._clock() - self._ended)
         self._go_on()
