@@ -1,6 +1,6 @@
 """What viser does again and again for every message, node or picture, done once or in fewer steps.
 
-It says the same; a class that drags takes half the time. `armlab.ui.adapter` puts it in place.
+What is said is the same. It is in place as soon as `armlab.ui.adapter` is imported.
 """
 
 from __future__ import annotations
