@@ -1,1 +1,1 @@
-"""Robots and lessons: files in, typed and validated objects out."""
+"""Robots and lessons: files are read into typed and checked objects."""

@@ -1,4 +1,4 @@
-"""What solves a step: actions in order, as lesson files write them."""
+"""The actions that solve a step, in order, as they are written in lesson files."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from armlab.errors import ContentError, UnknownName, suggestion
 
 MOST_ACTIONS = 100
 LONGEST_WAIT = 600.0
-"""Seconds."""
+"""Longest wait, seconds."""
 
 
 @dataclass(frozen=True, eq=False)
 class Move:
-    """Move the arm to q, shape (n,), in radians and metres."""
+    """Move the arm to q, shape (n,), in rad and m."""
 
     q: NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
 class MoveTarget:
-    """Put the handle of the target to a pose in the world, shape (4, 4)."""
+    """Place the handle of the target at a pose in the world, shape (4, 4)."""
 
     T: NDArray[np.float64]
 
@@ -44,7 +44,7 @@ class SetCell:
     Attributes
     ----------
     row : int
-        From 0, as in commands; lesson files count from 1.
+        Index from 0, as in commands; lesson files count from 1.
     field : "a", "alpha", "d" or "theta"
     value : float
         Metres or radians.
@@ -57,7 +57,7 @@ class SetCell:
 
 @dataclass(frozen=True)
 class TakeRobot:
-    """Choose an arm of the catalogue."""
+    """Choose an arm from the catalogue."""
 
     key: str
 
@@ -72,7 +72,7 @@ class SetSwitch:
 
 @dataclass(frozen=True)
 class PlayFilm:
-    """Play a whole film or run of the timeline; left out, the film of the table."""
+    """Play a whole film or run of the timeline; without a name the film of the table."""
 
     name: str = "film"
 
@@ -86,7 +86,7 @@ class Wait:
 
 @dataclass(frozen=True)
 class TypeAnswer:
-    """Answer the question of the step, as typed."""
+    """Answer the question of the step with this text."""
 
     text: str
 
@@ -180,7 +180,7 @@ def _take_robot(entry: Fields, catalogue: Catalogue) -> TakeRobot:
 
 
 def known_robot(table: Table, key: str, catalogue: Catalogue) -> Robot:
-    """Take the key of a robot of the catalogue."""
+    """Take the key of a robot in the catalogue."""
     name = table.text(key)
     try:
         return catalogue[name]
@@ -209,7 +209,7 @@ def _wait(entry: Fields, robot: Robot) -> Wait:
 
 
 def _type_answer(entry: Fields, robot: Robot) -> TypeAnswer:
-    """Take a text, or a number, which an expression of the variant gives."""
+    """Take a text, or a number that may be given by an expression of the variant."""
     del robot
     typed = entry.value("text")
     if isinstance(typed, (int, float)) and not isinstance(typed, bool):
@@ -232,4 +232,4 @@ _READERS: dict[str, Callable[[Fields, Robot], Action]] = {
 }
 
 AT_START = ("move", "target", "switch", *MOTION_READERS)
-"""Kinds of what can be put in place at a start: what plays, waits, answers or makes another arm is a student's."""
+"""Kinds of actions allowed at a start: those that play, wait, answer or change the arm are for students only."""

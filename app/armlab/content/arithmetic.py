@@ -12,10 +12,10 @@ from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError
 
 LONGEST = 120
-"""Characters of one expression; more is a mistake in splitting a table, or mischief."""
+"""Largest number of characters of an expression; more come from a wrongly split table, or an attack."""
 
 _PLAIN = re.compile("-?[0-9]{1,15}(?:[.][0-9]{0,20})?")
-"""Most numbers that are typed or pasted; of these nothing is to be worked out."""
+"""Pattern of plain decimal numbers, the usual case, which need no parsing."""
 
 
 def evaluate(text: str) -> float:

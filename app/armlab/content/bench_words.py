@@ -1,4 +1,4 @@
-"""Words of benches in lesson files, such as ``velocity.statics.set_component``: what they mean only the lab knows.
+"""Words of benches in lesson files, such as ``velocity.statics.set_component``; only the lab knows their meaning.
 
 A word is the folder of a tab, that of a page and a name: of a command, with its arguments, or of a fact.
 """
@@ -27,11 +27,11 @@ class BenchWord:
     ----------
     word : str
     given : mapping of str to object
-        What the file says of its arguments, with the values of the variant.
+        Arguments in the file, with the values of the variant.
     file : str
         Name of the lesson's file in messages.
     block, path : str
-        Where it stands: the block, such as ``step 2.solution``, and the place in it, such as ``do[1]``.
+        The block, such as ``step 2.solution``, and the place in it, such as ``do[1]``.
     text : str
         The TOML it stands in, after as many empty lines as stand before it in the file.
     """
@@ -44,7 +44,7 @@ class BenchWord:
     text: str = ""
 
     def wrong(self, key: str, problem: str) -> LessonError:
-        """Return the error for one of its arguments, or for itself with an empty key."""
+        """Return the error for one of its arguments, or for the whole command when the key is empty."""
         path = f"{self.path}.{key}" if key else self.path
         where = ".".join(filter(None, (self.block, path)))
         return LessonError(self.file, where, problem, line_of(self.text, path) or 1)
@@ -60,7 +60,7 @@ def is_word(text: str) -> bool:
 
 
 def read_word(entry: Fields) -> BenchWord:
-    """Take the word in ``command`` and all that stands with it, its arguments."""
+    """Take the word in ``command``; all other keys beside it are its arguments."""
     given = {key: entry.value(key) for key in entry.keys if key != "command"}
     block, dot, path = entry.where.rpartition(".do[")
     path = f"do[{path}" if dot else entry.where
@@ -68,7 +68,7 @@ def read_word(entry: Fields) -> BenchWord:
 
 
 def placed(actions: tuple[T, ...], text: str) -> tuple[T, ...]:
-    """Return actions whose words know the TOML they stand in, for the lines of their mistakes."""
+    """Return actions whose words know the TOML in which they stand, so that mistakes are reported with their lines."""
     return tuple(replace(each, text=text) if isinstance(each, BenchWord) else each for each in actions)
 
 

@@ -1,4 +1,4 @@
-"""What a check of a lesson is: a question to the state of the arm, and a sentence for when the answer is no.
+"""Checks of lessons: a condition on the state of the arm, and a sentence for when it is not met.
 
 A check is to be met on purpose: tolerances are the author's, but too large ones are refused when the file is read.
 """
@@ -23,10 +23,10 @@ from armlab.content.robots import Robot
 from armlab.plugins import discover
 
 LARGEST_PART = 0.2
-"""Largest tolerance of a length, as a part of the arm's reach: with more of it a random pose would do."""
+"""Largest tolerance of a length, relative to the arm's reach: with a larger one a random pose would do."""
 
 LARGEST_ANGLE_DEG = 45.0
-"""Largest tolerance of an angle."""
+"""Largest tolerance of an angle, degrees."""
 
 JOINT_VALUES = ("q_deg", "q_m", "q_deg_m")
 
@@ -46,7 +46,7 @@ def metres(value: float) -> str:
 
 
 def degrees(value: float) -> str:
-    """Return an angle given in radians in degrees with one decimal."""
+    """Return an angle, given in radians, in degrees with one decimal."""
     return f"{signed(math.degrees(value), 1)}°"
 
 
@@ -61,7 +61,7 @@ def spaced(key: str) -> str:
 
 @dataclass(frozen=True)
 class Words:
-    """How things are said: metres and radians with their units, and panels, switches and films by their titles."""
+    """Wording: metres and radians with their units; panels, switches and films by their titles."""
 
     length: Callable[[float], str] = metres
     angle: Callable[[float], str] = degrees
@@ -72,20 +72,20 @@ PLAIN = Words()
 
 
 class Check(Protocol):
-    """One check of one step."""
+    """One check of a step."""
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether the arm is as the step asks."""
+        """Return whether the arm is as the step asks."""
         ...
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the sentence for a check that is not met: what is, what is asked, and the mistake if one is seen."""
+        """Return the sentence for a check that is not met: actual value, required value, and a recognised mistake."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Goal:
-    """A ball of the world in which the tool has to be, for all to see.
+    """A ball in the world, shown in the scene, in which the tool has to be.
 
     Attributes
     ----------
@@ -150,7 +150,7 @@ class WrongState:
     check : Check
         Met in that state.
     says : str
-        What the lesson says to it, as HTML.
+        The lesson's text on the mistake, as HTML.
     q : ndarray, shape (n,), or None
         A configuration in which it is met, radians and metres.
     """
@@ -162,47 +162,47 @@ class WrongState:
 
 @dataclass(frozen=True, eq=False)
 class StateCheck:
-    """The check of a step, with the mistakes it knows by name."""
+    """The check of a step, with the mistakes that the lesson names."""
 
     check: Check
     wrong: tuple[WrongState, ...] = ()
 
     @property
     def of_table(self) -> bool:
-        """Whether it is the table that is worked on: then an edited arm is still the lesson's."""
+        """Whether the student works on the table: then an edited arm is still the lesson's."""
         return bool(getattr(self.check, "of_table", False))
 
     @property
     def of_motion(self) -> bool:
-        """Whether it or a mistake it knows is about the planned motion, which then has to be worked out."""
+        """Whether the check or a named mistake is about the planned motion, which then has to be computed."""
         return any(getattr(check, "of_motion", False) for check in (self.check, *(each.check for each in self.wrong)))
 
     @property
     def facts(self) -> tuple[str, ...]:
-        """Words of the facts of benches that it or a mistake it knows looks at."""
+        """Words of the facts of benches that the check or a named mistake uses."""
         checks = (self.check, *(each.check for each in self.wrong))
         return tuple(dict.fromkeys(word for check in checks for word in getattr(check, "facts", ())))
 
     @property
     def noted(self) -> tuple[str, ...]:
-        """What of it no file proves, such as the time that has passed: it can only be taken down as it was told."""
+        """Conditions that no file proves, such as the time that has passed: they are only noted as reported."""
         return tuple(dict.fromkeys(getattr(self.check, "noted", ())))
 
     @property
     def goals(self) -> tuple[Goal, ...]:
-        """What the lesson marks in the scene."""
+        """Goals that the lesson marks in the scene."""
         return tuple(getattr(self.check, "goals", ()))
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether the check is met."""
+        """Return whether the check is met."""
         return self.check.is_met(observation)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the sentence of the check itself, plain text, without what the lesson says to its mistakes."""
+        """Return the sentence of the check itself, plain text, without the lesson's texts on mistakes."""
         return self.check.says(observation, words)
 
     def judge(self, observation: Observation, words: Words = PLAIN) -> tuple[bool, str]:
-        """Return whether the check is met, and what there is to say, as HTML."""
+        """Return whether the check is met, and the sentence for the student, as HTML."""
         if self.check.is_met(observation):
             return True, escape(self.check.says(observation, words), quote=False)
         for wrong in self.wrong:
@@ -259,7 +259,7 @@ def tolerance(table: Table, key: str, default: float | None = None) -> float:
 
 
 def length_tolerance(table: Table, robot: Robot, default: float | None = None) -> float:
-    """Take ``tolerance_m``, metres: at most `LARGEST_PART` of the reach."""
+    """Take ``tolerance_m``, metres, at most `LARGEST_PART` of the reach."""
     value, most = tolerance(table, "tolerance_m", default), LARGEST_PART * 2.0 * robot.arm.length_scale
     if value > most * (1.0 + 1e-9):
         raise table.fail(
@@ -278,6 +278,6 @@ def angle_tolerance(table: Table, default_deg: float | None = None) -> float:
 
 
 def turn_between(angle: float, other: float) -> float:
-    """Return the turn from one angle to the other, in (-pi, pi] rad."""
+    """Return the rotation from one angle to the other, in (-pi, pi] rad."""
     turn = math.remainder(other - angle, 2 * math.pi)
     return math.pi if turn == -math.pi else turn

@@ -1,4 +1,4 @@
-"""Which numbers of the notes a text cites, and what of `armlab.kin` cites which."""
+"""Numbers of the notes that a text cites, and the functions of `armlab.kin` that cite them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _CITED = re.compile(
 )
 _COUNTED = re.compile(r"\b(definition|theorem)s? (\d+)(?:(?:-| and |, )(\d+))?(?!\d|\.\d)")
 _OTHERS = re.compile(r"(?:\bCraig\b|(?<!\w)\*(?=[A-Z])[^*]+\*)[^;]*?(?=;|\)|\. [A-Z]|$)")
-"""Another book and what is cited of it."""
+"""Pattern of another book together with what is cited of it."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def citations(text: str) -> Citations:
 
 
 def _numbers(line: str) -> Iterator[tuple[str, str]]:
-    """Yield kind and number of what a paragraph cites; a decimal alone is a quantity."""
+    """Yield kind and number of everything a paragraph cites; a decimal number alone is a quantity."""
     line = _OTHERS.sub("", line)
     of_notes = re.search(r"\b[Nn]otes\b", line) is not None
     for found in _CITED.finditer(line):
@@ -72,7 +72,7 @@ def _numbers(line: str) -> Iterator[tuple[str, str]]:
 
 @cache
 def functions() -> tuple[Function, ...]:
-    """Return what of `armlab.kin` cites the notes, in the order of modules and their text; looked for once."""
+    """Return everything in `armlab.kin` that cites the notes, in the order of modules and their text; found once."""
     found = []
     for name, thing in _things():
         says = inspect.getdoc(thing) if not isinstance(thing, ModuleType) else thing.__doc__
@@ -83,7 +83,7 @@ def functions() -> tuple[Function, ...]:
 
 
 def _things() -> Iterator[tuple[str, object]]:
-    """Yield modules of kin and what is public in them, with dotted names."""
+    """Yield the modules of kin and their public members, with dotted names."""
     for info in pkgutil.walk_packages(kin.__path__, f"{kin.__name__}."):
         if any(part.startswith("_") for part in info.name.split(".")):
             continue

@@ -1,4 +1,4 @@
-"""Reading evidence: data from a file that anyone may have changed. Each function takes what is right or raises."""
+"""Reading of evidence, data from a file that anyone may have changed: each function returns valid data or raises."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from armlab.kin.checks import wrong
 from armlab.kin.transforms import as_pose
 
 LONGEST_NAME, MOST_NAMES = 64, 200
-"""Characters of a name of a switch, panel or film in evidence, and how many names there may be."""
+"""Longest name of a switch, panel or film in evidence, in characters, and largest number of names."""
 
 LARGEST = 1e6
-"""Largest size of a number in evidence: metres, radians or seconds."""
+"""Largest magnitude of a number in evidence, in m, rad or s."""
 
 
 def mapping(data: object, where: str, keys: tuple[str, ...], optional: tuple[str, ...] = ()) -> Mapping[str, Any]:
-    """Return a table that has all keys, and besides them some of the optional ones only."""
+    """Return a table that has all keys, and no others except some of the optional ones."""
     if not isinstance(data, dict) or not set(keys) <= set(data) <= {*keys, *optional}:
         raise wrong(where, f"exactly the fields {', '.join(keys)}", data)
     return data
@@ -33,7 +33,7 @@ def number(value: object, where: str) -> float:
 
 
 def numbers(value: object, where: str, count: int) -> NDArray[np.float64]:
-    """Return so many numbers, shape (count,)."""
+    """Return ``count`` numbers, shape (count,)."""
     if not isinstance(value, list) or len(value) != count:
         raise wrong(where, f"{count} numbers", value)
     return np.array([number(entry, where) for entry in value])

@@ -12,16 +12,16 @@ from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError, suggestion
 
 LONGEST = 600
-"""Characters of one expression."""
+"""Longest expression, in characters."""
 
 DEEPEST = 40
-"""Brackets, functions, signs and powers inside each other."""
+"""Deepest nesting of brackets, functions, signs and powers."""
 
 LONGEST_TOGETHER = 60
-"""Characters of names that are written together, such as ``l1c12``."""
+"""Longest run of names without separator, in characters, such as ``l1c12``."""
 
 LARGEST_POWER = 1000.0
-"""The largest exponent, without its sign."""
+"""Largest exponent, in magnitude."""
 
 FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
     "sqrt": (math.sqrt, 1, 1),
@@ -40,13 +40,13 @@ FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
     "rad": (math.radians, 1, 1),
     "deg": (math.degrees, 1, 1),
 }
-"""Name to function, and the fewest and most arguments. Angles are in radians; rad turns degrees into radians."""
+"""Functions by name, with the least and largest number of arguments. Angles are in radians; rad converts degrees."""
 
 RESERVED = frozenset({*FUNCTIONS, "pi"})
-"""What no variable may be called."""
+"""Names that no variable may have."""
 
 IN_DEGREES = {"sin": "sin of degrees", "cos": "cos of degrees", "tan": "tan of degrees"}
-"""For `Expression.with_functions`: what a calculator gives that is set to degrees."""
+"""Replacements for `Expression.with_functions` that give the result of a calculator set to degrees."""
 
 
 def _power(base: float, exponent: float) -> float:
@@ -105,7 +105,7 @@ class Expression:
     Attributes
     ----------
     text : str
-        As written.
+        The text as typed.
     names : frozenset of str
         The variables in it.
     """
@@ -158,7 +158,7 @@ def parse(text: str, names: Collection[str] = (), functions: Collection[str] = t
     names : collection of str
         The variables that may stand in it.
     functions : collection of str
-        Those of `FUNCTIONS` that may stand in it.
+        Those of `FUNCTIONS` that are allowed.
 
     Raises
     ------
@@ -184,7 +184,7 @@ def parse(text: str, names: Collection[str] = (), functions: Collection[str] = t
 
 @dataclass(frozen=True)
 class _Token:
-    """``kind`` is number, name, function, sign or end."""
+    """A token; ``kind`` is number, name, function, sign or end."""
 
     kind: str
     text: str = ""
@@ -194,7 +194,7 @@ _END = _Token("end")
 
 
 class _Words:
-    """Which names and functions there are, and how an identifier is made of them."""
+    """The known names and functions, and the division of an identifier into them."""
 
     def __init__(self, names: Collection[str], functions: Collection[str]) -> None:
         self.names = {plain_symbols(name): name for name in names}
@@ -202,7 +202,7 @@ class _Words:
         self._pieces = sorted({*self.names, "pi"}, key=len, reverse=True)
 
     def tokens(self, word: str, before_bracket: bool) -> list[_Token]:
-        """Return what an identifier stands for: a name, a function, or a product of names written together."""
+        """Return the meaning of an identifier: a name, a function, or a product of names without separator."""
         for spelling in (word, word.replace("_", "")):
             if spelling in self.names:
                 return [_Token("name", self.names[spelling])]
@@ -217,7 +217,7 @@ class _Words:
         return together
 
     def _together(self, word: str, before_bracket: bool) -> list[_Token] | None:
-        """Return the names, and before a bracket the function at the end, that a word is made of; the longest first."""
+        """Return the names, longest first, that form a word, with a function at its end before a bracket; else None."""
         if len(word) > LONGEST_TOGETHER:
             return None
         made: dict[int, list[_Token]] = {len(word): []}  # from each place to the end
@@ -250,7 +250,7 @@ def _tokens(source: str, words: _Words) -> list[_Token]:
 
 
 class _Reader:
-    """Recursive descent: a sum of products of powers of factors."""
+    """A recursive descent parser: a sum of products of powers of factors."""
 
     def __init__(self, tokens: list[_Token]) -> None:
         self._tokens, self._place, self._depth = [*tokens, _END], 0, 0
@@ -262,7 +262,7 @@ class _Reader:
         return self._tokens[self._place]
 
     def fail(self) -> NoReturn:
-        """Raise the error for what cannot come next."""
+        """Raise the error for an unexpected token."""
         if self.token is _END:
             raise InputError("the formula breaks off: expected a number, a name or a bracket at its end")
         before = self._tokens[self._place - 1].text if self._place else ""

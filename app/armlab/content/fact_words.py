@@ -1,4 +1,4 @@
-"""Facts of benches in words, with their units: lengths and angles in those of the screen."""
+"""Facts of benches in words with units: lengths and angles in those of the screen."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from armlab.content.check import PLAIN, Words
 from armlab.content.seen_fact import Value
 
 UNKNOWN = "–"
-"""What stands for a fact that is not known, or that the arm does not have."""
+"""Sign for a fact that is not known, or that the arm does not have."""
 
 _DIGITS = 4
 _LONGEST = 1e9
-"""A whole number below it is written with all its digits."""
+"""Number below which a whole number is written with all its digits."""
 
 _ROUNDING = 1e-12
-"""What is smaller comes of rounding: facts are in SI units, and a torque or speed of this size is none."""
+"""Magnitude below which a number is rounding: facts are in SI units, and smaller torques or speeds do not occur."""
 
 
 def said(value: Value | None, unit: str, words: Words = PLAIN) -> str:

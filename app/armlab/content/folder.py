@@ -1,4 +1,4 @@
-"""A folder of content: the files that can be used, and what is wrong with the others."""
+"""A folder of content files: those that can be used, and the problems of the others."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ log = logging.getLogger(__name__)
 
 
 class Keyed(Protocol):
-    """What a file becomes."""
+    """The content of a file."""
 
     @property
     def key(self) -> str:
-        """The file's name without its ending."""
+        """The name of the file without its ending."""
         ...
 
 
@@ -27,7 +27,7 @@ T = TypeVar("T", bound=Keyed)
 
 @dataclass(frozen=True)
 class Folder(Generic[T]):
-    """What a folder holds. Subclasses say of what kind, and how a file is read.
+    """The files of a folder. Subclasses define their kind and how one is read.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Folder(Generic[T]):
         parse : callable
             ``parse(key, text, name of the file)``; raises `ContentError`.
         order : callable
-            By which the contents are sorted.
+            The key by which the contents are sorted.
         """
         found, problems = [], []
         for file in files:
@@ -64,7 +64,7 @@ class Folder(Generic[T]):
         return cls({content.key: content for content in sorted(found, key=order)}, tuple(problems))
 
     def __getitem__(self, key: str) -> T:
-        """Return the content of a file by key; the error lists what is available, or says what is wrong with it."""
+        """Return the content of a file by key; the error lists the available ones, or tells what is wrong with it."""
         if key in self.found:
             return self.found[key]
         for problem in self.problems:
@@ -74,7 +74,7 @@ class Folder(Generic[T]):
 
 
 def _read(file: Traversable, ending: str, parse: Callable[[str, str, str], T]) -> T:
-    """Read one file; whatever goes wrong is a `ContentError`."""
+    """Read one file; every failure becomes a `ContentError`."""
     try:
         return parse(file.name.removesuffix(ending), file.read_text(encoding="utf-8"), file.name)
     except ContentError:

@@ -1,4 +1,4 @@
-"""The index of the lab: what there is about a word, a section or an equation of the notes.
+"""The index of the lab: everything on a word, a section or an equation of the notes.
 
 A query is split into terms. A number refers to the notes, anything else is a word, found also by its beginning or with
 one slip. Every term gives points to what it is found in; what lacks a term is left out, unless everything does.
@@ -22,34 +22,34 @@ from armlab.content.rows import SECTION, Reference, Row, chapters, reference, ro
 Kind = Literal["chapter", "row", "lesson", "bench", "function"]
 
 LIMIT = 20
-"""Entries found at most, if the caller does not say."""
+"""Default of the largest number of results."""
 
 LONGEST = 200
-"""Characters of a query that are looked at."""
+"""Largest number of characters of a query that are used."""
 
 DIRECT, WITHIN, LINKED = 1000.0, 900.0, 800.0
-"""Points of a number: for what has it, for the subsections of a section, for what belongs to such a row."""
+"""Points of a number: for an entry that has it, for the subsections of a section, for what belongs to such a row."""
 
 TITLE, WORDS, DETAIL = 100.0, 60.0, 20.0
-"""Points of a word by where it stands."""
+"""Points of a word, by whether it is in the title, the other words or the details."""
 
 MOST_OFF = 20
-"""Points a long title loses at most: one for each word."""
+"""Largest number of points that a long title loses, one for each word."""
 
 BEGINNING, SLIP = 0.8, 0.5
-"""What the beginning of a word, or a word with one slip, is worth."""
+"""Factor for a word of which only the beginning was typed, and for one with a slip."""
 
 WHOLE_TITLE, WHOLE_NAME = 40.0, 15.0
-"""More points when the whole query is a title, or one of the other names."""
+"""Additional points when the whole query is a title, or one of the other names."""
 
 OF_FUNCTIONS = 0.7
-"""Part of the points of words that functions get: whoever asks for a topic is not looking for code."""
+"""Factor for the points of words of functions: whoever asks for a topic is not looking for code."""
 
 SHARE = {"lesson": 0.7, "bench": 0.6, "function": 0.5}
-"""Part of the points of a row that what belongs to it gets."""
+"""Fractions of the points of a row that are given to what belongs to it."""
 
 SHORTEST_SLIP = 4
-"""Letters of the shortest word in which a slip is forgiven."""
+"""Length of the shortest word, in letters, in which a slip is allowed."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class Bench:
 
 @dataclass(frozen=True)
 class Entry:
-    """Something the index found.
+    """A result of the index.
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ class Entry:
 
 
 class Taught(NamedTuple):
-    """What the index needs of a lesson."""
+    """The data of a lesson for the index."""
 
     key: str
     title: str
@@ -106,7 +106,7 @@ class Taught(NamedTuple):
 def search(
     text: str, limit: int = LIMIT, *, benches: Iterable[Bench] = (), taught: Iterable[Taught] | None = None
 ) -> list[Entry]:
-    """Return what there is about words, sections or equations, the best first.
+    """Return the entries on words, sections or equations, the best first.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def search(
     limit : int
         Most entries.
     benches : iterable of Bench
-        Those there are; content knows none itself.
+        The existing benches, which content itself does not know.
     taught : iterable of Taught, optional
         The lessons; those of the lab when left out.
 
@@ -141,7 +141,7 @@ def search(
 
 @dataclass(frozen=True)
 class _Item:
-    """An entry with what it is found by."""
+    """An entry together with the words and numbers by which it is found."""
 
     entry: Entry
     words: tuple[str, ...] = ()
@@ -188,7 +188,7 @@ class _Index:
         return found
 
     def _shared(self, points: Points) -> Points:
-        """Give a part of the points of rows to what belongs to them."""
+        """Add a fraction of the points of rows to what belongs to them."""
         result = dict(points)
         for i, value in points.items():
             entry = self.items[i].entry
@@ -212,7 +212,7 @@ class _Index:
         return best
 
     def _forms(self, word: str) -> Iterator[tuple[str, float]]:
-        """Yield indexed words and what each is worth for a word of the query."""
+        """Yield indexed words and their factors for a word of the query."""
         word = word.replace("-", "")
         if word in self.words:
             yield word, 1.0
@@ -245,7 +245,7 @@ def _numbered(item: _Item, term: Term) -> float:
 
 @lru_cache(maxsize=8)
 def _index(taught: tuple[Taught, ...], benches: tuple[Bench, ...]) -> _Index:
-    """Return the index of these lessons and benches, which are the same from one query to the next."""
+    """Return the index of these lessons and benches, which is kept between queries."""
     others = [*map(_lesson_item, taught), *map(_bench_item, benches), *_function_items()]
     of_row: defaultdict[str, list[_Item]] = defaultdict(list)
     for item in others:
@@ -271,7 +271,7 @@ def _index(taught: tuple[Taught, ...], benches: tuple[Bench, ...]) -> _Index:
 
 
 def _chapter_item(key: str, own: Iterable[_Item]) -> _Item:
-    """Return a chapter with what is in it, counted."""
+    """Return a chapter with the numbers of what it contains."""
     entries = [item.entry for item in own if rows()[item.entry.key].chapter == key]
     counts = [_count(len(entries), "topic", "topics")]
     for kind, one, many in (("lessons", "lesson", "lessons"), ("functions", "function", "functions")):
@@ -302,7 +302,7 @@ def _lesson_item(lesson: Taught) -> _Item:
 
 
 def _bench_item(bench: Bench) -> _Item:
-    """Return a bench; what it is about is a section, a row, equations in brackets, or words."""
+    """Return a bench; it is found by sections, rows, equations in brackets, or words."""
     sections = tuple(about for about in bench.about if SECTION.fullmatch(about))
     cited = [reference("equation", about[1:-1]) for about in bench.about if about.startswith("(")]
     references = tuple(one for one in cited if one is not None)
@@ -321,7 +321,7 @@ def _bench_item(bench: Bench) -> _Item:
 
 
 def _function_items() -> Iterator[_Item]:
-    """Yield functions; one belongs to the rows whose equations it cites, or to those of its section that have none."""
+    """Yield functions; each belongs to the rows whose equations it cites, or to those of its section without any."""
     by_equation = {
         row.id: [one.name for one in functions() if any(map(row.cites, one.cites.references))]
         for row in rows().values()
@@ -338,13 +338,13 @@ def _function_items() -> Iterator[_Item]:
 
 
 def _whole(item: _Item) -> dict[str, float]:
-    """Return what a whole query may be, and the points for it."""
+    """Return the whole queries that find an item, and the points for each."""
     names = {plain(word): WHOLE_NAME for word in item.words}
     return names if item.entry.kind == "function" else {**names, plain(item.entry.title): WHOLE_TITLE}
 
 
 def _postings(items: Iterable[_Item]) -> Postings:
-    """Return, for each word, the items it stands in and the points it gives: a short title counts a little more."""
+    """Return the items that contain each word, with points; a short title counts slightly more."""
     words: defaultdict[str, Points] = defaultdict(dict)
     for i, item in enumerate(items):
         title = list(tokens(item.entry.title))

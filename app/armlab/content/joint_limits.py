@@ -1,4 +1,4 @@
-"""Which joint is outside its limits, in words."""
+"""A sentence on the joints that are outside their limits."""
 
 from __future__ import annotations
 

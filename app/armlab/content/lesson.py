@@ -1,4 +1,4 @@
-"""What a lesson is: its arm and how it stands at first, and the steps."""
+"""Lessons: the arm, its initial state, and the steps."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.content.question import Question
 from armlab.content.robots import Camera, Robot
 
 LOCKS = ("robot", "table", "joints", "target")
-"""What a lesson can lock: the choice of another arm, the DH table, the joints, the handle of the target."""
+"""Parts that a lesson can lock: the choice of another arm, the DH table, the joints, the handle of the target."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,13 +25,13 @@ class Step:
     ----------
     title : str
     line : int
-        Of its heading in the file, from 1.
+        Line of its heading in the file, from 1.
     example : str
-        What is put in place when it is shown, as of a `Lesson`; empty where it goes on with what is there.
+        The example put in place when the step is shown, as in `Lesson`; empty to go on with the present state.
     panel : str
         The panel that is opened when it is shown; empty for none.
     begin : tuple of Action
-        What is done, after the example, when it is shown.
+        Actions, after the example, when the step is shown.
     html : str
     check : StateCheck or None
     question : Question or None
@@ -40,7 +40,7 @@ class Step:
     reveal_html : str
         Shown when the question is answered or the check is met; empty for none.
     solution : tuple of Action
-        What does the step; empty when the file does not say.
+        Actions that solve the step; empty when the file has none.
     live : tuple of str
         Names of the live values in any text of the step, sorted; see `armlab.content.live`.
     """
@@ -77,19 +77,19 @@ class Lesson:
     robot_used : Robot
         The arm itself.
     start : ndarray, shape (n,)
-        Where the arm stands at first; radians and metres, read-only.
+        Initial joint values, rad and m, read-only.
     panel : str
         The panel that is opened; empty for none.
     example : str
         The example of a bench that is put in place, such as ``"motion/corner_fly"``; empty for none.
     begin : tuple of Action
-        What is done after that.
+        Actions after that.
     overlays : tuple of str
-        What is drawn besides the arm.
+        Switches of what is drawn besides the arm.
     target : ndarray, shape (4, 4), or None
-        Where the handle stands at first, in the world.
+        Initial pose of the handle, in the world.
     camera : Camera or None
-        Where the arm is looked at from at first; None leaves that to the robot.
+        Initial view of the arm; None for that of the robot.
     locked : frozenset of str
         Some of `LOCKS`.
     locked_joints : tuple of int
@@ -98,7 +98,7 @@ class Lesson:
         Keys of panels that are not there.
     variant : int
     values : mapping of str to float or str
-        Of the variant.
+        Values of the variant.
     varies : bool
         Whether other variants differ.
     digest : str

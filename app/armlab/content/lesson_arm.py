@@ -1,4 +1,4 @@
-"""The arm of a lesson's own: a table ``[arm]`` that holds what a robot file holds."""
+"""The arm of a lesson: a table ``[arm]`` with the same fields as a robot file."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armlab.content.robots import OWN, Robot, family_of, parse_robot
 from armlab.errors import ContentError
 
 _LEFT_OUT = {"family": "planar", "summary": "The arm of this lesson.", "source": "The lesson."}
-"""What a robot file must say and a lesson need not; the family is then found from the table."""
+"""Fields that a robot file requires and a lesson does not; the family is then determined from the table."""
 
 
 def read_arm(top: Fields) -> Robot:
@@ -55,5 +55,5 @@ def _written(value: Any) -> str:
 
 
 def _text(text: str) -> str:
-    """Return a basic string of TOML; its escapes are those of JSON, and DEL has to be one."""
+    """Return a basic string of TOML; it is escaped as in JSON, with DEL escaped as well."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

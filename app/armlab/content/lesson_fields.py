@@ -1,4 +1,4 @@
-"""Tables of lessons, which also hold lists of words, yes and no, and whole numbers."""
+"""Tables of lessons, which also contain lists of words, truth values and whole numbers."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ _EXAMPLE = re.compile(r"[a-z0-9_]+/[a-z0-9_]+")
 
 
 class Fields(Table):
-    """A table with more kinds of values."""
+    """A table with further kinds of values."""
 
     @classmethod
     def of(cls, table: Table) -> Self:
-        """Return the same table with nothing taken from it; the table given need not be called `done`."""
+        """Return an unread copy of the table; `done` need not be called on the original."""
         return cls(table.file, table._data, table.where)
 
     @property
     def keys(self) -> tuple[str, ...]:
-        """The keys the file gives, in its order."""
+        """The keys of the table, in the order of the file."""
         return tuple(self._data)
 
     @property
@@ -42,7 +42,7 @@ class Fields(Table):
         return tuple(value)
 
     def some_of(self, key: str, options: Iterable[str]) -> tuple[str, ...]:
-        """Take a list of some words."""
+        """Take a list of words out of some."""
         names, words = list(options), self.words(key)
         for i, word in enumerate(words):
             if word not in names:
@@ -66,7 +66,7 @@ class Fields(Table):
 
 
 def example_name(table: Table, key: str) -> str:
-    """Take the name of an example of a bench, ``"motion/corner_fly"``; which there are is known to the lab only."""
+    """Take the name of an example of a bench, ``"motion/corner_fly"``; only the lab knows which exist."""
     name = table.text(key)
     if not _EXAMPLE.fullmatch(name):
         raise table.fail(key, f"expected BENCH/NAME such as 'motion/corner_fly', got {shown(name)}")

@@ -1,8 +1,7 @@
 """Lesson files: TOML between two lines ``+++``, then Markdown with LaTeX.
 
 Steps are the sections that begin with ``## Title``. A step may carry fenced blocks: ``start``, ``check``, ``question``
-and ``solution`` in TOML, ``hint`` and ``reveal`` in Markdown. What is written before the first step introduces the
-lesson.
+and ``solution`` in TOML, ``hint`` and ``reveal`` in Markdown. The text before the first step introduces the lesson.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ from armlab.errors import ContentError, InputError
 from armlab.kin.checks import whole_number
 
 MOST_STEPS = 200
-"""Steps of a lesson; one for an hour has about ten."""
+"""Largest number of steps of a lesson; a lesson of one hour has about ten."""
 
 _FENCE = "+++"
 _OPENED = "{{="
@@ -53,7 +52,7 @@ def parse_lesson(
     catalogue : Catalogue, optional
         The robots there are; those of the lab when left out.
     variant : int, optional
-        From 0. A lesson that does not vary is the same, with variant 0, for every number.
+        Number of the variant, from 0. A lesson that does not vary is always its variant 0.
     pictures : mapping of str to str, optional
         Names of the pictures beside it to ``data:`` addresses; a single file has None and can show none.
 
@@ -113,7 +112,7 @@ def parse_lesson(
 
 
 def _only_text(setting: Setting, intro: list[Token]) -> None:
-    """Refuse a block that belongs to a step: in an introduction nobody would check, ask or open it."""
+    """Refuse a block that belongs to a step: in an introduction it would have no effect."""
     for token in intro:
         name = token.info.strip() if token.type == "fence" else ""
         if name in (*TABLES, *TEXTS):
@@ -122,7 +121,7 @@ def _only_text(setting: Setting, intro: list[Token]) -> None:
 
 
 def digest_of(text: str, pictures: Mapping[str, str] | None = None) -> str:
-    """Return 16 hexadecimal digits that are others as soon as the text or a picture is another."""
+    """Return 16 hexadecimal digits that change whenever the text or a picture changes."""
     found = hashlib.sha256(text.encode("utf-8", "surrogatepass"))
     for name, address in sorted((pictures or {}).items()):
         found.update(f"\0{name}\0{address}".encode())
@@ -144,7 +143,7 @@ def _split(file: str, text: str) -> tuple[str, str, int]:
 
 
 def _filled_front(key: str, file: str, toml: str, variant: int) -> tuple[Fields, dict[str, Value], bool]:
-    """Return the table at the top with the values of the variant, these, and whether there are others."""
+    """Return the table at the top with the values of the variant, these values, and whether the lesson varies."""
     top = Fields.parse(file, toml)
     variants = Variants.read(key, top.table("variants"))
     try:
@@ -156,7 +155,7 @@ def _filled_front(key: str, file: str, toml: str, variant: int) -> tuple[Fields,
 
 
 def _filled_body(file: str, body: str, before: int, values: Mapping[str, Value]) -> str:
-    """Return the Markdown with the values of the variant; blocks in TOML, which are filled in later, stay."""
+    """Return the Markdown with the values of the variant; TOML blocks are left to be filled in later."""
     if _OPENED not in body:
         return body
     lines, signs = body.split("\n"), _minus_signs(body)
@@ -171,7 +170,7 @@ def _filled_body(file: str, body: str, before: int, values: Mapping[str, Value])
 
 
 def _minus_signs(body: str) -> list[str]:
-    """Return how a minus sign is written in each line: a hyphen in code; empty in blocks in TOML."""
+    """Return the minus sign of each line: a hyphen in code, none in TOML blocks."""
     signs = ["\u2212"] * (body.count("\n") + 1)
     for token in tokens_of(body):
         if token.type == "fence" and token.map:

@@ -1,4 +1,4 @@
-"""Folders of lessons: which files there are, whether they have changed, and what they hold."""
+"""Folders of lessons: the files, whether they have changed, and their content."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from armlab.errors import ContentError
 
 MOST_LESSONS = 500
 MOST_TEXT = 1_000_000
-"""Bytes of one lesson file."""
+"""Largest size of a lesson file, bytes."""
 
 LESSON = "lesson.md"
 ENDING = ".md"
 _README = "readme.md"
 
 Stamp = tuple[tuple[str | int, ...], ...]
-"""What is another as soon as a file of a lesson is written again."""
+"""A value that changes whenever a file of a lesson is written again."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def sources_of(folder: Traversable, label: str = "") -> tuple[list[Source], list
     ----------
     folder : Traversable
     label : str
-        What stands before the names of files in messages, such as ``mine/``.
+        Text before the names of files in messages, such as ``mine/``.
     """
     root = folder if isinstance(folder, Path) else None
     found: list[Source] = []
@@ -116,7 +116,7 @@ def sources_of(folder: Traversable, label: str = "") -> tuple[list[Source], list
 
 
 def _source(entry: Traversable, label: str, root: Path | None) -> Source | None:
-    """Return the lesson an entry of the folder is, or None."""
+    """Return the lesson at an entry of the folder, or None."""
     name = entry.name
     try:
         if name.startswith(".") or name.lower() == _README:
@@ -140,7 +140,7 @@ def _source(entry: Traversable, label: str, root: Path | None) -> Source | None:
 
 
 def _stamp(files: Iterable[Traversable]) -> Stamp:
-    """Return names, times, sizes and numbers of files; of those in an archive, which does not change, the names."""
+    """Return names, times, sizes and inodes of files; of those in an archive, which never changes, only the names."""
     return tuple((file.name, *_of_stat(os.stat(file))) if isinstance(file, Path) else (file.name,) for file in files)
 
 

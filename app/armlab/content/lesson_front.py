@@ -1,4 +1,4 @@
-"""The table at the top of a lesson: its title, its arm, and how everything stands at first."""
+"""The table at the top of a lesson: title, arm, and initial state."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from armlab.content.rows import known, unknown
 
 @dataclass(frozen=True, eq=False)
 class Front:
-    """What the front matter says; the attributes are those of `armlab.content.lesson.Lesson`."""
+    """The front matter; the attributes are those of `armlab.content.lesson.Lesson`."""
 
     title: str
     chapter: str
@@ -82,7 +82,7 @@ def _teaches(top: Fields) -> tuple[str, ...]:
 
 
 def _start(top: Fields, robot: Robot) -> NDArray[np.float64]:
-    """Take the name of a pose or joint values; without either the arm's first pose."""
+    """Take the name of a pose or joint values; without either, return the arm's first pose."""
     given = [key for key in ("pose", *JOINT_VALUES) if top.has(key)]
     if len(given) > 1:
         raise top.fail(given[1], f"expected one of {' and '.join(given)}")

@@ -1,4 +1,4 @@
-"""Mistakes in lesson files, with their lines."""
+"""Lines of mistakes in lesson files."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ class LessonError(ContentError):
     Parameters
     ----------
     file, key, problem : str
-        As in `ContentError`.
+        The parts of a `ContentError`.
     line : int
-        From 1.
+        Line, from 1.
     """
 
     def __init__(self, file: str, key: str, problem: str, line: int) -> None:
@@ -59,7 +59,7 @@ def located(file: str, where: str, toml: str, otherwise: int) -> Iterator[None]:
 
 
 def line_of(toml: str, path: str) -> int:
-    """Return the line, from 1, of a key such as ``wrong[2].answer``, or of the nearest table around it; 0 for none."""
+    """Return the line, from 1, of a key such as ``wrong[2].answer``, or of the nearest enclosing table; 0 for none."""
     lines = key_lines(toml)
     while path:
         if path in lines:
@@ -89,7 +89,7 @@ def key_lines(toml: str) -> dict[str, int]:
 
 
 def _entered(name: str, of_array: bool, counts: Counter[str], lines: dict[str, int], number: int) -> str:
-    """Return the path of the table a header begins, and note its lines."""
+    """Return the path of the table that a header begins, and record its lines."""
     path = ""
     parts = name.split(".")
     for i, part in enumerate(parts):
@@ -107,7 +107,7 @@ def _bare(name: str) -> str:
 
 
 def _still_open(line: str, quotes: str) -> str:
-    """Return the quotes of a text over several lines that is not closed at the end of a line; empty for none."""
+    """Return the quotes of a multi-line text that is open at the end of a line; empty when none is."""
     for mark in ('"""', "'''"):
         if quotes in ("", mark) and line.count(mark) % 2:
             return "" if quotes else mark

@@ -1,4 +1,4 @@
-"""The steps of a lesson: sections of Markdown with fenced blocks for what is to be done."""
+"""The steps of a lesson: sections of Markdown with fenced blocks for tasks."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from armlab.content.variants import Value
 from armlab.errors import suggestion
 
 TABLES = ("start", "check", "question", "solution")
-"""Blocks in TOML; at most one of each in a step."""
+"""TOML blocks; at most one of each in a step."""
 
 TEXTS = ("hint", "reveal")
-"""Blocks in Markdown; any number of hints."""
+"""Markdown blocks; a step may have any number of hints."""
 
 CODE = ("", "python", "text", "toml")
-"""Languages of fenced blocks that are shown as they are."""
+"""Languages of fenced blocks that are shown unchanged."""
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What all steps of a lesson share.
+    """The data that all steps of a lesson share.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Setting:
     robot : Robot
     catalogue : Catalogue
     values : mapping of str to Value
-        Of the variant.
+        Values of the variant.
     prose : Prose
     """
 
@@ -62,7 +62,7 @@ class Setting:
 
 
 class Start(NamedTuple):
-    """How a step begins: the example that is put in place, what is done then, the panel that is opened."""
+    """Start of a step: the example put in place, the actions after it, and the panel that opens."""
 
     example: str = ""
     panel: str = ""
@@ -70,7 +70,7 @@ class Start(NamedTuple):
 
 
 def sections_of(tokens: list[Token]) -> list[list[Token]]:
-    """Return the blocks before the first heading of level 2, then those from each such heading on."""
+    """Return the blocks before the first heading of level 2, then the blocks from each such heading on."""
     sections: list[list[Token]] = [[]]
     for token in tokens:
         if token.type == "heading_open" and token.tag == "h2" and token.level == 0:
@@ -86,9 +86,9 @@ def read_step(setting: Setting, number: int, section: list[Token]) -> Step:
     ----------
     setting : Setting
     number : int
-        From 1.
+        Number of the step, from 1.
     section : list of Token
-        From the heading on.
+        The section with its heading.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def read_step(setting: Setting, number: int, section: list[Token]) -> Step:
 
 
 def _sorted(setting: Setting, where: str, blocks: list[Token]) -> tuple[list[Token], dict[str, list[Token]]]:
-    """Return the text of a step, and its blocks by their names."""
+    """Return the text of a step, and its fenced blocks by name."""
     found: dict[str, list[Token]] = {name: [] for name in (*TABLES, *TEXTS)}
     text = []
     for token in blocks:
@@ -155,8 +155,6 @@ def _read_start(table: Table, robot: Robot) -> Start:
 
 @dataclass(frozen=True)
 class _Blocks:
-    """The blocks of one step."""
-
     setting: Setting
     where: str
     prose: Prose

@@ -1,4 +1,4 @@
-"""The texts of one lesson: Markdown to HTML, with its live values and its pictures."""
+"""The texts of a lesson: Markdown is converted to HTML, with live values and pictures."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.kin.arm import MAX_JOINTS, Arm
 
 @dataclass(frozen=True)
 class Prose:
-    """What makes HTML of the texts of a lesson, or of one of its steps.
+    """Converter of the texts of a lesson, or of one of its steps, to HTML.
 
     Attributes
     ----------
@@ -30,12 +30,12 @@ class Prose:
 
     @classmethod
     def of(cls, file: str, arm: Arm, pictures: Mapping[str, str] | None) -> Prose:
-        """Return the one for a lesson about an arm."""
+        """Return the converter for a lesson about an arm."""
         missing = {name: value.missing(arm) for name, value in all_live_values(MAX_JOINTS).items()}
         return cls(file, Extras(missing, pictures))
 
     def anew(self) -> Prose:
-        """Return the same one with no live value used yet."""
+        """Return a copy in which no live value has been used yet."""
         return Prose(self.file, Extras(self.extras.live, self.extras.pictures))
 
     @property

@@ -15,10 +15,10 @@ from armlab.errors import ContentError, InputError
 _FIELD = re.compile(r"\{\{=([^{}\n]*)\}\}")
 _FORM = re.compile(r"\+?(\.\d{1,2})?[fg]|d")
 _DIGITS = 6
-"""Significant digits of a number without a form."""
+"""Significant digits of a number without a given format."""
 
 TYPED = ("answer",)
-"""Keys whose texts are read as if a student had typed them: a minus sign is a hyphen there."""
+"""Keys with texts as a student would type them, in which a minus sign is a hyphen."""
 
 
 def evaluated(expression: str, values: Mapping[str, Value]) -> Value:

@@ -1,4 +1,4 @@
-"""The lessons there are: those of the lab and those of teachers' folders, read again when their files change."""
+"""All lessons: those of the lab and of teachers' folders, read again when their files change."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ log = logging.getLogger(__name__)
 _READING = Lock()
 
 MOST_VARIANTS = 256
-"""Variants of lessons that are kept; a class of that size costs no reading twice."""
+"""Number of variants of lessons that are kept: a class of this size reads none twice."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Lessons(Folder[Lesson]):
     gone : dict
         Lessons whose files were taken away: those who are in one can go on.
     broken : dict
-        By key, what is wrong with a file that was never right.
+        Problems, by key, of files that never were readable.
     """
 
     kind = "lesson"
@@ -53,7 +53,7 @@ class Lessons(Folder[Lesson]):
         return self.found
 
     def __getitem__(self, key: str) -> Lesson:
-        """Return a lesson, also one that is gone; the error lists what is available, or says what is wrong with it."""
+        """Return a lesson, even a deleted one; the error lists the available ones, or tells what is wrong with it."""
         if key not in self.found and key in self.gone:
             return self.gone[key]
         if key not in self.found and key in self.broken:
@@ -63,7 +63,7 @@ class Lessons(Folder[Lesson]):
 
 @dataclass(frozen=True)
 class _Good:
-    """A lesson as it was when it could last be read, and what it was read from."""
+    """The last readable version of a lesson, and its source."""
 
     lesson: Lesson
     text: str
@@ -72,7 +72,7 @@ class _Good:
 
 @dataclass(frozen=True)
 class _Entry:
-    """What was found in the files of one lesson."""
+    """The content of the files of one lesson."""
 
     stamp: Stamp
     file: str
@@ -107,7 +107,7 @@ class Library:
 
     @property
     def lessons(self) -> Lessons:
-        """All lessons, each as its variant 0, as they were at the last look."""
+        """All lessons in their variant 0, as last read."""
         return self._lessons
 
     def lesson(self, key: str, variant: int = 0) -> Lesson:
@@ -175,7 +175,7 @@ class Library:
             return frozenset(changed)
 
     def _sources(self, problems: list[ContentError]) -> list[Source]:
-        """Return what is to be read; of two lessons of one name the first."""
+        """Return the lessons to read; of two with the same name the first."""
         chosen: dict[str, Source] = {}
         for folder, label in self._folders:
             sources, wrong = sources_of(folder, label)
@@ -189,7 +189,7 @@ class Library:
         return list(chosen.values())
 
     def _looked_at(self, source: Source) -> _Entry:
-        """Return what is in the files of a lesson, from before if they are the same."""
+        """Return the content of the files of a lesson, or the previous one when they are unchanged."""
         before = self._entries.get(source.key)
         if before is not None and (before.stamp, before.file) == (source.stamp, source.file):
             return before
@@ -249,7 +249,7 @@ def _library() -> Library:
 
 
 def lessons() -> Lessons:
-    """Return the lessons there are, each as its variant 0."""
+    """Return all lessons in their variant 0."""
     return library().lessons
 
 
@@ -264,5 +264,5 @@ def add_folder(path: Path) -> frozenset[str]:
 
 
 def changed() -> frozenset[str]:
-    """Look at the files again and return the keys of the lessons that changed; see `Library.changed`."""
+    """Check the files again and return the keys of changed lessons; see `Library.changed`."""
     return library().changed()

@@ -1,4 +1,4 @@
-"""Live values: quantities of the arm as it stands and of its planned motion, for texts of lessons as ``{{name}}``."""
+"""Live values: quantities of the arm and of its planned motion for texts of lessons, as ``{{name}}``."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from armlab.kin.length_power import POWERS, length_power
 from armlab.kin.rotations import euler_zyx
 
 NONE = "–"
-"""What a live value shows that the arm on the table does not have."""
+"""Sign for a live value that the present arm does not have."""
 
 SINGULAR = 1e-9
-"""A singular value not above this times the largest counts as zero."""
+"""Singular values, relative to the largest, up to this count as zero."""
 
 _DECIMALS = 4
 _UPRIGHT = 1e-9
-"""How far a component of the base's z axis may be from that of the world's for the arm to turn about z."""
+"""Largest deviation of the base's z axis from the world's, by component, with which the arm turns about z."""
 
 
 @dataclass(frozen=True)
@@ -47,12 +47,12 @@ class LiveValue:
 
 
 def live_values(arm: Arm) -> dict[str, LiveValue]:
-    """Return the live values an arm has, by name."""
+    """Return the live values of an arm, by name."""
     return {name: value for name, value in all_live_values(arm.n).items() if not value.missing(arm)}
 
 
 def all_live_values(n: int) -> dict[str, LiveValue]:
-    """Return all live values with n joints, also those that not every arm has."""
+    """Return all live values for n joints, including those that only some arms have."""
     joints = {f"q{i + 1}": _joint(i) for i in range(n)}
     points = {f"p{letter}": _coordinate(k) for k, letter in enumerate("xyz")}
     return {**joints, **points, **_OTHERS}
@@ -134,7 +134,7 @@ def _determinant(observation: Observation, words: Words) -> str:
 
 
 def _mixed(arm: Arm) -> str:
-    """Return why singular values would add metres and radians."""
+    """Return the reason why singular values would combine metres and radians; empty when they do not."""
     if not arm.task.position or (arm.task.rotation == "none" and bool(arm.revolute.all() or not arm.revolute.any())):
         return ""
     return "the entries of its Jacobian have different units, so that its singular values have none"
@@ -159,7 +159,7 @@ def _condition(observation: Observation, words: Words) -> str:
 
 
 def _rank(observation: Observation, words: Words) -> str:
-    """Return the rank, found after lengths are divided by the arm's length scale: it is the same in any unit."""
+    """Return the rank, with lengths divided by the arm's length scale: it does not depend on units."""
     del words
     arm = observation.arm
     rows = np.where(np.arange(arm.task.m) < len(arm.task.position), 1.0 / arm.length_scale, 1.0)
@@ -169,14 +169,14 @@ def _rank(observation: Observation, words: Words) -> str:
 
 
 def _duration(observation: Observation, words: Words) -> str:
-    """Return how long the planned motion takes, if it can be run to its end."""
+    """Return the duration of the planned motion, if it can be run to its end."""
     del words
     motion = observation.motion
     return f"{signed(motion.duration, 2)} s" if motion is not None and motion.whole else NONE
 
 
 def _fastest(observation: Observation, words: Words) -> str:
-    """Return the least time of the planned motion within its limits."""
+    """Return the least duration of the planned motion within its limits."""
     del words
     motion = observation.motion
     return f"{signed(motion.fastest, 2)} s" if motion is not None and motion.whole else NONE
@@ -185,7 +185,7 @@ def _fastest(observation: Observation, words: Words) -> str:
 _MOTION = {"duration": LiveValue(_always, _duration), "fastest": LiveValue(_always, _fastest)}
 
 OF_MOTION = frozenset(_MOTION)
-"""Names of the live values for which the planned motion has to be worked out."""
+"""Names of the live values that require the planned motion."""
 
 _OTHERS = {
     "phi": LiveValue(_not_planar, _phi),

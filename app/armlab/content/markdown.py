@@ -46,19 +46,19 @@ _REASONS = {
     "DoubleSubscripts": "there are two indices _ in a row",
     "DoubleSuperscripts": "there are two exponents ^ in a row",
 }
-"""What the converter means by its exceptions."""
+"""Explanations of the converter's exceptions."""
 
 _PARTS = {
     **dict.fromkeys(("mfrac", "mroot", "msub", "msup", "munder", "mover"), 2),
     **dict.fromkeys(("msubsup", "munderover"), 3),
 }
 IN_METRES = "m"
-"""What stands behind the name of a live length that is shown in metres, whatever unit the screen has."""
+"""Suffix of the name of a live length that is shown in metres whatever the unit on the screen."""
 
 _LIVE = re.compile(r"\{\{([^{}\n]*)\}\}")
 _LIVE_BEGUN = re.compile(r"\{\{\s*([A-Za-z][^{}\n]{0,40})")
 MOST_FORMULAS = 8192
-"""Kept; the lessons of the lab have some 2400 different ones."""
+"""Number of formulas that are cached; the lessons of the lab have some 2400 different ones."""
 
 _NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 
@@ -115,7 +115,7 @@ def _check(element: ElementTree.Element, latex: str) -> None:
 
 
 def _mark_matrices(parent: ElementTree.Element) -> None:
-    """Mark tables between square brackets, which the page draws: few fonts have brackets that grow with a table."""
+    """Mark tables in square brackets, which the page draws itself: few fonts have brackets that grow with a table."""
     for before, table, after in zip(parent, parent[1:], parent[2:], strict=False):
         if table.tag == "mtable" and (before.text, after.text) == ("[", "]"):
             table.set("class", "matrix")
@@ -133,7 +133,7 @@ class TextError(InputError):
     ----------
     problem : str
     line : int
-        From 0 at the text's first.
+        Line, from 0 for the first one of the text.
     """
 
     def __init__(self, problem: str, line: int) -> None:
@@ -143,7 +143,7 @@ class TextError(InputError):
 
 @dataclass(frozen=True)
 class Extras:
-    """What a text may hold besides Markdown.
+    """Additional elements that a text may contain besides Markdown.
 
     Parameters
     ----------
@@ -185,7 +185,7 @@ def html_of(tokens: Sequence[Token], extras: Extras | None = None) -> str:
 
 
 def _parts(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
-    """Yield blocks and the pieces of lines, with their lines."""
+    """Yield blocks and inline pieces, with their lines."""
     line = 0
     for token in tokens:
         line = token.map[0] if token.map else line
@@ -197,7 +197,7 @@ def _parts(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
 
 
 def _convert(token: Token, extras: Extras) -> None:
-    """Convert a formula, in which no live value can stand."""
+    """Convert a formula, in which live values are not allowed."""
     for found in _LIVE.finditer(token.content):
         name = _name(found[1])
         if name in extras.live or is_word(name):
@@ -229,7 +229,7 @@ def _look_up(token: Token, extras: Extras) -> None:
 
 
 def is_length(name: str) -> bool:
-    """Return whether a live value may be a length: a coordinate, a distance, or the value of a sliding joint."""
+    """Return whether a live value may be a length: a coordinate, a distance, or the value of a prismatic joint."""
     return name in ("px", "py", "pz", "r") or re.fullmatch(r"q\d+", name) is not None
 
 
@@ -265,7 +265,7 @@ def to_html(text: str, file: str, where: str = "") -> str:
 
 
 def is_allowed(address: str) -> bool:
-    """Whether a link may go there: the web, or a place of the lab itself.
+    """Return whether a link may be followed: to the web, or to a place in the lab.
 
     >>> is_allowed("https://example.org"), is_allowed("javascript:alert(1)"), is_allowed("//example.org")
     (True, False, False)
@@ -293,7 +293,7 @@ def _parser() -> MarkdownIt:
 
 
 def _live(state: StateInline, silent: bool) -> bool:
-    """Read ``{{name}}``; two braces before anything but a letter are text."""
+    """Parse ``{{name}}``; two braces before anything but a letter are text."""
     begun = _LIVE_BEGUN.match(state.src, state.pos, state.posMax)
     if begun is None:
         return False
@@ -321,7 +321,7 @@ def _formula(renderer: RendererHTML, tokens: Sequence[Token], index: int, option
 
 
 def _link(renderer: RendererHTML, tokens: Sequence[Token], index: int, options: Any, env: Any) -> str:
-    """Open pages of the web beside the lab."""
+    """Render a link; pages of the web open beside the lab."""
     token = tokens[index]
     if urlsplit(str(token.attrGet("href"))).scheme:
         token.attrSet("target", "_blank")

@@ -1,4 +1,4 @@
-"""What solutions of lessons do to benches and to the plan of a motion, as lesson files write it."""
+"""Actions of solutions on benches and on the plan of a motion, as they are written in lesson files."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ class TakeExample:
 
 @dataclass(frozen=True)
 class EditWaypoint:
-    """Do something to the list of waypoints.
+    """Change the list of waypoints.
 
     Attributes
     ----------
     how : "add", "set" or "remove"
         Add the configuration of the arm, put a waypoint there, or take one out.
     k : int or None
-        Which waypoint, from 0; with "add" the one behind which it is put, None for the selected one.
+        The waypoint, from 0; with "add" the one after which it is added, None for the selected one.
     """
 
     how: str
@@ -38,7 +38,7 @@ class EditWaypoint:
 
 @dataclass(frozen=True)
 class SetMoveKind:
-    """Choose how the arm comes to a waypoint; None leaves as it is.
+    """Choose the move to a waypoint; None leaves a choice unchanged.
 
     Attributes
     ----------
@@ -60,14 +60,14 @@ class SetMoveKind:
 
 @dataclass(frozen=True)
 class SetDuration:
-    """Give the motion so many seconds; None: as fast as allowed."""
+    """Set the duration of the motion in seconds; None for as fast as allowed."""
 
     seconds: float | None
 
 
 @dataclass(frozen=True)
 class SetLimits:
-    """Set limits of the motion; None leaves as it is.
+    """Set limits of the motion; None leaves a limit unchanged.
 
     Attributes
     ----------
@@ -159,4 +159,4 @@ READERS: dict[str, Callable[[Fields, Robot], MotionAction]] = {
     "duration": _set_duration,
     "limits": _set_limits,
 }
-"""By the kind that lesson files write."""
+"""Readers of the actions, by their kind in lesson files."""

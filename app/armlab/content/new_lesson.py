@@ -1,4 +1,4 @@
-"""The lesson an author begins with: small, complete, and with a word on each of its parts."""
+"""The template of a lesson: small, complete, and with a comment on each of its parts."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from armlab.content.arithmetic import shortest
 from armlab.content.robots import Robot
 
 TURN_DEG, SLIDE = 30.0, 0.25
-"""How far the joint of the template is to turn in degrees, or to slide as a part of its range."""
+"""Motion of the joint in the template: an angle in degrees, or a fraction of its stroke."""
 
 PART_OF_RANGE = 0.005
-"""Tolerance of the joint as a part of its range: random configurations hardly ever meet it."""
+"""Tolerance of the joint, relative to its range: random configurations hardly ever meet it."""
 
 PART_OF_REACH = 0.01
-"""Tolerance of the question."""
+"""Tolerance of the question, relative to the reach."""
 
 _AXES = "xyz"
 
 
 def new_lesson(robot: Robot) -> str:
-    """Return the text of a lesson about an arm that can be read, solved and handed in as it is."""
+    """Return the text of a lesson about an arm, ready to be read, solved and handed in."""
     joint = _Joint.of(robot)
     goal = joint.goal(robot.home)
     point = np.round(robot.arm.position(goal), 3) + 0.0
@@ -64,10 +64,10 @@ class _Joint:
     Attributes
     ----------
     number : int
-        From 1.
+        Number of the joint, from 1.
     turns : bool
     value, wrong, tolerance : float
-        Where it is to be, where a mistake brings it, and how exact; in ``unit``.
+        Goal, position after the typical mistake, and tolerance, in ``unit``.
     """
 
     number: int
@@ -82,7 +82,7 @@ class _Joint:
 
     @classmethod
     def of(cls, robot: Robot) -> _Joint:
-        """Return the first joint, which every arm has, moved to the side where there is more room."""
+        """Return the first joint, moved towards the limit that is farther away."""
         turns = bool(robot.arm.revolute[0])
         factor = math.degrees(1.0) if turns else 1.0
         low, high = (float(limit) * factor for limit in robot.arm.limits[0])
@@ -95,11 +95,11 @@ class _Joint:
         return cls(1, turns, value, wrong, _nice(PART_OF_RANGE * (high - low)))
 
     def goal(self, home: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the configuration that is asked for."""
+        """Return the goal configuration, shape (n,)."""
         return self._moved(home, self.value)
 
     def beyond(self, home: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the configuration of the mistake."""
+        """Return the configuration of the typical mistake, shape (n,)."""
         return self._moved(home, self.wrong)
 
     def _moved(self, home: NDArray[np.float64], value: float) -> NDArray[np.float64]:
@@ -109,7 +109,7 @@ class _Joint:
 
 
 def _nice(value: float) -> float:
-    """Return 1, 2 or 5 times a power of ten that is not above a positive value."""
+    """Return the largest of 1, 2 or 5 times a power of ten that is not above a positive value."""
     power = 10.0 ** math.floor(math.log10(value))
     digit = max(digit for digit in (1, 2, 5) if digit * power <= value * (1.0 + 1e-12))
     return float(f"{digit * power:.1g}")

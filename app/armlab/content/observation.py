@@ -1,4 +1,4 @@
-"""What the check of a lesson may look at, and how it is kept as evidence."""
+"""The data that checks of lessons use, and their form as evidence."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from armlab.kin.dh import CONVENTIONS, FIELDS, Convention
 from armlab.kin.task import task_named
 
 BEYOND = 1e-6
-"""Radians or metres by which a joint value in evidence may be outside of the limits, from rounding."""
+"""Largest excess of a joint value in evidence over its limits, radians or metres, that is rounding."""
 
 SAME_TABLE = 1e-12
-"""Metres and radians by which two tables may differ and still be the same: files hold angles in degrees."""
+"""Largest difference, in m and rad, of tables that are the same: files contain angles in degrees."""
 
 _KEYS = ("q", "arm", "target", "seconds", "switches", "panel", "films")
 
@@ -42,20 +42,20 @@ class Observation:
     tool_pose : ndarray, shape (4, 4)
         The tool in the world.
     target : ndarray, shape (4, 4), or None
-        Where the handle stands, in the world.
+        Pose of the handle, in the world.
     seconds : float
         Since the step was shown.
     switches : frozenset of str
-        What is switched on.
+        Switches that are on.
     panel : str
         The panel that is open; empty for none.
     films : frozenset of str
-        What was played to its end.
+        Films that were played to their end.
     motion : SeenMotion or None
         The planned motion; None where nothing in the step asks for it, for planning takes time.
     facts : mapping of str to SeenFact
-        What benches publish, by words such as ``velocity.statics.torques``; only those the step asks for. They follow
-        from the inputs of the benches, which are kept as evidence in their place.
+        Facts that benches publish, by words such as ``velocity.statics.torques``; only those the step asks for. They
+        follow from the inputs of the benches, which are kept as evidence in their place.
     """
 
     arm: Arm
@@ -71,12 +71,12 @@ class Observation:
 
     @classmethod
     def of(cls, arm: Arm, q: ArrayLike, **more: Any) -> Observation:
-        """Return what is seen of an arm at q, shape (n,); the other fields by their names."""
+        """Return the observation of an arm at q, shape (n,), with other fields by name."""
         values = np.array(q, dtype=np.float64)
         return cls(arm, values, np.array(arm.fk(values), dtype=np.float64), **more)
 
     def to_json(self) -> dict[str, Any]:
-        """Return it as plain data. The pose of the tool is left out: it follows from arm and joint values."""
+        """Return the observation as plain data. The tool pose is left out, as it follows from arm and joint values."""
         motion = {} if self.motion is None else {"motion": self.motion.to_json()}
         return {
             "q": self.q.tolist(),
@@ -96,7 +96,7 @@ class Observation:
         Parameters
         ----------
         data : object
-            As `to_json` writes it.
+            Data written by `to_json`.
         robot : Robot
             The robot of the lesson. Where the evidence has its table, ``arm`` is the very object ``robot.arm``, whose
             limits and task hold whatever the file says; else the student has edited the table.
@@ -141,7 +141,7 @@ def _written(arm: Arm) -> dict[str, Any]:
 
 
 def _arm(data: object, robot: Robot) -> Arm:
-    """Return the robot's arm where the data has its table, else an arm made of the data."""
+    """Return the robot's arm when the data have its table, else an arm made from the data."""
     fields = evidence.mapping(data, "observation.arm", tuple(_written(robot.arm)))
     rows = fields["rows"]
     if not isinstance(rows, list) or not 1 <= len(rows) <= MAX_JOINTS:

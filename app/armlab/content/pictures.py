@@ -1,4 +1,4 @@
-"""Pictures of lessons: checked, and written into the page as ``data:`` addresses."""
+"""Pictures of lessons: checked, and inserted into the page as ``data:`` addresses."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ MOST_PICTURES = 20
 MOST_BYTES = 300_000
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}\.[a-z]+\Z")
-"""What a picture may be called, so that Markdown has it as it is."""
+"""Pattern of file names that Markdown leaves unchanged."""
 
 TYPES = {"png": "image/png", "jpg": "image/jpeg", "jpeg": "image/jpeg", "webp": "image/webp", "svg": "image/svg+xml"}
-"""Ending to media type."""
+"""Media types by file ending."""
 
 _BEGINNINGS = {
     "image/png": re.compile(rb"\x89PNG\r\n\x1a\n"),
@@ -31,7 +31,7 @@ _URL = re.compile(r"url\s*\(\s*[\"']?\s*[^#\"'\s]", re.IGNORECASE)
 _DECLARATION = re.compile(r"\A\s*<\?xml\s[^?]*\?>")
 _OTHER_ENCODING = re.compile(r"encoding\s*=\s*[\"'](?!utf-8[\"'])", re.IGNORECASE)
 _NAMESPACES = ("", "http://www.w3.org/1999/xlink", "http://www.w3.org/XML/1998/namespace")
-"""Attributes of other namespaces mean nothing to a browser."""
+"""Namespaces of attributes that are checked; browsers ignore attributes of others."""
 
 
 def picture(file: str, name: str, data: bytes) -> str:
@@ -65,7 +65,7 @@ def picture(file: str, name: str, data: bytes) -> str:
 
 
 def _check_svg(file: str, data: bytes) -> None:
-    """Refuse a drawing that could run or fetch anything."""
+    """Refuse a drawing that could run scripts or fetch anything."""
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -89,7 +89,7 @@ def _check_svg(file: str, data: bytes) -> None:
 
 
 def _problem(element: ElementTree.Element) -> str:
-    """Return what is wrong with an element of a drawing, or nothing."""
+    """Return the problem of an element of a drawing, or ""."""
     tag, inside = _local(element.tag), element.text or ""
     if tag in _FORBIDDEN:
         return f"the drawing has an element {tag}"
@@ -116,5 +116,5 @@ def _wrong_attribute(tag: str, name: str, value: str) -> str:
 
 
 def _local(name: object) -> str:
-    """Return a name without its namespace, in small letters."""
+    """Return a name without its namespace, in lower case."""
     return str(name).rpartition("}")[2].lower()

@@ -29,10 +29,10 @@ UNITS: dict[str, tuple[str, float]] = {
     "N": ("a force", 1.0),
     "Nm": ("a torque", 1.0),
 }
-"""Unit to the kind of quantity and its size in the unit the lab calculates with."""
+"""Units, each with its kind of quantity and its size in the unit of computation."""
 
 ROUNDING = 1e-9
-"""What a tolerance is widened by, as a part of it: a number exactly at its edge is right."""
+"""Relative widening of a tolerance, so that a number exactly on its edge is right."""
 
 _SPELLINGS = {"°": "deg", "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad"}
 _UNIT = re.compile(
@@ -62,7 +62,7 @@ def read_quantity(text: str) -> tuple[float, str | None]:
 
 
 def read_formula(text: str) -> tuple[Expression, str | None]:
-    """Return the same with the number as it was written; see `read_quantity`."""
+    """Return the quantity with the number as it was written; see `read_quantity`."""
     source, unit = _without_unit(plain_symbols(text).strip())
     try:
         return parse(with_decimal_points(source)), unit
@@ -81,7 +81,7 @@ def with_decimal_points(source: str) -> str:
 
 
 def is_near(value: float, answer: float, tolerance: float) -> bool:
-    """Return whether a number is within a tolerance, or at its edge."""
+    """Return whether a number is within a tolerance, edges included."""
     return abs(value - answer) <= tolerance * (1.0 + ROUNDING)
 
 

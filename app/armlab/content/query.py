@@ -1,4 +1,4 @@
-"""What a person looks for: numbers of the notes and words, however they are written, also with a slip."""
+"""Queries to the index: numbers of the notes and words in any notation, also with one slip."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SKIPPED = frozenset(
     ["a", "an", "and", "as", "at", "by", "do", "for", "from", "how", "i", "in", "is", "it", "its", "my"]
 )
 SKIPPED |= frozenset(["of", "on", "or", "the", "to", "what", "with"])
-"""Words that say nothing beside others."""
+"""Words without meaning for a query."""
 
 _GREEK = {
     letter: f" {unicodedata.name(letter).rpartition(' ')[2].lower().replace('lamda', 'lambda')} "
@@ -39,7 +39,7 @@ _KINDS = {
 
 
 class Term(NamedTuple):
-    """One thing a query asks for.
+    """One term of a query.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class Term(NamedTuple):
         ``word``, ``id``, ``section``, ``any`` (a number that may be a section or an equation), or what has numbers in
         the notes, such as ``equation``.
     text : str
-        In small letters.
+        The text in lower case.
     reference : Reference or None
         The numbers of the notes that are meant.
     """
@@ -58,7 +58,7 @@ class Term(NamedTuple):
 
 
 def terms_of(text: str) -> list[Term]:
-    """Return what a query asks for; words that say nothing only when there are no others.
+    """Return the terms of a query; words without meaning only when there are no others.
 
     >>> [(term.kind, term.text) for term in terms_of("Rodrigues' formula (3.46)")]
     [('word', 'rodrigues'), ('equation', '3.46')]
@@ -85,7 +85,7 @@ def _term(found: re.Match[str]) -> Term:
 
 
 def plain(text: str, *, signs: bool = False) -> str:
-    """Return text in small letters without accents, Greek letters by name; without ``signs`` only words and spaces.
+    """Return text in lower case without accents, Greek letters by name; without ``signs`` only words and spaces.
 
     >>> plain("Čapek: R.U.R.")
     'capek r u r'
@@ -96,7 +96,7 @@ def plain(text: str, *, signs: bool = False) -> str:
 
 
 def tokens(text: str) -> Iterator[str]:
-    """Yield the words of a text in small letters; those with a hyphen also as one.
+    """Yield the words of a text in lower case; those with a hyphen also as one.
 
     >>> list(tokens("Newton's pseudo-inverse"))
     ['newton', 'pseudo', 'inverse', 'pseudoinverse']
@@ -109,7 +109,7 @@ def tokens(text: str) -> Iterator[str]:
 
 
 def without_one(word: str) -> set[str]:
-    """Return a word and what is left of it without one of its letters: two words with one slip share one of these."""
+    """Return a word and all forms of it with one letter removed: two words one slip apart have one in common."""
     return {word, *(word[:i] + word[i + 1 :] for i in range(len(word)))}
 
 

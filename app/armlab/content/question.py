@@ -1,4 +1,4 @@
-"""What a question of a lesson is: what is asked, how it is answered, and the verdict on an answer.
+"""Questions of lessons: the text, the form of the answer, and the verdict on an answer.
 
 An answer is always one text, as typed: ``0.5 m``; ``2`` or ``1,3`` for options; ``1 0; 0 1`` for a matrix.
 """
@@ -16,23 +16,23 @@ from armlab.content.reader import Table, shown
 from armlab.plugins import discover
 
 ToHtml = Callable[[str, str], str]
-"""Makes HTML of Markdown; the second argument is its key in the file."""
+"""A function from Markdown, and its key in the file, to HTML."""
 
 HIDDEN = ("arm", "values")
-"""What a question may hide until it is answered."""
+"""Parts of the screen that a question may hide until it is answered."""
 
 NOT_YET = "This is not the answer yet."
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """Whether an answer is right.
+    """The verdict on an answer.
 
     Attributes
     ----------
     right : bool
     says : str
-        What there is to say about it, as HTML.
+        Sentence on the answer, as HTML.
     name : str
         A short name of the mistake, for counting: such as ``sign``, ``unit`` or ``wrong[2]`` for the second table
         ``wrong`` of the question; empty where none is known.
@@ -47,21 +47,21 @@ RIGHT = Verdict(True, "Right.")
 
 
 def unreadable(problem: object) -> Verdict:
-    """Return the verdict on what cannot be read; the problem is plain text."""
+    """Return the verdict on an unreadable answer; the problem is plain text."""
     text = str(problem)
     return Verdict(False, escape(text[:1].upper() + text[1:], quote=False), "unreadable")
 
 
 @dataclass(frozen=True)
 class Field:
-    """One line of text. ``unit`` is what a number without a unit is taken in; empty for none."""
+    """One line of text. ``unit`` is assumed for a number without one; empty for none."""
 
     unit: str = ""
 
 
 @dataclass(frozen=True)
 class Choices:
-    """Options (HTML) to choose one of, or several; where they are ``fixed``, in this order in every variant."""
+    """Options (HTML), one or several of which are chosen; ``fixed`` ones have the same order in every variant."""
 
     options: tuple[str, ...]
     several: bool
@@ -74,7 +74,7 @@ class Choices:
         ----------
         variant : int
         name : str
-            Of the step: another question has another order.
+            Name of the step: the order differs between questions.
         """
         order = list(range(1, len(self.options) + 1))
         if variant and not self.fixed:
@@ -84,7 +84,7 @@ class Choices:
 
 @dataclass(frozen=True)
 class Grid:
-    """A matrix of so many rows and columns; its entries are in ``unit``."""
+    """A matrix with given numbers of rows and columns; its entries are in ``unit``."""
 
     rows: int
     columns: int
@@ -95,7 +95,7 @@ Form = Field | Choices | Grid
 
 
 class Wrong(NamedTuple):
-    """A wrong answer a lesson expects, as typed, and what it says to it (HTML)."""
+    """A wrong answer that a lesson expects, as typed, and the lesson's text on it (HTML)."""
 
     typed: str
     says: str
@@ -106,37 +106,37 @@ class Question(Protocol):
 
     @property
     def html(self) -> str:
-        """What is asked."""
+        """The text of the question."""
         ...
 
     @property
     def form(self) -> Form:
-        """How it is answered."""
+        """The form of the answer."""
         ...
 
     @property
     def hide(self) -> tuple[str, ...]:
-        """What is hidden until an answer is given: some of `HIDDEN`."""
+        """Parts that are hidden until an answer is given: some of `HIDDEN`."""
         ...
 
     @property
     def right_answer(self) -> str:
-        """An answer that is right, as typed."""
+        """A right answer, as typed."""
         ...
 
     @property
     def wrong(self) -> tuple[Wrong, ...]:
-        """The wrong answers the lesson names."""
+        """The wrong answers that the lesson names."""
         ...
 
     def judge(self, text: str) -> Verdict:
-        """Return the verdict on an answer as typed; what cannot be read is a verdict as well."""
+        """Return the verdict on an answer as typed, also on an unreadable one."""
         ...
 
 
 @dataclass(frozen=True)
 class Asked:
-    """What the tables of all kinds have: the question as HTML, and what it hides."""
+    """The common fields of all kinds: the text of the question as HTML, and the parts it hides."""
 
     html: str
     hide: tuple[str, ...] = ()

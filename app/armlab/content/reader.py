@@ -1,4 +1,4 @@
-"""Read the tables of a TOML file with checks whose messages a teacher can act on."""
+"""Reading of TOML tables, with checks whose messages a teacher can act on."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from armlab.errors import ContentError, suggestion
 
 _UNITS = ("_deg_s2", "_m_s2", "_deg_s", "_m_s", "_deg_m", "_deg", "_m")
-"""Longest first, so that removing one leaves the bare name."""
+"""Suffixes of units, longest first, so that removing one leaves the bare name."""
 
 
 _MOST_SHOWN = 60
@@ -53,7 +53,7 @@ class Table:
         return ContentError(self.file, self._path(key), problem)
 
     def has(self, key: str) -> bool:
-        """Whether the file gives this key; it then has to be taken."""
+        """Return whether the file has this key; it then has to be taken."""
         self._known.add(key)
         return key in self._data
 
@@ -65,14 +65,14 @@ class Table:
         return value
 
     def choice(self, key: str, options: Iterable[str], default: str | None = None) -> str:
-        """Take one of some words."""
+        """Take one of several words."""
         value, names = self.text(key, default), list(options)
         if value not in names:
             raise self.fail(key, f"unknown value {value!r}{suggestion(value, names)}")
         return value
 
     def value(self, key: str, default: Any = None) -> Any:
-        """Take a value of any kind, as the file has it."""
+        """Take a value of any kind, unchanged."""
         return self._take(key, default)
 
     def boolean(self, key: str, default: bool) -> bool:
@@ -87,14 +87,14 @@ class Table:
         return self._number(key, self._take(key, default))
 
     def numbers(self, key: str, count: int, default: list[float] | None = None) -> NDArray[np.float64]:
-        """Take a list of finite numbers."""
+        """Take a list of ``count`` finite numbers, shape (count,)."""
         value = self._take(key, default)
         if not isinstance(value, list) or len(value) != count:
             raise self.fail(key, f"expected {count} numbers in brackets, got {shown(value)}")
         return np.array([self._number(f"{key}[{i + 1}]", entry) for i, entry in enumerate(value)])
 
     def matrix(self, key: str) -> NDArray[np.float64]:
-        """Take a 3 x 3 matrix, a list of rows."""
+        """Take a matrix, shape (3, 3), written as a list of rows."""
         value = self._take(key, None)
         if not isinstance(value, list) or [len(row) if isinstance(row, list) else 0 for row in value] != [3, 3, 3]:
             raise self.fail(key, f"expected three rows of three numbers, got {shown(value)}")
@@ -117,14 +117,14 @@ class Table:
         return Table(self.file, value, self._path(key)) if key in self._data else None
 
     def tables(self, key: str) -> list[Table]:
-        """Take an array of tables; none is an empty list."""
+        """Take an array of tables; an empty list when it is missing."""
         value = self._take(key, [])
         if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
             raise self.fail(key, f"expected tables [[{key}]], got {shown(value)}")
         return [Table(self.file, entry, f"{self._path(key)}[{i + 1}]") for i, entry in enumerate(value)]
 
     def done(self) -> None:
-        """Report the first key that nobody asked for."""
+        """Report the first key that was not taken."""
         for key in self._data:
             if key in self._known:
                 continue

@@ -1,4 +1,4 @@
-"""Robot files: ``robots/*.toml``, one arm a file, each with its source and with poses that prove it."""
+"""Robot files: ``robots/*.toml``, one arm each, with its source and poses that verify it."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from armlab.kin.task import NAMED
 from armlab.kin.transforms import transform
 
 KEY = re.compile(r"[a-z0-9][a-z0-9_]{0,63}\Z")
-"""What stands in links, in lower case for people to say and type."""
+"""Pattern of keys, which are part of links, in lower case so that they are easy to say and type."""
 
 TAKEN = ("random",)
-"""Names of poses whose buttons do something else. The button "zero" looks for a pose of the file first."""
+"""Names that poses cannot have, as their buttons do something else. The button "zero" first looks for such a pose."""
 
 LOOSEST = 1e-3
-"""Largest tolerance of an expected pose: a millimetre. With more of it a wrong table could pass for proven."""
+"""Largest tolerance of an expected pose: a millimetre. With a larger one a wrong table could pass."""
 
 FAMILIES = ("planar", "spatial 3R to 5R", "with sliding joints", "six joints", "seven joints and more")
 
@@ -46,7 +46,7 @@ class Expected:
     flange : bool
         Whether the pose is of frame n instead of the tool.
     tolerance : float
-        Of every entry; metres for the position.
+        Tolerance of every entry; metres for the position.
     source : str
     """
 
@@ -59,7 +59,7 @@ class Expected:
 
 @dataclass(frozen=True)
 class Camera:
-    """Where the arm is looked at from at first: degrees, and a factor on the distance."""
+    """First view of the arm: angles in degrees, and a factor of the distance."""
 
     azimuth_deg: float
     elevation_deg: float
@@ -97,7 +97,7 @@ class Robot:
 
     @property
     def home(self) -> NDArray[np.float64]:
-        """The first named pose."""
+        """The first named pose, shape (n,), rad and m."""
         return next(iter(self.poses.values()))
 
 
@@ -218,7 +218,7 @@ def read_pose(table: Table | None) -> NDArray[np.float64]:
 
 
 def _rest(arm: Arm) -> NDArray[np.float64]:
-    """Return every joint at 0, or at the limit nearest to it."""
+    """Return joint values 0, or the limits nearest to it."""
     q = np.array(arm.clip(np.zeros(arm.n)), dtype=np.float64)
     q.setflags(write=False)
     return q
@@ -268,7 +268,7 @@ def _camera(table: Table | None, arm: Arm) -> Camera:
 
 
 OWN = "own"
-"""The key of an arm that was edited on screen."""
+"""Key of an arm that was edited on screen."""
 
 
 def own_robot(arm: Arm, name: str, like: Robot | None = None) -> Robot:
@@ -301,7 +301,7 @@ def own_robot(arm: Arm, name: str, like: Robot | None = None) -> Robot:
 
 
 def family_of(arm: Arm) -> str:
-    """Return the family an arm belongs to by its structure."""
+    """Return the family of an arm, by its structure."""
     planar, spatial, sliding, six, more = FAMILIES
     if not arm.revolute.all():
         return sliding
@@ -325,11 +325,11 @@ class Catalogue(Folder[Robot]):
 
 
 def read_catalogue(files: Iterable[Traversable]) -> Catalogue:
-    """Read robot files; a broken one is reported and disturbs nothing else."""
+    """Read robot files; a broken one is reported and does not affect the others."""
     return Catalogue.read(files, parse_robot, lambda robot: (FAMILIES.index(robot.family), robot.arm.n, robot.key))
 
 
 @cache
 def catalogue() -> Catalogue:
-    """Return the robots that come with the lab, read once."""
+    """Return the robots of the lab, read once."""
     return read_catalogue(resources.files("robots", ".toml"))

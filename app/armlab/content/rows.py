@@ -1,4 +1,4 @@
-"""The inventory of the course notes: what a lesson may say it teaches, and the numbers by which people cite it."""
+"""The inventory of the course notes: rows that a lesson can teach, and the numbers by which they are cited."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.errors import ContentError
 
 FILE = "rows.toml"
 KINDS = ("equation", "figure", "definition", "theorem")
-"""What has numbers of its own in the notes."""
+"""Kinds of items that are numbered in the notes."""
 
 ID = re.compile(r"S(?:\d+(?:\.\d+)*|A|R)-[A-Za-z0-9-]+")
 SECTION = re.compile(r"\d+(?:\.\d+){0,2}|A|R")
@@ -35,7 +35,7 @@ class Reference(NamedTuple):
     last: int
 
     def meets(self, other: Reference) -> bool:
-        """Whether both have a number in common."""
+        """Return whether both have a number in common."""
         return self[:2] == other[:2] and self.first <= other.last and other.first <= self.last
 
 
@@ -85,19 +85,19 @@ class Row:
 
     @property
     def chapter(self) -> str:
-        """The chapter, ``1`` to ``7``, ``A`` or ``R``."""
+        """The chapter: ``1`` to ``7``, ``A`` or ``R``."""
         return self.section.partition(".")[0]
 
     @cached_property
     def references(self) -> tuple[Reference, ...]:
-        """Its equations, then what else has a number."""
+        """Its equations, then its other numbered items."""
         given = [("equation", number) for number in self.equations]
         given += [(kind, number) for kind, _, number in (entry.partition(" ") for entry in self.numbered)]
         found = (reference(kind, number) for kind, number in given)
         return tuple(one for one in found if one is not None)
 
     def cites(self, other: Reference) -> bool:
-        """Whether one of its numbers is among those of the other."""
+        """Return whether one of its numbers is among those of the other."""
         return any(own.meets(other) for own in self.references)
 
 
@@ -133,13 +133,11 @@ def parse_rows(text: str, file: str = FILE) -> tuple[dict[str, str], dict[str, R
 
 
 class _RowTable(Table):
-    """A table with lists of texts."""
-
     def __init__(self, table: Table) -> None:
         super().__init__(table.file, table._data, table.where)
 
     def texts(self, key: str) -> tuple[str, ...]:
-        """Take a list of texts; none is an empty one."""
+        """Take a list of texts; an empty tuple when it is missing."""
         value = self._take(key, [])
         if not isinstance(value, list) or not all(isinstance(entry, str) and entry.strip() for entry in value):
             raise self.fail(key, f"expected a list of texts, got {shown(value)}")
@@ -183,7 +181,7 @@ def _inventory() -> tuple[Mapping[str, str], Mapping[str, Row]]:
 
 
 def rows() -> Mapping[str, Row]:
-    """Return the inventory by id, in the order of the notes; read once."""
+    """Return the inventory by id, in the order of the notes."""
     return _inventory()[1]
 
 

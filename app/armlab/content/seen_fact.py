@@ -1,4 +1,4 @@
-"""What a lesson sees of a bench: a fact that the bench publishes, as it is at the moment."""
+"""The present value of a fact that a bench publishes, for checks of lessons."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from armlab.content import evidence
 from armlab.kin.checks import wrong
 
 Value = float | tuple[float, ...] | str | bool
-"""What a fact is: a number, several numbers, a text, or true or false."""
+"""Value of a fact: a number, several numbers, a text, or a truth value."""
 
 MOST_NUMBERS = 100
 
 
 @dataclass(frozen=True)
 class SeenFact:
-    """A fact at the moment.
+    """The present value of a fact.
 
     Attributes
     ----------
     title : str
-        What it is, such as ``"the torques of the joints"``.
+        The fact in words, such as ``"the torques of the joints"``.
     unit : str
         Empty for none.
     value : Value or None

@@ -1,4 +1,4 @@
-"""What the check of a lesson sees of the planned motion, and how it is kept as evidence."""
+"""The planned motion as checks of lessons see it, and its form as evidence."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.errors import InputError
 from armlab.kin.checks import wrong
 
 MOST_WAYPOINTS = 100
-"""Waypoints of a motion that lessons speak of."""
+"""Largest number of waypoints of a motion in lessons."""
 
 _TRUTHS = ("planned", "whole", "within", "played")
 _FOLLOWS = ("trouble", "raised")
@@ -19,7 +19,7 @@ _SIZES = ("duration", "fastest", "velocity", "acceleration", "deviation")
 
 @dataclass(frozen=True)
 class SeenMove:
-    """How the arm comes from one waypoint to the next.
+    """The move of the arm from one waypoint to the next.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class SeenMove:
 
 @dataclass(frozen=True)
 class SeenMotion:
-    """The plan of a motion as it is at the moment, and what has become of it.
+    """The planned motion at present.
 
     Attributes
     ----------
@@ -45,27 +45,27 @@ class SeenMotion:
     moves : tuple of SeenMove
         moves[k] comes to waypoint k + 1, both from 0.
     planned : bool
-        Whether it is worked out; before that the following are as of a motion that cannot be run.
+        Whether it is planned already; before that, the attributes below are those of a motion that cannot be run.
     whole : bool
-        Whether it runs to its end.
+        Whether it can be run to its end.
     within : bool
-        Whether it keeps to all limits that are set.
+        Whether it keeps all limits that are set.
     duration : float
-        Seconds of what can be run.
+        Duration of the part that can be run, seconds.
     fastest : float
-        Seconds within the limits; 0 when it cannot be run.
+        Least duration within the limits, seconds; 0 when it cannot be run.
     velocity, acceleration : float
-        Largest share of the limits of the joints, 1 for all of one, among closely spaced samples.
+        Largest fraction of the limits of the joints, 1 at a limit, among closely spaced samples.
     deviation : float
-        Metres by which the tool leaves its Cartesian path between the samples of the inverse kinematics, at most.
+        Largest distance of the tool from its Cartesian path, between samples of the inverse kinematics, metres.
     played : bool
-        Whether it was played to its end, as it is at the moment, since the step was shown.
+        Whether it was played to its end, in its present form, since the step was shown.
     time : float or None
-        Seconds at which its playback stands; None while it is not on.
+        Time of its playback, seconds; None while it is not open.
     trouble : str
         Why it cannot be run; empty when it can. Not kept as evidence.
     raised : str
-        Which limit of a joint was set higher than the arm's own; empty when none was. Not kept as evidence.
+        The joint limit that was set higher than the arm's own; empty when none was. Not kept as evidence.
     """
 
     waypoints: int = 0
@@ -85,11 +85,11 @@ class SeenMotion:
 
     @property
     def runs(self) -> bool:
-        """Whether it runs to its end within all limits."""
+        """Whether the motion can be run to its end within all limits."""
         return self.planned and self.whole and self.within and not self.raised
 
     def to_json(self) -> dict[str, Any]:
-        """Return it as plain data."""
+        """Return the motion as plain data."""
         data = {key: value for key, value in asdict(self).items() if key not in _FOLLOWS}
         return {**data, "moves": [[move.space, move.path, move.law] for move in self.moves]}
 

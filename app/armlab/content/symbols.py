@@ -1,4 +1,4 @@
-"""The signs of print and of screens, replaced by those of a keyboard."""
+"""Typographic characters, replaced by those of a keyboard."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 import unicodedata
 
 MINUS_SIGNS = "−–—‒﹣－‐‑"
-"""What people paste for a minus."""
+"""Minus signs as people paste them."""
 
 _SYMBOLS = str.maketrans(
     {
@@ -21,7 +21,7 @@ _SYMBOLS = str.maketrans(
     }
 )
 
-# What follows would run together with a digit before it when its characters are folded: 1½ to 11/2, 3² to 32.
+# These characters would merge with a digit before them when they are folded: 1½ to 11/2, 3² to 32.
 # A number begins where no digit stands before it: to look from each digit on would take the square of their count.
 _MIXED = re.compile(r"(?:(?<!\d)(\d+(?:\.\d*)?)\s*)?([¼½¾⅐-⅞↉])")
 _POWER = re.compile("(?<![ⁱʲᵏⁿᵐ⁰¹²³⁴-⁻])([⁺⁻]?[⁰¹²³⁴-⁹]+)")
@@ -44,7 +44,7 @@ def plain_symbols(text: str) -> str:
 
 
 def _mixed(found: re.Match[str]) -> str:
-    """Return a vulgar fraction in brackets, with the whole number before it; a decimal number cannot stand there."""
+    """Return a vulgar fraction in brackets, with the whole number before it, which must not be a decimal number."""
     whole, fraction = found.groups()
     if whole and "." in whole:
         return f"{whole} {unicodedata.numeric(fraction)}"

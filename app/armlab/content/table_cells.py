@@ -1,4 +1,4 @@
-"""Read one cell of a pasted table: a number with its unit, or the joint variable with its offset."""
+"""Reading of one cell of a pasted table: a number with its unit, or the joint variable with its offset."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.errors import InputError
 
 ANGLES = ("deg", "rad")
 MOST_DECIMALS = 15
-"""Of a number that was rounded when it was written; those with more are what a program had."""
+"""Largest number of decimals of a number that was rounded in writing; more come from a program."""
 
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 
@@ -43,7 +43,7 @@ _UNIT = re.compile(r"(?<=[\d.)i])\s*(deg(?:rees?)?|°|rad(?:ians?)?|mm|cm|m)(?![
 
 @dataclass(frozen=True)
 class Cell:
-    """What a cell says.
+    """The content of a cell.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Cell:
     starred : bool
         Whether the variable is marked as one, as in ``theta_1*``.
     rounding : float
-        By how much the value may be off because its only decimal number was rounded when it was written; else 0.
+        Largest error of the value due to the rounding of its only decimal number; else 0.
     """
 
     value: float
@@ -107,7 +107,7 @@ def read_cell(text: str, decimal_comma: bool = False) -> Cell:
     Parameters
     ----------
     text : str
-        As written.
+        The text as typed.
     decimal_comma : bool
         Whether ``0,5`` may be one half.
 
@@ -151,7 +151,7 @@ def read_cell(text: str, decimal_comma: bool = False) -> Cell:
 
 
 def _rounding(text: str) -> float:
-    """Return the change of an expression when its only decimal number grows by half a unit of its last digit."""
+    """Return the change of an expression when its only decimal number grows by half a unit of the last digit."""
     found = list(_DECIMAL.finditer(text))
     if len(found) != 1:
         return 0.0

@@ -1,4 +1,4 @@
-"""Split a pasted table into cells, whatever it was pasted from."""
+"""Division of a pasted table into cells, for tables of any origin."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from armlab.errors import InputError
 
 LONGEST = 20_000
-"""Characters; twelve joints need a tenth of it."""
+"""Longest text, in characters; twelve joints need a tenth of it."""
 
 _BARS = re.compile(r"[│┃║|]")
 _RULE = re.compile(r"[\s│┃║|─━═┄┌┐└┘├┤┬┴┼╔╗╚╝╠╣╦╩╬╒╕╘╛╞╡╤╧╪+:=_-]+")
@@ -35,7 +35,7 @@ class Grid:
     Attributes
     ----------
     lines : tuple of tuple of str
-        As written, without blanks around.
+        Cells as typed, without surrounding blanks.
     decimal_comma : bool
         Whether a comma may be a decimal one because something else separates the cells.
     said : str
@@ -43,7 +43,7 @@ class Grid:
     named : str
         The same when the text names a book of that convention, else empty.
     left_out : str
-        What stood beside the table and is not read, in words.
+        Text beside the table that is not read, in words.
     """
 
     lines: tuple[tuple[str, ...], ...]
@@ -54,7 +54,7 @@ class Grid:
 
 
 def _conventions(text: str) -> tuple[str, str]:
-    """Return the convention a text says and that of the books it names; of two that differ none."""
+    """Return the convention a text states and the one of the books it names; none when two differ."""
     said, named = set(), set()
     for convention, words in _WORDS.items():
         word = rf"\b(?:{'|'.join(words)})"
@@ -99,7 +99,7 @@ def _cells(text: str) -> Grid:
 
 
 def _bars(text: str) -> tuple[tuple[str, ...], ...]:
-    """Split Markdown and drawn tables; the first block of lines with bars is the table."""
+    """Split Markdown or drawn tables; the first block of lines with bars is the table."""
     lines: list[tuple[str, ...]] = []
     for line in text.split("\n"):
         closed = line.lstrip().startswith(("└", "╚", "╘")) or not (_BARS.search(line) or _RULE.fullmatch(line))
@@ -124,13 +124,13 @@ def _separated(lines: list[str], separator: str) -> tuple[tuple[str, ...], ...]:
 
 
 def _spaced(line: str) -> tuple[str, ...]:
-    """Split at two blanks or more; a line without any, at each blank."""
+    """Split at two blanks or more, or at each blank in a line without these."""
     cells = re.split(r"\s{2,}", line.strip())
     return tuple(cells if len(cells) > 1 else line.split())
 
 
 def _own_print(text: str) -> Grid:
-    """Split what ``print(arm)`` writes."""
+    """Split the output of ``print(arm)``."""
     lines = text.split("\n")
     first = next(i for i, line in enumerate(lines) if _OWN_PRINT.match(line + " "))
     rows, after = [], []
@@ -151,7 +151,7 @@ def _latex(text: str) -> tuple[tuple[str, ...], ...]:
 
 
 def _environment(text: str) -> str:
-    """Return what stands inside the first tabular, array or matrix, without its column types."""
+    """Return the content of the first tabular, array or matrix, without its column types."""
     begin = _ENVIRONMENT.search(text)
     if begin is None:
         return text
@@ -167,7 +167,7 @@ def _environment(text: str) -> str:
 
 
 def _without_group(text: str) -> str:
-    """Return text without the group in braces it begins with."""
+    """Return a text without its leading group in braces."""
     text = text.lstrip()
     if not text.startswith("{"):
         return text

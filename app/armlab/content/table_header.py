@@ -1,4 +1,4 @@
-"""Recognise the header of a pasted table: which column is which, in what unit, in which convention."""
+"""Recognition of the header of a pasted table: meaning, unit and convention of the columns."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _UNIT = re.compile(r"(?:[\[(,/_ ]|\bin )\s*(deg(?:rees?)?|°|rad(?:ians?)?|mm|cm
 
 @dataclass(frozen=True)
 class Column:
-    """One column: role, unit (or none), index of its symbol such as ``i-1`` (or none), what was written, its name."""
+    """A column: role, unit (or none), index of its symbol such as ``i-1`` (or none), original text, name."""
 
     role: str
     unit: str
@@ -39,7 +39,7 @@ class Column:
 
 
 def read_header(cells: Sequence[str]) -> tuple[Column, ...] | None:
-    """Return the columns, or None when this line is no header: fewer than two names of a, alpha, d, theta."""
+    """Return the columns, or None for a line with fewer than two of the names a, alpha, d, theta."""
     columns = tuple(_column(cell) for cell in cells)
     if len({column.role for column in columns if column.role in DH}) < 2:
         return None
@@ -88,7 +88,7 @@ def is_khalil(columns: Sequence[Column]) -> bool:
 
 
 def in_order_of_craig(columns: Sequence[Column]) -> bool:
-    """Return whether the columns stand as in Craig's book."""
+    """Return whether the columns are in the order of Craig's book."""
     return tuple(column.role for column in columns if column.role in DH) == ("alpha", "a", "d", "theta")
 
 

@@ -1,4 +1,4 @@
-"""From the cells of a pasted table to joint types, radians and metres, with a note on everything concluded."""
+"""From the cells of a pasted table to joint types, radians and metres, with a note on every conclusion."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from armlab.errors import InputError
 from armlab.kin.dh import Kind
 
 LARGEST_RADIANS = 6.3
-"""An angle beyond a full turn without a unit is taken for degrees."""
+"""Largest angle in radians: a larger one without a unit is taken as degrees."""
 
 LARGEST_ROUNDING = 2e-3
-"""Radians between an angle and the quarter turn it was written for: 3.14 is meant to be pi."""
+"""Largest difference, radians, of an angle from the quarter turn that it stands for: 3.14 means pi."""
 
 LARGEST_METRES = 20.0
-"""A length beyond it without a unit is taken for millimetres."""
+"""Largest length in metres: a larger one without a unit is taken as millimetres."""
 
 _PRISMATIC = re.compile(r"\b(p|pris\w*|sliding|linear|transl\w*|p ?\d+)\b")
 _REVOLUTE = re.compile(r"\b(r|rev\w*|rotary|rotation\w*|turning|r ?\d+)\b")
@@ -27,11 +27,11 @@ _KIND_OF_UNIT = {**dict.fromkeys(ANGLES, "an angle"), **dict.fromkeys(LENGTHS, "
 
 
 EXACT = 1e-12
-"""Radians below which an angle has not been changed."""
+"""Change of an angle, radians, below which it counts as unchanged."""
 
 
 def _quarter_turn(cell: Cell) -> float:
-    """Return an angle in radians, or the multiple of a quarter turn it was rounded from."""
+    """Return an angle in radians, or the multiple of a quarter turn of which it is the rounding."""
     nearest = round(cell.value / (math.pi / 2)) * (math.pi / 2)
     return nearest if abs(nearest - cell.value) <= min(cell.rounding, LARGEST_ROUNDING) else cell.value
 
@@ -126,7 +126,7 @@ class PastedCells:
         return values
 
     def _unit_of_angles(self, cells: Sequence[tuple[int, str, Cell]], notes: list[str]) -> str:
-        """Return the unit of angles for which neither cell nor header gives one."""
+        """Return the unit of angles for which neither cell nor header has one."""
         bare = self._bare(cells, ANGLES)
         unit = self._other_unit(("alpha", "theta"), ANGLES)
         if unit or not any(bare):
@@ -141,7 +141,7 @@ class PastedCells:
         return "rad"
 
     def _kind(self, i: int) -> Kind | None:
-        """Return the type of one joint, None when nothing says it."""
+        """Return the type of a joint, or None when nothing determines it."""
         cells = self._cells[i]
         for role in ("a", "alpha", "offset"):
             if role in cells and cells[role].variable:
@@ -167,7 +167,7 @@ class PastedCells:
         return {"theta": "R", "d": "P"}.get(variable)  # type: ignore[return-value]
 
     def _said(self, i: int) -> Kind | None:
-        """Return what the columns of type, joint and variable say."""
+        """Return the type that the columns of type, joint and variable give."""
         words = self._words[i]
         for role in ("type", "joint", "variable"):
             for text in words.get(role, []):
@@ -197,7 +197,7 @@ class PastedCells:
         return [cell.value for _, role, cell in cells if not cell.unit and not self._column_unit(role, units)]
 
     def _other_unit(self, roles: Sequence[str], units: Iterable[str]) -> str:
-        """Return the unit one of two columns has in its header, for the one that has none."""
+        """Return the unit that one of two columns has in its header, for the one that has none."""
         return next((unit for role in roles if (unit := self._column_unit(role, units))), "")
 
     def _column_unit(self, role: str, units: Iterable[str]) -> str:

@@ -16,20 +16,20 @@ from armlab.kin.arm import MAX_JOINTS
 from armlab.kin.dh import CONVENTIONS, Convention, Row
 
 MOST_COLUMNS = 60
-"""Cells of a line; a table with the limits of each joint has a dozen."""
+"""Largest number of cells in a line; a table with limits of each joint has a dozen."""
 
 MOST_TITLES = 4
-"""Lines among which the header is looked for: some tables have a name and a number above it."""
+"""Number of lines in which the header is looked for: some tables begin with a name and a number."""
 
 BOOKS = {"standard": ("Siciliano", "Craig's"), "modified": ("Craig", "Siciliano's")}
-"""A book with each convention, and whose it is when it is the other."""
+"""Books by convention: one that uses it, and the owner of the other."""
 
 _FIXED = re.compile(r"flange|tool|tcp|hand|gripper|ee|end[ -]?effector|base|world")
 
 
 @dataclass(frozen=True)
 class PastedTable:
-    """What was read from a text.
+    """The result of reading a text.
 
     Attributes
     ----------
@@ -108,7 +108,7 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
 
 
 def _joints(lines: Sequence[tuple[str, ...]], columns: Sequence[Column], notes: list[str]) -> Sequence[tuple[str, ...]]:
-    """Return the rows of joints; those of a flange or a tool, which some tables end with, are none."""
+    """Return the rows of joints; rows of a flange or a tool at the end of some tables are left out."""
     places = [i for i, column in enumerate(columns) if column.role == "joint"]
     fixed = [line for line in lines if any(i < len(line) and _FIXED.fullmatch(plain(line[i]).lower()) for i in places)]
     if fixed:
@@ -117,7 +117,7 @@ def _joints(lines: Sequence[tuple[str, ...]], columns: Sequence[Column], notes: 
 
 
 def _convention(columns: Sequence[Column], grid: Grid, default: str, notes: list[str]) -> Convention:
-    """Return the convention, with a note unless the text says it: title before header, books and the default."""
+    """Return the convention, with a note unless the text states it: title, then header, books and the default."""
     by_header, r = convention_of(columns), next((column.role for column in columns if column.name == "r"), "")
     if is_khalil(columns):
         notes.append("Columns d and r as in Khalil's book: d is read as a(i-1), r as d.")
@@ -132,7 +132,7 @@ def _convention(columns: Sequence[Column], grid: Grid, default: str, notes: list
 
 
 def _concluded(convention: str, columns: Sequence[Column], by_header: str, named: str) -> str:
-    """Return in a sentence why a table is read in a convention that its title does not say."""
+    """Return a sentence why a table is read in a convention that its title does not state."""
     if is_khalil(columns):
         return "Khalil's tables are of the modified convention."
     if by_header:
@@ -148,7 +148,7 @@ def _concluded(convention: str, columns: Sequence[Column], by_header: str, named
 
 
 def _columns_without_header(lines: Sequence[Sequence[str]], order: Sequence[str]) -> tuple[Column, ...]:
-    """Return the columns of a table without a header: the four in order, perhaps after joint number and type."""
+    """Return the columns of a table without header: the four in order, perhaps after joint number and type."""
     width = len(lines[0])
     if not any(re.search(r"\d", cell) for cell in lines[0][1:]):
         raise InputError(

@@ -1,4 +1,4 @@
-"""Formulas as a person would type them, from the MathML of lessons: for reports that are plain text."""
+"""Formulas as a person would type them, made from the MathML of lessons, for reports in plain text."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 _ONE = re.compile(r"√?[\w.°]*")
-"""What needs no brackets."""
+"""Pattern of operands that need no brackets."""
 
 
 def typed_formula(mathml: str) -> str:

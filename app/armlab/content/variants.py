@@ -1,4 +1,4 @@
-"""Variants of a lesson: each number of a variant gives the same values to everyone who has it."""
+"""Variants of a lesson: the number of a variant determines its values, the same for everyone."""
 
 from __future__ import annotations
 
@@ -36,16 +36,16 @@ class NoValue(InputError):
 
 @dataclass(frozen=True)
 class Variants:
-    """What varies in a lesson.
+    """The varying values of a lesson.
 
     Attributes
     ----------
     seed : str
         The lesson's key.
     choices : mapping of str to tuple
-        By name, what is chosen from: numbers or texts.
+        Values to choose from, numbers or texts, by name.
     expressions : mapping of str to Expression
-        By name, what follows from earlier names. A name is in one of the two.
+        Expressions of earlier names, by name. A name is in one of the two.
     order : tuple of str
         All names as they stand in the file.
     """
@@ -57,7 +57,7 @@ class Variants:
 
     @property
     def varies(self) -> bool:
-        """Whether there is anything to choose."""
+        """Whether there are any values to choose."""
         return any(len(values) > 1 for values in self.choices.values())
 
     @classmethod
@@ -88,7 +88,7 @@ class Variants:
     def draw(self, number: int) -> dict[str, Value]:
         """Return the values of a variant; number 0 has the first value of each.
 
-        What a name gets depends on the lesson, the name and the number alone, so that a further name changes none.
+        The value of a name depends only on the lesson, the name and the number, so that a further name changes none.
 
         Raises
         ------
@@ -116,7 +116,7 @@ class Variants:
 
 
 def _place(words: str, count: int) -> int:
-    """Return a number from 0 to count - 1 that looks random and is the same on every machine."""
+    """Return a number from 0 to count - 1 that looks random and is the same on every computer."""
     return int.from_bytes(hashlib.sha256(words.encode()).digest()[:8], "big") % count
 
 
@@ -132,7 +132,7 @@ def _numeric(choices: Mapping[str, tuple[Value, ...]]) -> list[str]:
 
 
 def _read(table: Fields, name: str, earlier: list[str]) -> tuple[Value, ...] | Expression:
-    """Return what a name is chosen from, or the expression it follows from."""
+    """Return the values from which a name is chosen, or the expression that gives it."""
     given = table.value(name)
     if isinstance(given, str):
         try:
@@ -169,13 +169,13 @@ def _chosen(entry: Fields) -> tuple[Value, ...]:
 
 
 def _grid(entry: Fields) -> tuple[Value, ...]:
-    """Take a grid that holds its first and, if the steps lead there, its last number, free of rounding noise."""
+    """Take a grid with its first and, when the steps lead to it, its last number, without rounding noise."""
     low, high, step = entry.number("from"), entry.number("to"), entry.number("step")
     if step <= 0:
         raise entry.fail("step", f"expected a positive number, got {step:g}")
     if high < low:
         raise entry.fail("to", f"expected a number not below from, {low:g}, got {high:g}")
-    # What stands in the file, such as 0.1, is meant as this decimal fraction and not as the float next to it.
+    # A number in the file, such as 0.1, is meant as this decimal fraction, not as the nearest float.
     first, last, by = (Fraction(repr(value)) for value in (low, high, step))
     count = (last - first) // by + 1
     if count > MOST_VALUES:

@@ -1,4 +1,4 @@
-"""A worksheet of an arm in its present configuration, for paper: table, matrices and numbers that prove each other."""
+"""A worksheet of an arm in its present configuration, for paper: table, matrices and numbers to check by hand."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ PRODUCTS = {
         r"$A_i = R_x(\alpha_{i-1})\,T_x(a_{i-1})\,R_z(\theta_i)\,T_z(d_i)$.",
     ),
 }
-"""How the four factors of a row are multiplied."""
+"""Products of the four factors of a row, by convention."""
 
 MINUS_ONE = Text("−1", "$-1$")
 
@@ -51,7 +51,8 @@ def worksheet(robot: Robot, q: ArrayLike, format: str = "markdown", *, angle: st
     format : "markdown" or "latex"
         LaTeX is a complete article that needs amsmath, booktabs and geometry.
     angle : "deg" or "rad"
-        Of the table, the joint values and the orientation. Lengths are in metres; Jacobians are in radians.
+        Unit of angles in the table, the joint values and the orientation. Lengths are in metres; Jacobians are in
+        radians.
 
     Returns
     -------
@@ -98,7 +99,7 @@ def task_jacobian(arm: Arm, q: ArrayLike) -> Array:
 
 
 class _Sheet:
-    """What is written, whatever the format."""
+    """The content of a worksheet, in either format."""
 
     def __init__(self, out: Writer, arm: Arm, q: Array, in_degrees: bool) -> None:
         self.out, self.arm, self.q, self.in_degrees = out, arm, q, in_degrees
@@ -110,7 +111,7 @@ class _Sheet:
         return self.out.degrees(math.degrees(value)) if self.in_degrees else f"{self.out.number(value)} rad"
 
     def table(self) -> None:
-        """Columns in the order in which the convention multiplies its factors, lengths of a link first as in books."""
+        """Write the columns in the order of the convention's factors, with lengths of a link first as in books."""
         out, link = self.out, "i" if self.standard else "i-1"
         book = "standard (distal), as Paul, Spong and Siciliano" if self.standard else "modified (proximal), as Craig"
         out.heading("Denavit-Hartenberg table")
@@ -205,7 +206,7 @@ class _Sheet:
         return f"Columns of joints that turn (R): {turning}; of joints that slide (P): {sliding}."
 
     def measures(self) -> None:
-        """Metres and radians are never in one singular value: each kind of velocity has its own."""
+        """Write singular values, separately for each kind of velocity, as metres and radians are not combined."""
         out, arm = self.out, self.arm
         out.heading("Manipulability")
         power = length_power(arm)
@@ -233,7 +234,7 @@ class _Sheet:
 
 
 def _row_names(task: Task) -> list[str]:
-    """Return what the rows of the task Jacobian are velocities of."""
+    """Return the names of the velocities in the rows of the task Jacobian."""
     turns = {
         "none": (),
         "phi": ("turn about z",),

@@ -1,4 +1,4 @@
-"""How a worksheet is written: as Markdown that also reads well as it is, and as an article in LaTeX.
+"""Formats of a worksheet: Markdown that is also readable as plain text, and an article in LaTeX.
 
 Names come from people: whatever they typed is text in both formats, never markup.
 """
@@ -20,24 +20,24 @@ Array = NDArray[np.float64]
 DECIMALS = 4
 
 WIDE = 6
-"""Columns of the widest matrix that is set in LaTeX as large as the text."""
+"""Number of columns from which a matrix in LaTeX is set smaller than the text."""
 
 LONGEST_NAME = 120
-"""Characters of a name that are written."""
+"""Longest name, in characters, that is written in full."""
 
 
 class Text(NamedTuple):
-    """The same in both formats."""
+    """A text in both formats."""
 
     markdown: str
     latex: str
 
 
 class Writer(Protocol):
-    """A worksheet in the making. Texts are markup of the format, put together from what its methods return."""
+    """Writer of a worksheet. Texts are markup of the format, made from the results of its methods."""
 
     def choose(self, text: Text) -> str:
-        """Return the text of this format."""
+        """Return the text in this format."""
         ...
 
     def symbol(self, letter: str, index: str = "") -> str:
@@ -57,7 +57,7 @@ class Writer(Protocol):
         ...
 
     def title(self, name: str) -> None:
-        """Begin with the name of the arm as a person has typed it."""
+        """Begin with the name of the arm, as typed by a person."""
         ...
 
     def heading(self, text: str) -> None:
@@ -73,16 +73,16 @@ class Writer(Protocol):
         ...
 
     def matrix(self, symbol: str, values: Array) -> None:
-        """Write what a symbol is equal to."""
+        """Write an equation of a symbol and a matrix."""
         ...
 
     def finished(self) -> str:
-        """Return the whole text, which ends with a line break."""
+        """Return the whole text, ending with a line break."""
         ...
 
 
 def one_line(name: str) -> str:
-    """Return a name without line breaks and signs that cannot be seen, "Arm" if nothing is left."""
+    """Return a name without line breaks and invisible characters, "Arm" if nothing is left."""
     seen = "".join(" " if unicodedata.category(letter)[0] in "CZ" else letter for letter in name)
     return " ".join(seen.split())[:LONGEST_NAME].rstrip() or "Arm"
 
@@ -110,11 +110,11 @@ class Markdown:
         self._blocks: list[str] = []
 
     def choose(self, text: Text) -> str:
-        """Return the text of this format."""
+        """Return the text in Markdown."""
         return text.markdown
 
     def symbol(self, letter: str, index: str = "") -> str:
-        """Return such as A₁, αᵢ₋₁ or J_task."""
+        """Return a symbol such as A₁, αᵢ₋₁ or J_task."""
         written = _LETTERS.get(letter, letter)
         if not index:
             return written
@@ -125,11 +125,11 @@ class Markdown:
         return signed(value, DECIMALS)
 
     def degrees(self, value: float) -> str:
-        """Return such as ``90.0000°``."""
+        """Return degrees such as ``90.0000°``."""
         return f"{self.number(value)}°"
 
     def plus(self, variable: str, offset: float) -> str:
-        """Return such as ``q₂ − 90.0000``."""
+        """Return a sum such as ``q₂ − 90.0000``."""
         return f"{variable} {'−' if offset < 0.0 else '+'} {self.number(abs(offset))}"
 
     def title(self, name: str) -> None:
@@ -145,12 +145,12 @@ class Markdown:
         self._blocks.append(text)
 
     def table(self, head: Sequence[str], body: Sequence[Sequence[str]]) -> None:
-        """Write a table with bars; all but the first column to the right."""
+        """Write a table with bars, all but its first column aligned right."""
         lines = [head, ["---", *("---:" for _ in head[1:])], *body]
         self._blocks.append("\n".join("| " + " | ".join(line) + " |" for line in lines))
 
     def matrix(self, symbol: str, values: Array) -> None:
-        """Write a block of text."""
+        """Write an equation as a block of text."""
         cells = [[self.number(float(value)) for value in row] for row in values]
         width = max(len(cell) for row in cells for cell in row)
         rows = ["  ".join(cell.rjust(width) for cell in row) for row in cells]
@@ -220,7 +220,7 @@ _ACCENTS = {
     "\u030c": "v",
     "\u0327": "c",
 }
-"""Combining marks and the commands that set them in every encoding of fonts."""
+"""Combining marks and their LaTeX commands, which work in every font encoding."""
 
 
 def latex_text(name: str) -> str:
@@ -245,35 +245,35 @@ def _latex_letter(letter: str) -> str:
 
 
 class Latex:
-    """A complete article that needs amsmath, booktabs and geometry."""
+    """A complete article that needs the packages amsmath, booktabs and geometry."""
 
     def __init__(self) -> None:
         self._blocks: list[str] = [_PREAMBLE]
 
     def choose(self, text: Text) -> str:
-        """Return the text of this format."""
+        """Return the text in LaTeX."""
         return text.latex
 
     def symbol(self, letter: str, index: str = "") -> str:
-        """Return such as ``$A_{1}$``."""
+        """Return a symbol such as ``$A_{1}$``."""
         written = f"\\{letter}" if letter in _LETTERS else letter
         word = rf"\mathrm{{{index}}}" if len(index) > 1 and index.isalpha() else index
         return f"${written}{f'_{{{word}}}' if index else ''}$"
 
     def number(self, value: float) -> str:
-        """Return a number as mathematics, so that its minus sign is one."""
+        """Return a number in math mode, which gives it a proper minus sign."""
         return f"${_plain_number(value)}$"
 
     def degrees(self, value: float) -> str:
-        """Return such as ``$90.0000^\\circ$``."""
+        r"""Return degrees such as ``$90.0000^\circ$``."""
         return rf"${_plain_number(value)}^\circ$"
 
     def plus(self, variable: str, offset: float) -> str:
-        """Return such as ``$q_{2} - 90.0000$``."""
+        """Return a sum such as ``$q_{2} - 90.0000$``."""
         return f"${variable.strip('$')} {'-' if offset < 0.0 else '+'} {_plain_number(abs(offset))}$"
 
     def title(self, name: str) -> None:
-        """Begin with a section without a number."""
+        """Begin with an unnumbered section."""
         self._blocks.append(rf"\section*{{Worksheet: {latex_text(name)}}}")
 
     def heading(self, text: str) -> None:
@@ -285,13 +285,13 @@ class Latex:
         self._blocks.append(text)
 
     def table(self, head: Sequence[str], body: Sequence[Sequence[str]]) -> None:
-        """Write a table with the rules of booktabs; all but the first column to the right."""
+        """Write a table with the rules of booktabs, all but its first column aligned right."""
         rows = [" & ".join(cells) + r" \\" for cells in (head, *body)]
         lines = [rf"\begin{{tabular}}{{l{'r' * (len(head) - 1)}}}", r"\toprule", rows[0], r"\midrule", *rows[1:]]
         self._blocks.append("\n".join([*lines, r"\bottomrule", r"\end{tabular}"]))
 
     def matrix(self, symbol: str, values: Array) -> None:
-        """Write a displayed equation; many columns are set closer and smaller."""
+        """Write a displayed equation; one with many columns is set closer and smaller."""
         rows = [" & ".join(_plain_number(float(value)) for value in row) for row in values]
         cells = " \\\\\n".join(rows)
         body = [r"\[", f"{symbol.strip('$')} =", r"\begin{bmatrix}", cells, r"\end{bmatrix}", r"\]"]

@@ -1,4 +1,4 @@
-"""Write a lesson file for an arm as it stands: whoever opens it has to bring the arm there."""
+"""A lesson file for the present state of an arm, to which students have to bring it."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ Vector = NDArray[np.float64]
 
 CHAPTER = "My lessons"
 PART_OF_REACH = 0.01
-"""How near the tool must come, as a part of the reach."""
+"""Largest distance of the tool from the goal, relative to the reach."""
 
 WITHIN_DEG, WITHIN_M = 2.0, 0.01
-"""How near angles and sliding joints must come."""
+"""Tolerances of angles, degrees, and of prismatic joints, metres."""
 
 NEAR = 0.02
-"""A start at which every joint is nearer to the goal than this part of its range is too near."""
+"""Distance of every joint from the goal, relative to its range, below which a start is too near."""
 
 _DECIMALS = 6
 _JOINT_DECIMALS = 11
-"""Of joint values in degrees: what is left out is 1e-13 rad, the crumbs of turning radians into degrees."""
+"""Decimals of joint values in degrees: the rest is 1e-13 rad, the rounding of conversions."""
 
 _HEADER = re.compile(r"^(\[\[?)(\w+)(\]\]?)$", re.MULTILINE)
 
@@ -75,13 +75,13 @@ def lesson_text(
     ----------
     title : str
     robot : Robot
-        Of the catalogue, or an arm of one's own, which is then written into the lesson.
+        A robot of the catalogue, or an edited one, which is then written into the lesson.
     q : array_like, shape (n,)
         Radians and metres, inside the limits.
     panel, overlays : str, sequence of str, optional
-        As in lesson files.
+        The panel and the switches, as in lesson files.
     target : array_like, shape (4, 4), optional
-        Where the handle stands at first, in the world.
+        Initial pose of the handle, in the world.
     camera : Camera, optional
     answers : sequence of NumberAsked, optional
     begin : sequence of (str, mapping of str to str), optional
@@ -109,7 +109,7 @@ def lesson_text(
 
 
 def _is_a_task(text: str, goal: Vector) -> bool:
-    """Whether the goal meets the check of a lesson and its start does not."""
+    """Return whether the goal meets the check of a lesson and its start does not."""
     try:
         lesson: Lesson = parse_lesson("written", text)
     except ContentError as error:
@@ -163,7 +163,7 @@ def _front(
 
 
 def _own_arm(robot: Robot) -> str:
-    """Return the text of the robot with the headers of its tables inside ``arm``."""
+    """Return the text of the robot with the headers of its tables within ``arm``."""
     named = replace(robot, name=_plain(robot.name), summary=_plain(robot.summary), source=_plain(robot.source))
     return _HEADER.sub(r"\1arm.\2\3", robot_toml(replace(named, expected=()))).rstrip()
 
@@ -174,7 +174,7 @@ def _step(robot: Robot, goal: Vector, asked: str, check: Iterable[str], hint: st
 
 
 def _pose_task(robot: Robot, goal: Vector) -> tuple[str, list[str], str]:
-    """Return what is asked, the lines of the check, and a hint, for the pose of the tool or what the task has of it."""
+    """Return task text, lines of the check, and a hint, for the controlled part of the tool pose."""
     arm = robot.arm
     T = np.asarray(arm.fk(goal), dtype=np.float64)
     within = shortest(float(f"{PART_OF_REACH * 2.0 * arm.length_scale:.2g}"))
@@ -198,7 +198,7 @@ def _pose_task(robot: Robot, goal: Vector) -> tuple[str, list[str], str]:
 
 
 def _joints_task(robot: Robot, goal: Vector) -> tuple[str, list[str], str]:
-    """Return the same for the joint values, for arms whose tool stays where it is."""
+    """Return task text, lines of the check, and a hint, for the joint values, when the tool does not move."""
     revolute = robot.arm.revolute
     check = ['kind = "joints_at"', _joint_values(robot, goal)]
     check += [f"tolerance_deg = {shortest(WITHIN_DEG)}"] if revolute.any() else []
@@ -244,10 +244,10 @@ def _rounded(value: float) -> str:
 
 
 def _plain(text: str) -> str:
-    """Return a text in which a lesson file finds no expression."""
+    """Return a text in which a lesson file finds no expressions."""
     return re.sub(r"\{(?=\{)", "{ ", text).lstrip("= ")
 
 
 def _text(text: str) -> str:
-    """Return a basic string of TOML; its escapes are those of JSON, and DEL has to be one."""
+    """Return a basic string of TOML; it is escaped as in JSON, with DEL escaped as well."""
     return json.dumps(_plain(text), ensure_ascii=False).replace("\x7f", "\\u007f")

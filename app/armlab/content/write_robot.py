@@ -1,4 +1,4 @@
-"""Write a robot in the format of robot files, so that reading it gives the same arm."""
+"""Robots in the format of robot files; reading one gives the same arm."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armlab.kin.rotations import rotation_from_sequence
 from armlab.kin.task import NAMED
 
 EXACT = 1e-15
-"""How closely angles must reproduce a rotation; where they do not, its nine numbers are written."""
+"""Largest error with which angles reproduce a rotation; otherwise its nine entries are written."""
 
 
 def robot_toml(robot: Robot) -> str:
@@ -83,7 +83,7 @@ def _pose(T: NDArray[np.float64]) -> Iterable[str]:
 
 
 def _roll_pitch_yaw(R: NDArray[np.float64]) -> tuple[float, float, float]:
-    """Return the three angles; roll is what is left after yaw and pitch, so they fit at pitch = ±90 degrees, too."""
+    """Return the three angles; roll is computed last, so that they also fit at pitch = ±90 degrees."""
     yaw = math.atan2(R[1, 0], R[0, 0])
     pitch = math.atan2(-R[2, 0], math.hypot(R[0, 0], R[1, 0]))
     s, c = math.sin(yaw), math.cos(yaw)
@@ -117,5 +117,5 @@ def _numbers(values: Sequence[float] | NDArray[np.float64]) -> str:
 
 
 def _text(text: str) -> str:
-    """Return a basic string of TOML; its escapes are those of JSON, and DEL has to be one."""
+    """Return a basic string of TOML; it is escaped as in JSON, with DEL escaped as well."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

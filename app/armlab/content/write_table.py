@@ -1,4 +1,4 @@
-"""Write the table of an arm as text that spreadsheets, papers and `armlab.content.tables.parse_table` can read."""
+"""The table of an arm as text for spreadsheets, papers and `armlab.content.tables.parse_table`."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What the network sees: pages, tokens, limits, and the WebSocket passed through to the labs on loopback."""
+"""Everything the network sees: pages, tokens, limits, and WebSockets passed through to the labs on loopback."""

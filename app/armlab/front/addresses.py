@@ -9,13 +9,13 @@ import socket
 LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 _BOTH = (socket.AF_INET, socket.AF_INET6)
 EVERYWHERE = {"0.0.0.0": (socket.AF_INET,), "::": _BOTH, "": _BOTH}
-"""The hosts that stand for all addresses of this machine, with the families they are of."""
+"""Hosts that stand for all addresses of this machine, with their address families."""
 _FAR = {socket.AF_INET: "192.0.2.1", socket.AF_INET6: "2001:db8::1"}
-"""Addresses of no machine, kept free for examples."""
+"""Addresses of no machine, reserved for documentation."""
 
 
 def addresses(host: str, port: int) -> tuple[str, list[str]]:
-    """Return the address for this machine and those for others in the room."""
+    """Return the address for this machine and the addresses for others in the room."""
     if host in EVERYWHERE:
         return _url("127.0.0.1", port), [_url(name, port) for name in own_addresses(*EVERYWHERE[host])]
     own = _url(host, port)
@@ -23,14 +23,14 @@ def addresses(host: str, port: int) -> tuple[str, list[str]]:
 
 
 def served_names(host: str) -> frozenset[str]:
-    """Return the host names a browser may address the lab by."""
+    """Return the host names by which a browser may address the lab."""
     if host in EVERYWHERE:
         return LOCAL_NAMES | {socket.gethostname().lower(), *own_addresses(*EVERYWHERE[host])}
     return LOCAL_NAMES | {host.lower()}
 
 
 def own_addresses(*families: socket.AddressFamily) -> list[str]:
-    """Return the addresses of this machine in its networks, best first, one family after the other."""
+    """Return the addresses of this machine in its networks, the best first, one family after the other."""
     found = [name for family in families for name in _addresses_of(family)]
     return [name for name in dict.fromkeys(found) if _can_be_typed(ipaddress.ip_address(name))]
 
@@ -47,7 +47,7 @@ def _addresses_of(family: socket.AddressFamily) -> list[str]:
 
 
 def _can_be_typed(address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:
-    """Whether others can reach this address: IPv6 has some that mean another machine on every cable."""
+    """Return whether others can reach this address: some IPv6 addresses are valid on one network link only."""
     bound_to_a_cable = address.version == 6 and address.is_link_local
     return not (address.is_loopback or address.is_unspecified or bound_to_a_cable)
 

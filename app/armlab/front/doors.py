@@ -1,4 +1,4 @@
-"""Connections that have not become a page's socket: few, for a short time, and heard of in one line of the log."""
+"""Connections that are not yet a page's socket: few, for a short time, and with little noise in the log."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from armlab.errors import in_one_line
 from armlab.front.limits import Limits
 
 FILES = 4096
-"""Files and sockets the process may hold open, where its system lets it choose: a class needs about a thousand."""
+"""Number of files and sockets the process may hold open, if its system allows: a class needs about a thousand."""
 
 BACKLOG = 64
-"""Connections that may wait to be let in, and that are let in before anything else is looked at. Much less than
-`Limits.visitors`: whoever asks is heard before as many others have come in."""
+"""Length of the queue of connections that wait to be accepted, all of which are accepted before anything else. Much
+less than `Limits.visitors`, so that each is heard before as many others have come in."""
 
 SILENCE = 60.0
-"""Seconds between two lines of the log about requests that make no sense: a stranger may send as many as he likes."""
+"""Time, seconds, between two lines of the log on malformed requests, of which a stranger may send any number."""
 
 
 class Doors:
@@ -44,17 +44,17 @@ class Doors:
         self._log.filters[:] = [Quiet()]
 
     def __len__(self) -> int:
-        """Return how many connections are no sockets yet."""
+        """Return the number of connections that are no sockets yet."""
         return len(self._waiting)
 
     def factory(self, server: web.Server) -> Callable[[], web.RequestHandler]:
-        """Return what makes the handler of the next connection to a server."""
+        """Return a function that makes the handler of the next connection to a server."""
         loop = asyncio.get_running_loop()
         options = {"keepalive_timeout": self._limits.visit, "auto_decompress": False}
         return lambda: Visitor(self, server, loop=loop, access_log=None, logger=self._log, **options)
 
     def enter(self, visitor: Visitor) -> None:
-        """Note a new connection."""
+        """Register a new connection."""
         loop = asyncio.get_running_loop()
         self._waiting[visitor] = loop.call_later(self._limits.visit, visitor.hang_up)
         if len(self._waiting) > self._limits.visitors:
@@ -64,18 +64,18 @@ class Doors:
             next((other for other in crowd if not other.asked), crowd[0]).hang_up()
 
     def hear(self, visitor: object) -> None:
-        """Note that a connection has asked for something."""
+        """Note that a connection has sent a request."""
         if isinstance(visitor, Visitor):
             visitor.asked = True
 
     def leave(self, visitor: object) -> None:
-        """Forget a connection that has ended, or has become a socket, for which other limits hold."""
+        """Forget a connection that has ended or become a socket; sockets have other limits."""
         if isinstance(visitor, Visitor) and (late := self._waiting.pop(visitor, None)) is not None:
             late.cancel()
 
 
 class Site(web.BaseSite):
-    """Where a server listens.
+    """An address on which a server listens.
 
     Parameters
     ----------
@@ -92,11 +92,11 @@ class Site(web.BaseSite):
 
     @property
     def name(self) -> str:
-        """Where it listens, as aiohttp wants to know it."""
+        """The address, in aiohttp's notation."""
         return str(self._where)
 
     async def start(self) -> None:
-        """Begin to listen."""
+        """Start to listen."""
         await super().start()
         server = self._runner.server
         assert server is not None
@@ -113,25 +113,25 @@ class Visitor(web.RequestHandler):
         self.address, self.asked = "", False
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Come in."""
+        """Register the connection."""
         super().connection_made(transport)
         self.address = str((transport.get_extra_info("peername") or ("",))[0])
         self._doors.enter(self)
 
     def connection_lost(self, exc: BaseException | None) -> None:
-        """Go."""
+        """Forget the connection."""
         self._doors.leave(self)
         super().connection_lost(exc)
 
     def hang_up(self) -> None:
-        """End the connection at once, even if the other side reads nothing any more."""
+        """End the connection at once, even if the other side no longer reads."""
         self._doors.leave(self)
         if self.transport is not None:
             self.transport.abort()
 
 
 class Quiet(logging.Filter):
-    """Makes one line of what is logged with a trace, and lets through one such line a while.
+    """A log filter: a traceback becomes one line, and only one such line passes in a while.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ class Quiet(logging.Filter):
         self._clock, self._until = clock, -float("inf")
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Return whether a record is to be written, after shortening it."""
+        """Return whether a record is to be written; a long one is shortened."""
         if record.levelno < logging.WARNING:
             return True
         now = self._clock()
@@ -158,7 +158,7 @@ class Quiet(logging.Filter):
 
 
 def let_open_many_files() -> None:
-    """Raise the number of files this process may hold open, where the system's default is small."""
+    """Raise the number of files this process may hold open, when the system's default is small."""
     if sys.platform == "win32":
         return
     import resource

@@ -1,4 +1,4 @@
-"""The front: the only thing people connect to."""
+"""The front: the only server to which people connect."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
 PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
 HALF_A_YEAR = 180 * 86400
 FOREIGN = ("websocket", "playbackPath")
-"""Query parameters of viser that would make the page talk to, or play, something of somebody else."""
+"""Query parameters of viser that would connect the page to a foreign server, or play a foreign recording."""
 
 
 class Front:
@@ -43,14 +43,14 @@ class Front:
     page : Page
     tokens : Tokens
     secret : str
-        What this front says to its labs.
+        The secret by which this front identifies itself to its labs.
     labs : sequence of int
         Loopback ports, one of which a browser always gets; they may change when a lab is started again.
     hosts : frozenset of str, or None
         Names this front is addressed by; None accepts every name.
     limits : Limits
     room : Room, optional
-        Whom it lets in; everybody when left out.
+        The code that visitors need; everybody is let in when it is left out.
     """
 
     def __init__(
@@ -112,7 +112,7 @@ class Front:
         return _text(*refusal) if refusal is not None else None
 
     def _asked_for_code(self, request: web.Request) -> web.Response | None:
-        """Return the question for the code of the room, the way on for who has just said it, or None for who is in."""
+        """Return the form for the code of the room, a redirect after the right code, or None for somebody inside."""
         room = self._room
         if room is None or room.is_in(request.cookies.get(room.cookie)):
             return None
@@ -219,7 +219,7 @@ def _give_cookie(request: web.Request, response: web.Response, name: str, value:
 
 
 def _bare(host: str) -> str:
-    """Return a host name without its port, an IPv6 address without its brackets."""
+    """Return a host name without port, and an IPv6 address without brackets."""
     if host.startswith("["):
         return host[1:].partition("]")[0]
     return host.partition(":")[0]
@@ -230,5 +230,5 @@ def _text(status: int, text: str) -> web.Response:
 
 
 async def _protect(_request: web.Request, response: web.StreamResponse) -> None:
-    """Give every answer the safety headers, also those that aiohttp makes itself."""
+    """Add the safety headers to every response, also to those of aiohttp itself."""
     response.headers.update(HEADERS)

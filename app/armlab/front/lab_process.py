@@ -1,4 +1,4 @@
-"""One lab of a class: settings in by standard input, port out, and the end when standard input closes."""
+"""One lab of a class: it reads settings from standard input, writes its port, and ends when standard input closes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.ui.plugin import panels
 
 
 def main() -> None:
-    """Serve until the front is gone."""
+    """Serve until the front has ended."""
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
     sys.setswitchinterval(SWITCH_INTERVAL)
     settings = json.loads(sys.stdin.readline())

@@ -1,4 +1,4 @@
-"""What one browser may ask of the lab."""
+"""Limits on what one browser may ask of the lab."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Limits:
     patience : float
         Seconds of unbroken slowing down by count after which a flooding socket is closed.
     sockets_each, sockets : int
-        Of one browser, and of all.
+        Largest numbers of sockets of one browser, and of all.
     heartbeat : float
         Seconds between questions whether a page still reads; it is cut off half of that after one it does not answer.
     visitors : int
@@ -48,14 +48,14 @@ class Limits:
 
 
 class Bucket:
-    """A token bucket that says how long to wait."""
+    """A token bucket that tells how long to wait."""
 
     def __init__(self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic) -> None:
         self._rate, self._burst, self._clock = rate, burst, clock
         self._level, self._at = burst, clock()
 
     def take(self, amount: float) -> float:
-        """Take an amount; return the seconds to wait before going on."""
+        """Take an amount; return the time to wait before going on, seconds."""
         now = self._clock()
         self._level = min(self._burst, self._level + (now - self._at) * self._rate) - amount
         self._at = now
@@ -63,7 +63,7 @@ class Bucket:
 
 
 class Meter:
-    """Counts what one browser sends, over all its sockets, so that reconnecting buys nothing."""
+    """Count of what one browser sends over all its sockets, so that reconnecting gives no advantage."""
 
     def __init__(self, limits: Limits, clock: Callable[[], float] = time.monotonic) -> None:
         self._count = Bucket(limits.rate, limits.burst, clock)

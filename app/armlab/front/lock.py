@@ -1,4 +1,4 @@
-"""One lab a folder: two would overwrite each other's students."""
+"""A lock that lets only one lab use a folder: two would overwrite each other's students."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armlab.errors import ArmlabError
 log = logging.getLogger(__name__)
 
 _HELD = (errno.EACCES, errno.EAGAIN, errno.EDEADLK)
-"""What the systems say of a lock that somebody else holds."""
+"""Error numbers of systems for a lock that another process holds."""
 
 
 class FolderInUse(ArmlabError):
@@ -51,7 +51,7 @@ class FolderLock:
             log.warning("%s cannot be locked (%s); open no second lab on it", folder, error.strerror)
 
     def release(self) -> None:
-        """Let others have the folder."""
+        """Release the folder."""
         os.close(self._handle)
 
 

@@ -28,11 +28,11 @@ _DIGITS = "".join(character for character in map(chr, range(0x21, 0x7F)) if char
 _LOADER = re.compile(r'<script data-p="([^"]*)" data-ss="(\d+)" data-cs="(\d+)">(.*?)</script>', re.DOTALL)
 
 FRAMES = "'self' http://localhost:* http://127.0.0.1:*"
-"""Who may show the lab in a frame: a notebook on the same machine."""
+"""Sources that may show the lab in a frame: notebooks on the same machine."""
 
 
 class PageError(ArmlabError):
-    """The installed viser is not the tested one."""
+    """The installed viser is not the tested version."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Page:
         return gzip.compress(self.html, 6)
 
     def policy(self, sockets: str) -> str:
-        """Return the Content-Security-Policy; ``sockets`` are the addresses the page may open a WebSocket to."""
+        """Return the Content-Security-Policy; ``sockets`` are addresses to which the page may open a WebSocket."""
         return "; ".join(
             [
                 "default-src 'none'",
@@ -113,7 +113,7 @@ def _asset(file: Traversable) -> str:
 
 
 def _assets(ending: str) -> str:
-    """Return what is for the whole lab, and after it what is for single topics, one file each."""
+    """Return the files for the whole lab with this ending, then those for single topics."""
     folder = resources.files("armlab.front") / "static"
     names = sorted(file.name for file in folder.iterdir())
     topics = (name for name in names if name.endswith(ending) and name != f"armlab{ending}")
@@ -121,7 +121,7 @@ def _assets(ending: str) -> str:
 
 
 def _bench_styles() -> str:
-    """Return the stylesheets of the benches, each so that it reaches only the pages of its own tab."""
+    """Return the stylesheets of the benches, each restricted to the pages of its own tab."""
     found = []
     for page in bench_pages():
         file = resources.files(page) / "style.css"

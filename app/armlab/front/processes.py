@@ -1,4 +1,4 @@
-"""Lab processes of a class: started, watched and ended by the front's process."""
+"""Lab processes of a class, which the process of the front starts, watches and ends."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from armlab.errors import ArmlabError
 log = logging.getLogger(__name__)
 
 LOOK_INTERVAL = 0.25
-"""Seconds between looks at whether all labs live."""
+"""Time, seconds, between two checks whether all labs are running."""
 
 LASTING = 20.0
-"""Seconds that a lab has to live to be started again at once; one that ends sooner waits twice as long each time."""
+"""Time, seconds, that a lab has to run to be restarted at once; one that ends sooner waits twice as long each time."""
 
 LONGEST_WAIT = 30.0
-"""Seconds."""
+"""Longest wait before a restart, seconds."""
 
 
 class LabProcesses:
@@ -36,7 +36,7 @@ class LabProcesses:
     Attributes
     ----------
     ports : list of int
-        Where the labs are; the entry of one that is started again changes.
+        Ports of the labs; the entry of a restarted one changes.
     """
 
     def __init__(
@@ -59,7 +59,7 @@ class LabProcesses:
         self._watcher.start()
 
     def _watch(self) -> None:
-        """Start labs again that have died."""
+        """Restart labs that have ended."""
         began = [time.monotonic()] * len(self._processes)
         waits = [0.0] * len(self._processes)
         while not self._stopping.wait(LOOK_INTERVAL):
@@ -108,7 +108,7 @@ class LabProcesses:
         return pipe
 
     def stop(self) -> None:
-        """End all labs; they save before they go."""
+        """End all labs; they save first."""
         self._stopping.set()
         self._watcher.join()  # at most until a lab that is being started says its port
         self._end()

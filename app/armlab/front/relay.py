@@ -1,4 +1,4 @@
-"""Pass a WebSocket through to a lab and back, slowed down to the limits, with back-pressure from end to end."""
+"""A WebSocket passed through to a lab and back, slowed down to the limits, with back-pressure from end to end."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from aiohttp import ClientWebSocketResponse, WSCloseCode, WSMsgType, web
 from armlab.front.limits import Meter
 
 CLOSING = 3.0
-"""Seconds for a polite close; a browser that no longer reads would hold it for ever."""
+"""Time, seconds, for a regular close; a browser that no longer reads would delay it for ever."""
 
 
 async def relay(
     request: web.Request, browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter
 ) -> None:
-    """Pass messages both ways until one side closes, then close the other."""
+    """Pass messages both ways until one side closes, then close the other one."""
     pumps = [asyncio.create_task(_to_lab(browser, lab, meter)), asyncio.create_task(_to_browser(lab, browser))]
     try:
         await asyncio.wait(pumps, return_when=asyncio.FIRST_COMPLETED)
@@ -33,7 +33,7 @@ async def relay(
 
 
 async def _to_lab(browser: web.WebSocketResponse, lab: ClientWebSocketResponse, meter: Meter) -> int | None:
-    """Pass on what the browser sends; return a close code when it breaks the rules."""
+    """Pass on what the browser sends; return a close code when it exceeds the limits."""
     async for message in browser:
         if message.type is not WSMsgType.BINARY:
             return WSCloseCode.UNSUPPORTED_DATA

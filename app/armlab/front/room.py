@@ -1,4 +1,4 @@
-"""A word that everybody in the room knows and a stranger does not: with it the lab may be open to a network."""
+"""A code that everybody in the room knows and a stranger does not: with it the lab may be open to a network."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from collections.abc import Callable
 from armlab.front.limits import Bucket
 
 TRIES, TRIES_A_SECOND = 10.0, 0.2
-"""Wrong words that may come from one address: some in a row, then one each five seconds."""
+"""Number of wrong codes from one address that are allowed in a row, and the rate afterwards: one in five seconds."""
 
 MOST_ADDRESSES = 1000
-"""Addresses that are watched; who tried longest ago is forgotten."""
+"""Number of addresses that are counted; the one with the oldest attempt is forgotten first."""
 
 LONGEST = 100
-"""Characters of a word."""
+"""Longest code, in characters."""
 
 FORM = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -40,7 +40,7 @@ TOO_OFTEN = "Too many wrong codes came from this address. Wait a little."
 
 
 class Room:
-    """Knows the code, whom it has let in, and who guesses.
+    """The code of the room, the browsers let in by it, and wrong attempts.
 
     Parameters
     ----------
@@ -56,14 +56,14 @@ class Room:
         self._guessers: dict[str, Bucket] = {}
         self.cookie = f"armlab-room-{hashlib.sha256(secret).hexdigest()[:8]}"
         self.key = hmac.new(secret, b"room " + self._code, hashlib.sha256).hexdigest()
-        """Value of the cookie of those who are in: with another code it is another."""
+        """Value of the cookie of everybody inside; it changes with the code."""
 
     def is_in(self, key: str | None) -> bool:
-        """Return whether the cookie is of somebody who has said the code."""
+        """Return whether the cookie belongs to somebody who has given the code."""
         return hmac.compare_digest((key or "").encode(), self.key.encode())
 
     def refusal(self, said: str | None, address: str) -> str:
-        """Return why a browser that said a word, or none, is not let in; empty when it is."""
+        """Return the reason why a browser with this code, or none, is not let in; empty when it is."""
         if said is None:
             return ASKED
         if self._guessed(address) > 0.0:
@@ -81,7 +81,7 @@ class Room:
         return found
 
     def _guessed(self, address: str) -> float:
-        """Return for how many seconds an address has to wait."""
+        """Return the time an address has to wait, seconds."""
         return self._guessers[address].take(0.0) if address in self._guessers else 0.0
 
 

@@ -1,4 +1,4 @@
-"""Start everything: one process for a laptop, or a front before several labs for a class."""
+"""Start of all servers: one process for a laptop, or a front with several labs for a class."""
 
 from __future__ import annotations
 
@@ -32,21 +32,21 @@ if TYPE_CHECKING:
     from armlab.ui.lab import Lab
 
 SWITCH_INTERVAL = 0.0005
-"""Seconds after which Python's threads take turns. With the default of 5 ms the worker holds up the event loop that
-sends the poses; safe because all writes to viser happen on that loop."""
+"""Interval, seconds, at which Python's threads take turns. With the default of 5 ms the worker would delay the event
+loop that sends the poses; it is safe, as all writes to viser happen on that loop."""
 
 
 SESSIONS = "sessions"
-"""Folder of the students' work inside that of the lab."""
+"""Folder of the students' work within that of the lab."""
 
 
 class StartError(ArmlabError):
-    """The lab cannot be started; the text says why in one line."""
+    """The lab cannot be started; the text gives the reason in one line."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What to start.
+    """Settings for the start.
 
     Attributes
     ----------
@@ -56,13 +56,13 @@ class Settings:
     opening : str
         Key of the arm new students begin with.
     folder : Path or None
-        Where sessions are kept; None keeps them in memory.
+        Folder of the sessions; None keeps them in memory.
     labs : int
         Number of lab processes; 0 runs everything in this one.
     lessons : tuple of Path
         Folders of lessons besides those of the lab.
     code : str
-        What a browser has to say before it gets in; empty lets everybody in.
+        The code that browsers need; empty lets everybody in.
     names : tuple of str
         Names besides the host by which people get here, such as that of a proxy.
     """
@@ -92,7 +92,7 @@ class Running:
         self._opened = opened
 
     def stop(self) -> None:
-        """Close all pages' connections, save, and end."""
+        """Close the connections of all pages, save, and end."""
         self._opened.close()
 
 
@@ -125,7 +125,7 @@ def start(settings: Settings) -> Running:
 
 
 def _kept_secret(folder: Path | None, opened: ExitStack) -> bytes:
-    """Take the folder for this lab alone, labs of a class included, and read its secret."""
+    """Lock the folder for this lab, or labs of a class, and return its secret."""
     try:
         if folder is not None:
             opened.callback(FolderLock(folder).release)
@@ -136,7 +136,7 @@ def _kept_secret(folder: Path | None, opened: ExitStack) -> bytes:
 
 
 def _try_writing(folder: Path) -> None:
-    """Raise `OSError` where no session could be saved: better now than after an hour of work."""
+    """Raise `OSError` when no session could be saved: better now than after an hour of work."""
     folder.mkdir(parents=True, exist_ok=True, mode=0o700)
     try:
         with tempfile.TemporaryFile(dir=folder):
@@ -146,7 +146,7 @@ def _try_writing(folder: Path) -> None:
 
 
 def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab | None, list[int]]:
-    """Open the labs on loopback; return the one of this process, if there is one, and all ports."""
+    """Open the labs on loopback; return the one of this process, if any, and all ports."""
     sessions = settings.folder / SESSIONS if settings.folder is not None else None
     if settings.labs:
         processes = LabProcesses(settings.labs, settings.opening, sessions, secret, settings.lessons)
@@ -161,7 +161,7 @@ def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab 
 
 
 def _open_front(front: Front, settings: Settings, opened: ExitStack) -> int:
-    """Open the front in a thread of its own; return its port."""
+    """Open the front in its own thread; return its port."""
     loop = asyncio.new_event_loop()
     thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-front")
     thread.start()

@@ -1,4 +1,4 @@
-"""Signed tokens: which browser is which, chosen by us and not by the browser."""
+"""Signed tokens that identify browsers: the lab chooses them, not the browser."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Tokens:
         return self._signed(secrets.token_urlsafe(18))
 
     def read(self, value: str | None) -> str | None:
-        """Return the token of a cookie value, or None when it was not made here."""
+        """Return the token in a cookie value, or None when it was not made here."""
         token, _, _ = (value or "").rpartition(".")
         if not token or not hmac.compare_digest(self._signed(token).encode(), (value or "").encode()):
             return None
@@ -58,7 +58,7 @@ def kept_secret(folder: Path | None) -> bytes:
 
 
 def _write_whole(path: Path, data: bytes) -> None:
-    """Put a file in its place only when all of it is on the disk."""
+    """Write a file so that it appears only when it is complete on the disk."""
     handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".writing-")
     try:
         with os.fdopen(handle, "wb") as file:

@@ -1,4 +1,4 @@
-"""What links ask for: how they are written, and kept from the loading of a page until its socket opens."""
+"""Requests in links: their form, and their storage from the loading of a page until its socket opens."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ VARIANT = re.compile(r"[0-9]{1,4}\Z")
 
 
 def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
-    """Return status and sentence for a link with parts that cannot be; None when all can."""
+    """Return status and sentence for a link with invalid parts; None when all are valid."""
     if not NAME.match(parts.get("name", "x")):
         return 404, "There is no such page."
     if not VARIANT.match(parts.get("variant", "0")):
@@ -27,14 +27,14 @@ def refused(parts: Mapping[str, str]) -> tuple[int, str] | None:
 
 
 class Wishes:
-    """The newest wish of each browser, forgotten after a while: not everybody who loads a page opens a socket.
+    """The newest request of each browser, dropped after a while: not everybody who loads a page opens a socket.
 
     Parameters
     ----------
     most : int
-        Of so many browsers; the oldest wish makes room.
+        Largest number of browsers; the oldest request is dropped.
     seconds : float
-        How long a wish waits.
+        Time for which a request is kept, seconds.
     clock : callable
     """
 
@@ -46,13 +46,13 @@ class Wishes:
         return len(self._waiting)
 
     def put(self, token: str, wish: str) -> None:
-        """Note the wish of a browser; it replaces an earlier one."""
+        """Store the request of a browser, replacing an earlier one."""
         self._waiting.pop(token, None)
         self._waiting[token] = (wish, self._clock() + self._seconds)
         self._forget()
 
     def take(self, token: str) -> str | None:
-        """Return the wish of a browser and forget it."""
+        """Return the request of a browser and forget it."""
         self._forget()
         return self._waiting.pop(token, (None, 0.0))[0]
 

@@ -23,7 +23,7 @@ from armlab.kin.transforms import as_pose
 
 MAX_JOINTS = 12
 DEFAULT_STROKE = (0.0, 1.0)
-"""Limits in metres of a prismatic joint that is given none; a revolute one gets a full turn."""
+"""Limits, in metres, of a prismatic joint that is given none; a revolute joint gets a full turn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,24 +132,24 @@ class Arm:
 
     @cached_property
     def revolute(self) -> NDArray[np.bool_]:
-        """Which joints turn, shape (n,)."""
+        """Whether each joint turns, shape (n,)."""
         return np.array([row.revolute for row in self.rows])
 
     @cached_property
     def reach(self) -> float:
-        """An upper bound, in metres, of the distance from frame 0 to the tool point: all lengths in a line."""
+        """Upper bound, in metres, of the distance from frame 0 to the tool point: the sum of all lengths."""
         fixed = sum(abs(row.a) + abs(row.d) for row in self.rows) + float(np.linalg.norm(self.tool[:3, 3]))
         strokes = np.abs(self.limits[~self.revolute]).max(axis=1).sum()
         return float(fixed + strokes)
 
     @cached_property
     def length_scale(self) -> float:
-        """Half the reach (1 m for an arm without lengths): the metres that count as much as a radian in algorithms."""
+        """Half the reach in metres, or 1 m for an arm without lengths: a length that algorithms weigh like a radian."""
         return self.reach / 2 or 1.0
 
     @cached_property
     def description(self) -> formulas.Description:
-        """What the formulas depend on."""
+        """The constants of the arm from which its formulas are made."""
         return formulas.Description(self.rows, self.convention, self.base, self.tool, self.task)
 
     # One kernel for each kind of result, built on first use.
@@ -244,18 +244,18 @@ class Arm:
         return out
 
     def __getstate__(self) -> dict[str, object]:
-        """Leave out what follows from the table: a copy finds it again."""
+        """Leave out what is computed from the table: a copy computes it again."""
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
     def __setstate__(self, state: dict[str, object]) -> None:
-        """Take a state over; copied arrays would be writable."""
+        """Restore the attributes; copies of read-only arrays are writable and have to be protected again."""
         for value in state.values():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)
         vars(self).update(state)
 
     def _values(self, q: ArrayLike) -> Array:
-        """Return joint values (..., n). Floats are taken as they are: a batch may be large."""
+        """Return joint values (..., n). Floats are not copied: a batch may be large."""
         ready = isinstance(q, np.ndarray) and q.dtype.char in "fd"
         values: Array = np.asarray(q) if ready else as_floats(q, "q", f"numbers of shape (..., {self.n})")
         if values.shape[-1:] != (self.n,):

@@ -27,16 +27,17 @@ from armlab.kin.transforms import as_pose, inverse, transform
 Vector = NDArray[np.float64]
 
 ANGLE_TOLERANCE = DIRECTION_TOLERANCE = 1e-3
-"""Radians, 0.06 degrees: an angle in a cell is right within it, a direction with three decimals is meant exactly."""
+"""Tolerance, in radians (0.06 degrees): within it an angle in a cell is right, and a direction given with three
+decimals is taken as exact."""
 
 LENGTH_TOLERANCE = 5e-4
-"""Metres: a length in a cell is right when it is right to the millimetre."""
+"""Tolerance, in metres, of a length in a cell: half a millimetre."""
 
 REACH_TOLERANCE = 1e-3
-"""Of the reach, for lengths of a small arm."""
+"""Tolerance of a length in a cell of a small arm, as a fraction of its reach."""
 
 SCALE_TOLERANCE = 0.01
-"""Relative: a value in the wrong unit is recognised to two digits."""
+"""Relative tolerance for recognising a value that was typed in the wrong unit: two digits agree."""
 
 Quantity = Literal["angle", "length"]
 Mistake = Literal[
@@ -61,7 +62,7 @@ class Choice:
 
 @dataclass(frozen=True)
 class FrameVerdict:
-    """Whether the directions of one frame obey the rules; the text says which rule holds or is broken."""
+    """Whether the directions of one frame obey the rules; the text says which rule is met or broken."""
 
     frame: int
     ok: bool
@@ -92,7 +93,7 @@ class Assignment:
 
     @property
     def signs(self) -> Vector:
-        """What the arm's joint values are multiplied by to give those of this table, shape (n,)."""
+        """Factors, 1 or -1, from the arm's joint values to those of this table, shape (n,)."""
         return np.array([-1.0 if i + 1 in self.reversed else 1.0 for i in range(len(self.rows))])
 
     def arm(self, like: Arm) -> Arm:
@@ -111,7 +112,7 @@ class Assignment:
 
 @dataclass(frozen=True)
 class CellVerdict:
-    """Whether a cell of the table is right; ``mistake`` names what is wrong, the text says it."""
+    """Whether a cell of the table is right; ``mistake`` is the kind of mistake, and the text explains it."""
 
     ok: bool
     mistake: Mistake
@@ -181,7 +182,7 @@ def expected_table(arm: Arm, q: ArrayLike, choices: Sequence[Choice]) -> Assignm
 
 
 def length_tolerance(arm: Arm) -> float:
-    """Return how far, in metres, a length in a cell of this arm may be off: at most half a millimetre."""
+    """Return the tolerance, in metres, of a length in a cell of this arm: at most half a millimetre."""
     return min(LENGTH_TOLERANCE, REACH_TOLERANCE * 2.0 * arm.length_scale)
 
 
@@ -249,7 +250,7 @@ def _same(expected: float, got: float, kind: Quantity, tolerance: float) -> bool
 
 
 def _shifted(expected: float, kind: Quantity) -> list[tuple[Mistake, float, str]]:
-    """Return mistakes of a sense, the value each leads to and the text, the likelier first."""
+    """Return mistakes of direction as (mistake, the value it leads to, text), the likelier first."""
     sign: tuple[Mistake, float, str] = ("sign", -expected, "the sign is the other one")
     if kind == "length":
         return [sign]
@@ -258,7 +259,7 @@ def _shifted(expected: float, kind: Quantity) -> list[tuple[Mistake, float, str]
 
 
 def _scaled(expected: float, kind: Quantity) -> list[tuple[Mistake, float, str]]:
-    """Return mistakes of a unit, the value each leads to and the text."""
+    """Return mistakes of unit as (mistake, the value it leads to, text)."""
     if kind == "length":
         return [
             ("millimetres", 1000.0 * expected, "this is the value in millimetres, not in metres"),
@@ -315,7 +316,7 @@ def _judge_frame(i: int, standard: Arm, frames: Vector, z: Vector, x: Vector) ->
 
 
 def _crooked(i: int, j: int, x: Vector, z: Vector) -> str:
-    """Return the sentence on an x_i that is not perpendicular to z_j, or nothing."""
+    """Return the sentence on an x_i that is not perpendicular to z_j; empty when it is."""
     angle = _from_line(x, z)
     if abs(angle - math.pi / 2) <= DIRECTION_TOLERANCE:
         return ""
@@ -333,7 +334,7 @@ def _degrees(angle: float) -> str:
 
 
 def _exact_axes(standard: Arm, true: Vector, chosen: list[tuple[Vector, Vector]]) -> list[tuple[Vector, Vector]]:
-    """Return z and x of each frame without the small errors of legal choices."""
+    """Return z and x of each frame without the small errors that a legal choice may have."""
     n, relations, axes = standard.n, axis_relations(standard), []
     for i, (z, x) in enumerate(chosen):
         if i < n:
@@ -352,7 +353,7 @@ def _exact_axes(standard: Arm, true: Vector, chosen: list[tuple[Vector, Vector]]
 
 
 def _origins(standard: Arm, true: Vector, axes: list[tuple[Vector, Vector]], signed: Vector) -> list[Vector]:
-    """Return the origins; frames of the arm itself stand on the common normals of axes that are not parallel."""
+    """Return the origins; where the axes are not parallel, the frames of the arm itself stand on the common normals."""
     relations, origins = axis_relations(standard), [true[0, :3, 3]]
     for i in range(1, standard.n):
         place = true[i, :3, 3]
@@ -372,7 +373,7 @@ def _frame(z: Vector, x: Vector, p: Vector) -> Vector:
 
 
 def _row(standard: Arm, i: int, before: Vector, after: Vector, q: float) -> Row:
-    """Return row i+1 from its two frames; the joint value is taken out of the variable's entry."""
+    """Return row i+1 from the frames before and after it; the joint value is subtracted from the joint's own entry."""
     kind = standard.rows[i].kind
     z, x, shift = before[:3, 2], after[:3, 0], after[:3, 3] - before[:3, 3]
     theta = math.atan2(x @ before[:3, 1], x @ before[:3, 0]) - (q if kind == "R" else 0.0)
@@ -384,7 +385,7 @@ def _row(standard: Arm, i: int, before: Vector, after: Vector, q: float) -> Row:
 
 
 def _neat(angle: float) -> float:
-    """Return an angle in (-pi, pi]; quarter turns are exact."""
+    """Return an angle in (-pi, pi] in which quarter turns are exact."""
     wrapped = math.pi - (math.pi - angle) % math.tau
     quarter = round(wrapped / (math.pi / 2))
     if abs(wrapped - quarter * math.pi / 2) > SNAP:

@@ -1,4 +1,4 @@
-"""Turn what a caller gives into numbers, or say what is wrong with it."""
+"""Conversion of arguments to arrays and numbers; wrong ones are refused with a sentence."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def whole_number(value: object, where: str, least: int) -> int:
 
 
 def wrong(where: str, expected: str, got: object) -> InputError:
-    """Return the error for an argument that is not what it should be; what came is shortened when long.
+    """Return the error for a wrong argument; a long value is shortened.
 
     >>> str(wrong("speed", "one number", np.array([0.5, -1 / 3])))
     'speed: expected one number, got [0.5, -0.333333]'

@@ -31,7 +31,7 @@ class Link:
 
     @property
     def moves(self) -> bool:
-        """Whether it moves anything."""
+        """Whether the link moves anything, so that a or alpha is not zero."""
         return self.a != 0.0 or self.alpha != 0.0
 
     @property
@@ -43,7 +43,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Remainders:
-    """What a conversion moved: ``after.base = before.base @ base`` and ``after.tool = tool @ before.tool``.
+    """Base and tool after a conversion: ``after.base = before.base @ base``, ``after.tool = tool @ before.tool``.
 
     A tool that was taken into the last row has moved the other way, and its entries have the other sign.
     ``task_kept`` says whether the arm still controls what it did; see `task_kept`.
@@ -97,7 +97,7 @@ def converted(arm: Arm, convention: Convention) -> Arm:
 
 
 def remainders(before: Arm, after: Arm) -> Remainders:
-    """Return what a conversion by `converted` put into the base and in front of the tool, as (a, alpha)."""
+    """Return the (a, alpha) that `converted` put into the base and in front of the tool."""
     nothing = Link(0.0, 0.0)
     if before.convention == after.convention:
         return Remainders(nothing, nothing)
@@ -108,7 +108,7 @@ def remainders(before: Arm, after: Arm) -> Remainders:
 
 
 def task_kept(before: Arm, after: Arm) -> bool:
-    """Return whether an arm made by `converted` still controls what it did, maybe under other letters."""
+    """Return whether an arm made by `converted` controls what it did before, possibly under other letters."""
     turned = after.convention == "standard" and before.convention == "modified"
     return after.task == (_turned_task(before.task, _links(before)[0].alpha) if turned else before.task)
 
@@ -162,7 +162,7 @@ def _product(first: NDArray[np.float64], second: NDArray[np.float64], where: str
 
 
 def _as_link(pose: NDArray[np.float64]) -> Link | None:
-    """Return the Tx(a) Rx(alpha) that a pose is, or None."""
+    """Return a pose as Tx(a) Rx(alpha), or None when it is not one."""
     link = Link(float(pose[0, 3]), math.atan2(pose[2, 1], pose[1, 1]))
     return link if np.all(np.abs(link.matrix - pose) < SNAP) else None
 

@@ -27,7 +27,7 @@ Kind = Literal["R", "P"]
 CONVENTIONS: tuple[Convention, ...] = ("standard", "modified")
 FIELDS = ("kind", "a", "alpha", "d", "theta")
 LARGEST_ANGLE = 2.0 * math.pi
-"""Of alpha and theta in a table, rad: whoever writes 90 means degrees."""
+"""Largest alpha or theta in a table, rad: a larger number was probably meant in degrees."""
 
 
 @dataclass(frozen=True, slots=True)

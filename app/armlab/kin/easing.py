@@ -1,10 +1,10 @@
-"""How what moves on screen begins and ends."""
+"""Easing of movements on the screen: how they start and stop."""
 
 from __future__ import annotations
 
 
 def eased(s: float) -> float:
-    """Return the minimum-jerk course from 0 to 1, which begins and ends at rest; before and after, those.
+    """Return the minimum-jerk course from 0 to 1, at rest at both ends and constant before and after.
 
     Source: Flash and Hogan, *The coordination of arm movements*, Journal of Neuroscience 5 (1985), appendix.
 

@@ -21,28 +21,28 @@ from armlab.kin.checks import as_floats, wrong
 Array = NDArray[np.float64]
 
 RANK_TOLERANCE = 1e-9
-"""A singular value not above this times the largest counts as zero (notes 5.126 divides by it all the same)."""
+"""Singular values, relative to the largest, up to this count as zero (notes 5.126 divides by them nevertheless)."""
 
 EQUAL_COMPONENTS = 1e-9
-"""Components of a unit vector this close count as equal: the first of them then decides its sign."""
+"""Difference below which two components of a unit vector count as equal: the first of them then decides its sign."""
 
 SINGULAR = 1e-5
-"""Largest inverse condition at a minimum that counts as a singularity; the narrowing leaves less than 1e-6."""
+"""Largest inverse condition at a minimum that counts as a singularity; the refinement leaves less than 1e-6 at one."""
 
 COARSE, REFINEMENTS, MOST_REFINED = 121, 4, 128
-"""First samples of a motion; how often the intervals that may hold a singularity are halved, and how many at most."""
+"""First samples of a motion; how often the intervals that may hold a singularity are halved; and the most that are."""
 
 ZOOMS, ZOOM_POINTS = 4, 33
-"""A minimum is narrowed down so many times, each time among so many points."""
+"""Rounds in which a minimum is narrowed down, and points in each round."""
 
 MOST_PLACES = 24
-"""Minima that are narrowed down at most."""
+"""Largest number of minima that are narrowed down."""
 
 SAME_PLACE = 1e-6
-"""Minima closer than this, in lengths of the motion, are one."""
+"""Distance, as a fraction of the motion, below which two minima are one."""
 
 STEEPER = 1.05
-"""Between two samples the Jacobian changes at most this much faster than from the one to the other."""
+"""Factor by which the Jacobian may change faster between two samples than from one to the other, at most."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,17 +81,17 @@ class Ellipsoid:
 
     @property
     def sigma_min(self) -> float:
-        """The shortest half axis: the speed that is reached in every direction."""
+        """The shortest half axis: the speed that is possible in every direction."""
         return float(self._measured[-1])
 
     @property
     def inverse_condition(self) -> float:
-        """sigma_min / sigma_1: 1 where the ellipsoid is a sphere, 0 at singularities."""
+        """sigma_min / sigma_1: 1 where the ellipsoid is a sphere, 0 at a singularity."""
         return self.sigma_min / float(self.sigma[0]) if self.rank == len(self._measured) else 0.0
 
     @property
     def condition(self) -> float:
-        """sigma_1 / sigma_min; infinite at singularities."""
+        """sigma_1 / sigma_min; infinite at a singularity."""
         return float(self.sigma[0]) / self.sigma_min if self.rank == len(self._measured) else math.inf
 
     @property
@@ -181,7 +181,7 @@ def measures(J: ArrayLike, scale: ArrayLike | None = None) -> Measures:
 
 
 class SingularPlaces(NamedTuple):
-    """Where a motion is singular.
+    """Singular places of a motion.
 
     Attributes
     ----------
@@ -189,7 +189,7 @@ class SingularPlaces(NamedTuple):
         Rising; empty where the motion is singular everywhere.
     everywhere : bool
     samples : int
-        How many places were looked at before the minima were narrowed down: none found is no proof that there is none.
+        Number of places examined before the minima were narrowed down: finding none is no proof that there is none.
     """
 
     places: tuple[float, ...]
@@ -232,7 +232,7 @@ def singular_places(jacobian: Callable[[Array], Array], low: float, high: float)
 
 
 def _smallest(blocks: Array) -> Array:
-    """Return the shortest half axes, exact to 1e-8 of the longest: quicker than singular values."""
+    """Return the shortest half axes, accurate to 1e-8 of the longest, faster than by singular values."""
     turned = np.swapaxes(blocks, -1, -2)
     products = blocks @ turned if blocks.shape[-2] <= blocks.shape[-1] else turned @ blocks
     return np.asarray(np.sqrt(np.maximum(np.linalg.eigvalsh(products)[..., 0], 0.0)))
@@ -241,7 +241,7 @@ def _smallest(blocks: Array) -> Array:
 def _refined(
     jacobian: Callable[[Array], Array], values: Array, smallest: Array, steepest: float
 ) -> tuple[Array, Array]:
-    """Return more samples where there may be a zero."""
+    """Return the samples with more of them where there may be a zero."""
     for _ in range(REFINEMENTS):
         room = steepest * np.diff(values) - (smallest[:-1] + smallest[1:])
         open_ones = np.flatnonzero(room >= 0.0)
@@ -260,7 +260,7 @@ def _refined(
 
 
 def _minima(values: Array, smallest: Array, steepest: float) -> tuple[Array, Array]:
-    """Return the intervals around the samples, ends included, that are minima and near enough to a zero."""
+    """Return both ends of the intervals around minima among the samples that are near enough to a zero."""
     walled = np.concatenate([[np.inf], smallest, [np.inf]])
     below, above = np.concatenate([values[:1], values[:-1]]), np.concatenate([values[1:], values[-1:]])
     near = smallest <= steepest * np.maximum(values - below, above - values)
@@ -270,7 +270,7 @@ def _minima(values: Array, smallest: Array, steepest: float) -> tuple[Array, Arr
 
 
 def _narrowed(jacobian: Callable[[Array], Array], low: Array, high: Array, same: float) -> tuple[float, ...]:
-    """Return where in these intervals the inverse condition falls to zero."""
+    """Return the places in these intervals at which the inverse condition falls to zero."""
     if len(low) == 0:
         return ()
     each = np.arange(len(low))

@@ -32,10 +32,10 @@ NAMES: Mapping[tuple[str, bool], str] = MappingProxyType(
         ("zyz", False): "Euler angles of most robotics books, and of a spherical wrist",
     }
 )
-"""What the usual ones are called, by sequence and whether the axes are fixed."""
+"""Usual names of the angles, by sequence and whether the axes are fixed."""
 
 SINGULAR_SINE = 1e-7
-"""Below this sine (proper Euler) or cosine (Tait-Bryan) of the middle angle a rotation counts as singular: first and
+"""Sine (proper Euler) or cosine (Tait-Bryan) of the middle angle below which a rotation counts as singular: first and
 third angle then change by more than the accuracy of a matrix given with eight decimals."""
 
 _LETTERS = "xyz"
@@ -51,9 +51,10 @@ class EulerSolutions:
         Radians in (-pi, pi], in the order of the sequence. The first triple is the principal one: middle angle in
         [0, pi] for a proper Euler sequence, in [-pi/2, pi/2] for a Tait-Bryan one. Where singular, both are the same.
     singular : ndarray of bool, shape (...)
-        Where first and third angle turn about one line; the third is then 0 and the first carries what is defined.
+        Configurations in which the first and third axis coincide; the third angle is then 0 and the first holds what is
+        defined.
     combination : ndarray of int, shape (...)
-        Where singular, what is defined: 1 for the sum (first + third), -1 for the difference (first - third).
+        At a singularity, what is defined: 1 for the sum (first + third), -1 for the difference (first - third).
         Elsewhere 0: every angle is defined.
     """
 
@@ -121,7 +122,7 @@ def euler_angles(R: ArrayLike, axes: str, *, fixed: bool = False) -> EulerSoluti
 def _principal(
     R: NDArray[np.float64], axes: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Return first, middle, third angle about moving axes, each (...), and where they are not unique."""
+    """Return the first, middle and third angle about moving axes, each (...), and where they are not unique."""
     i, j, k = (_LETTERS.index(letter) for letter in axes)
     other = 3 - i - j
     sign = _parity(i, j)
@@ -141,7 +142,7 @@ def _principal(
 
 
 def _defined_combination(axes: str, middle: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Return 1 or -1: at a singularity the third axis is this times the first one."""
+    """Return 1 or -1: at a singularity the third axis is this factor times the first one."""
     i, j, k = (_LETTERS.index(letter) for letter in axes)
     if i == k:
         return np.where(middle < math.pi / 2, 1, -1)
@@ -160,7 +161,7 @@ def _wrapped(angles: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _checked(axes: str) -> str:
-    """Return the sequence in lower case; `UnknownName` when it is none."""
+    """Return the sequence in lower case; `UnknownName` when there is no such sequence."""
     if not isinstance(axes, str) or axes.lower() not in SEQUENCES:
         raise UnknownName("axes", axes, SEQUENCES)
     return axes.lower()

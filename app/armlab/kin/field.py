@@ -1,4 +1,4 @@
-"""One thing that can be set, described so that it can be checked, and a form be made of it."""
+"""One option that can be set, described so that it can be checked and shown in a form."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Field:
     Attributes
     ----------
     key, symbol, title : str
-        For programs, as the notes write it, and in words.
+        The name in programs, the symbol of the notes, and the name in words.
     kind : str
         ``"number"``, ``"whole"`` number, ``"choice"``, ``"flag"``; ``"vector"``: one number a coordinate; ``"list"``:
         one number for each waypoint or segment; ``"rows"``: a table of numbers; ``"text"``.
@@ -61,23 +61,23 @@ class Field:
 
     @property
     def converted(self) -> bool:
-        """Whether it may be typed in another unit, so that a sentence must not tell its number as it is inside."""
+        """Whether the value may be typed in another unit, so that messages must not quote the internal number."""
         return self.unit.startswith("q") or self.unit == "rad"
 
     def usable(self, options: Options) -> bool:
-        """Return whether it can be used with the values of the other options, by key."""
+        """Return whether the option can be used with these values of the other options, by key."""
         given = ((options.get(key), values) for key, values in self.only)
         return all((value is None or isinstance(value, str)) and value in values for value, values in given)
 
     def seen(self, options: Options) -> Field:
-        """Return it with the symbol and the unit it has with the values of the other options."""
+        """Return the option with the symbol and unit it has at these values of the other options."""
         for key, value, symbol, unit in self.by:
             if options.get(key) == value:
                 return replace(self, symbol=symbol, unit=unit)
         return self
 
     def checked(self, value: Any) -> Any:
-        """Return a value as the maker wants it: float, int, bool, str, array, or None where it may be left out.
+        """Return the checked value: float, int, bool, str, array, or None where it may be left out.
 
         Raises
         ------
@@ -150,7 +150,7 @@ def checked_options(where: str, fields: Iterable[Field], given: Options) -> dict
 
 
 def seen_fields(fields: Iterable[Field], given: Options) -> tuple[Field, ...]:
-    """Return the options that can be used with those given, in their order, with symbol and unit as they then are."""
+    """Return the options that can be used with those given, in order, with the symbols and units they then have."""
     fields = tuple(fields)
     options = {field.key: given.get(field.key, field.default) for field in fields}
     return tuple(field.seen(options) for field in fields if field.usable(options))
@@ -165,7 +165,7 @@ def positive(value: object, where: str) -> float:
 
 
 def positive_bounds(values: Any, where: str, m: int) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Return m positive numbers, infinity allowed; one number stands for all. `InputError` names the coordinate."""
+    """Return m positive numbers, possibly infinite; one number stands for all. `InputError` names the coordinate."""
     array = as_floats(values, where, f"{m} positive numbers")
     if array.shape not in ((), (m,)):
         raise wrong(where, f"{m} positive numbers", values)

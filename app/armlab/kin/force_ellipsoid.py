@@ -25,14 +25,14 @@ class ForceEllipsoid:
     Parameters
     ----------
     velocity : Ellipsoid
-        That of the velocities, of the same block and scale.
+        The velocity ellipsoid of the same block and scale.
     """
 
     velocity: Ellipsoid
 
     @property
     def axes(self) -> Array:
-        """Columns u_i, (m, m): those of the velocity ellipsoid, in the same order."""
+        """Axes u_i of the velocity ellipsoid as columns, (m, m), in the same order."""
         return self.velocity.axes
 
     @property
@@ -50,7 +50,7 @@ class ForceEllipsoid:
 
     @property
     def free(self) -> tuple[int, ...]:
-        """The axes, 0-based, along which a force needs no torque."""
+        """Indices, 0-based, of the axes along which a force needs no torque."""
         return tuple(range(self.velocity.rank, len(self.velocity.sigma)))
 
     @property
@@ -70,7 +70,7 @@ def force_ellipsoid(J: ArrayLike, scale: ArrayLike | None = None) -> ForceEllips
     ----------
     J : array_like, shape (m, n)
         One to three rows of one unit: of linear velocities for forces in N, or of angular ones for moments in N m.
-        What the other rows stand for, moments or forces, is zero.
+        The moments or forces of the other rows are zero.
     scale : array_like, shape (n,), optional
         Speed of each joint, rad/s or m/s, that counts as 1, as in `velocity_ellipsoid`. Torques are then counted as
         powers, ``tau_i scale_i`` in W; without it every joint's own unit counts, N m or N.

@@ -22,13 +22,13 @@ from armlab.kin.graph.walker import ORIGIN, Frame, Walker, exact
 from armlab.kin.task import Task
 
 MAX_MINORS = 8
-"""Up to so many joints a redundant arm's w is the root of the sum of squared minors (never negative, accurate near
-singularities); beyond, the number of minors grows too fast and det(J J^T) is factorised instead."""
+"""Largest number of joints for which w of a redundant arm is the root of the sum of squared minors (never negative,
+accurate near singularities); beyond, the number of minors grows too fast and det(J J^T) is factorised instead."""
 
 
 @dataclass(frozen=True)
 class Description:
-    """What the formulas of an arm depend on: rows, convention, constant base and tool poses, task."""
+    """Constants of an arm from which its formulas are made: rows, convention, base and tool poses, task."""
 
     rows: tuple[Row, ...]
     convention: Convention
@@ -42,7 +42,7 @@ class Description:
         return len(self.rows)
 
     def chain(self, graph: Graph, constant: Constant = as_number) -> Chain:
-        """Return the table bound to a graph."""
+        """Return the table as expressions in a graph."""
         return Chain(graph, self.rows, self.convention, constant)
 
     @property
@@ -83,7 +83,7 @@ def jacobian(arm: Description) -> Kernel:
 
 
 def manipulability(arm: Description) -> Kernel:
-    """Return w of the task (1)."""
+    """Return the manipulability w of the task, shape (1,)."""
 
     def seen_from(k: int | None, graph: Graph) -> list[Number]:
         return [_volume(_task_jacobian(arm, graph, k))]
@@ -155,7 +155,7 @@ def _in_plane(task: Task) -> bool:
 
 
 def _position_backward(arm: Description, graph: Graph) -> list[Number]:
-    """Carry the tool point from the last frame to the world: fewer operations than carrying the frames along."""
+    """Return the tool point, carried from the last frame to the world: fewer operations than carrying the frames."""
     chain = arm.chain(graph)
     point: Vector = tuple(exact(value) for value in arm.tool[:3, 3].tolist())  # type: ignore[assignment]
     for i in reversed(range(arm.n)):
@@ -166,7 +166,7 @@ def _position_backward(arm: Description, graph: Graph) -> list[Number]:
 
 
 def _carried(move: Callable[[Walker], None], point: Vector) -> Vector:
-    """Return the coordinates, before the move, of a point given after it."""
+    """Return the coordinates before a move of a point given after it."""
     walker = Walker()
     move(walker)
     x, y, z, p = walker.frame()

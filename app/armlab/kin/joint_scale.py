@@ -1,4 +1,4 @@
-"""What counts as the same speed of joints that turn and of joints that slide: they have no common unit."""
+"""A common measure of speed for revolute and prismatic joints, which have no common unit."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from armlab.kin.arm import Arm
 
 DEFAULT_SPEED = 1.0
-"""rad/s or m/s: what counts as the limit of a joint that has none, where joints are made comparable."""
+"""Speed, rad/s or m/s, that stands for the limit of a joint without one when joints are compared."""
 
 
 def counted_speeds(arm: Arm) -> NDArray[np.float64] | None:
@@ -22,6 +22,6 @@ def counted_speeds(arm: Arm) -> NDArray[np.float64] | None:
 
 
 def joint_scale(arm: Arm) -> NDArray[np.float64]:
-    """Return `counted_speeds`, or ones where all joints turn or all slide."""
+    """Return `counted_speeds` (n,), or ones when all joints are revolute or all prismatic."""
     speeds = counted_speeds(arm)
     return np.ones(arm.n) if speeds is None else speeds

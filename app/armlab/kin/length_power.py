@@ -1,11 +1,11 @@
-"""The unit of the manipulability: which power of metres it is, if it is one."""
+"""The unit of the manipulability, when it is a power of metres."""
 
 from __future__ import annotations
 
 from armlab.kin.arm import Arm
 
 POWERS = ("", "m", "m²", "m³")
-"""Units by their power of metres."""
+"""Units by their power of metres, from 0 to 3."""
 
 
 def length_power(arm: Arm) -> int | None:

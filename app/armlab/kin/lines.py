@@ -1,4 +1,4 @@
-"""Lines in space and the common normal of two of them: what the Denavit-Hartenberg parameters a and alpha measure."""
+"""Lines in space and the common normal of two of them, which defines the Denavit-Hartenberg parameters a and alpha."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ Vector = NDArray[np.float64]
 Relation = Literal["skew", "parallel", "intersecting", "coincident"]
 
 PARALLEL_ANGLE = 1e-9
-"""Radians. Lines closer than this to parallel count as parallel: the feet of the normal would be anywhere within 1e9
-times the distance of the lines, which a table written with ten decimals does not mean."""
+"""Angle, in radians, below which two lines count as parallel: the feet of the normal would be anywhere within 1e9 times
+the distance of the lines, which a table written with ten decimals does not mean."""
 
 RELATIVE_LENGTH = 1e-9
-"""Lines meet when they are closer than this times the scale, in metres, that the caller gives."""
+"""Distance, as a fraction of the scale in metres that the caller gives, below which two lines meet."""
 
 UNIT = 1e-15
-"""How far from one the length of a direction may be to be taken for exact."""
+"""Deviation of the length of a direction from one up to which it is not normalised again."""
 
 FREE: dict[Relation, str] = {
     "skew": "Exactly one segment is perpendicular to both lines: its place is unique; only the sense of x is free.",
@@ -31,7 +31,7 @@ FREE: dict[Relation, str] = {
     "intersecting": "The lines meet: the normal has length zero and is perpendicular to both; only its sense is free.",
     "coincident": "Both are the same line: the foot and the direction of the normal, perpendicular to it, are free.",
 }
-"""What may be chosen in each case (notes, the list after 4.16)."""
+"""Sentences on what may be chosen in each case (notes, the list after 4.16)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,9 +76,10 @@ class CommonNormal:
     Parameters
     ----------
     kind : "skew", "parallel", "intersecting" or "coincident"
-        How the lines lie. Coincident lines are parallel ones without distance.
+        Relation of the lines. Coincident lines are parallel ones with distance zero.
     foot1, foot2 : ndarray, shape (3,)
-        Ends of the segment, on the first and the second line, metres. Of parallel lines foot1 is the first's point.
+        Ends of the segment, on the first and the second line, metres. For parallel lines foot1 is the point of the
+        first one.
     a : float
         Length in metres, not negative; exactly 0 for intersecting and coincident lines.
     alpha : float
@@ -121,7 +122,7 @@ def common_normal(
     Parameters
     ----------
     first, second : Line
-        In the same axes.
+        Lines in the same axes.
     scale : float
         A length of the scene in metres, such as an arm's reach: what ``length_tolerance`` is relative to.
     angle_tolerance : float
@@ -169,7 +170,7 @@ def common_normal(
 
 
 def _of_parallel(first: Line, between: Vector, alpha: float, shortest: float) -> CommonNormal:
-    """Return the normal at the first line's point; ``between`` goes from there to the second line."""
+    """Return the normal through the first line's point; ``between`` goes from there to the second line."""
     foot1, foot2 = np.array(first.point), first.point + between
     a = float(np.linalg.norm(between))
     if a > shortest:

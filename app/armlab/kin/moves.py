@@ -28,10 +28,10 @@ ORDER: dict[Convention, tuple[Symbol, Symbol, Symbol, Symbol]] = {
     "standard": ("theta", "d", "a", "alpha"),
     "modified": ("alpha", "a", "theta", "d"),
 }
-"""The moves of a row, in the order they are made about the axes of the moving frame."""
+"""Moves of a row, in their order about the axes of the moving frame."""
 
 MOVES = 4
-"""Moves of a row."""
+"""Number of moves of a row."""
 
 
 @dataclass(frozen=True)
@@ -64,11 +64,11 @@ class Factors:
     ----------
     moves : tuple of 4 Move
     parts : tuple of 4 float
-        How much of each move is done, 0 to 1.
+        Fraction of each move that is done, 0 to 1.
     matrices : ndarray, shape (4, 4, 4)
         One factor a move; the identity for a move that has not begun.
     product : ndarray, shape (4, 4)
-        Of the four factors: the moving frame in frame i-1, and the row's matrix A_i at the end.
+        Product of the four factors: the moving frame in frame i-1, and the row's matrix A_i at the end.
     """
 
     moves: tuple[Move, Move, Move, Move]
@@ -134,7 +134,7 @@ def matrix_of(move: Move, part: float = 1.0) -> NDArray[np.float64]:
 
 
 def factors(arm: Arm, q: ArrayLike, row: int, progress: float) -> Factors:
-    """Return the four factors of a row when so many of its moves are done, and their product.
+    """Return the four factors of a row when some of its moves are done, and their product.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def factors(arm: Arm, q: ArrayLike, row: int, progress: float) -> Factors:
 
 
 def partial_product(arm: Arm, q: ArrayLike, row: int, progress: float) -> NDArray[np.float64]:
-    """Return the moving frame in the world, base included, when so many moves of a row are done.
+    """Return the moving frame in the world, base included, when some moves of a row are done.
 
     It starts from frame ``row`` at progress 0 and arrives in frame ``row + 1`` at progress 4. The row after the last is
     the step from frame n to the tool: its turn about one axis and its shift grow evenly together.

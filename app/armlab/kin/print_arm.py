@@ -1,4 +1,4 @@
-"""The text of ``print(arm)``: the table in degrees and metres, with limits, base, tool and task."""
+"""The output of ``print(arm)``: the table in degrees and metres, with limits, base, tool and task."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def table(
         rad and m.
     base, tool : ndarray, shape (4, 4)
     task : str
-        In words.
+        The task in words.
     """
     lines = [f"{title}: {len(rows)} joints ({''.join(row.kind for row in rows)}), {convention} convention"]
     body = [_HEADS[convention], *(_line(i, row, *limits[i]) for i, row in enumerate(rows))]

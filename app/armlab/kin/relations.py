@@ -1,4 +1,4 @@
-"""How neighbouring joint axes lie to each other, and what that leaves free in placing the frames.
+"""Relations between neighbouring joint axes, and the freedom that they leave in placing the frames.
 
 The relation is read off the link between the two axes, (a, alpha), so it holds in every configuration. Which z lies on
 which joint axis follows the convention: z_{i-1} on the axis of joint i in the standard one, z_i in the modified one.
@@ -29,13 +29,13 @@ class AxisRelation:
     first, second : int
         The joints, 1-based.
     kind : "parallel", "intersecting", "coincident" or "skew"
-        As the table places the axes. The place of a sliding axis means nothing; its direction does.
+        Relation of the axes as the table places them. The place of a prismatic axis has no meaning, only its direction.
     a, alpha : float
         The link between them: metres and radians, with the signs of the table.
     perpendicular : bool
         Whether the directions are at a right angle.
     freedom : str
-        What may be chosen when the frame between them is placed.
+        Sentence on what may be chosen when the frame between them is placed.
     """
 
     first: int
@@ -48,7 +48,7 @@ class AxisRelation:
 
 
 def is_parallel(alpha: float) -> bool:
-    """Return whether a twist in radians leaves two axes parallel or turns one against the other (`PARALLEL_ANGLE`)."""
+    """Return whether a twist in radians makes two axes parallel or antiparallel (`PARALLEL_ANGLE`)."""
     return abs(math.sin(alpha)) <= PARALLEL_ANGLE
 
 
@@ -58,13 +58,13 @@ def is_perpendicular(alpha: float) -> bool:
 
 
 def is_zero_length(length: float, arm: Arm) -> bool:
-    """Return whether a length in metres is zero in comparison with the arm (`RELATIVE_LENGTH` of its length scale)."""
+    """Return whether a length in metres is zero compared with the arm (`RELATIVE_LENGTH` of its length scale)."""
     return abs(length) <= RELATIVE_LENGTH * arm.length_scale
 
 
 @dataclass(frozen=True, eq=False)
 class Axes:
-    """The joint axes as the table places them; joints and links are 1-based: link i lies between axes i and i+1."""
+    """The joint axes of a table. Joints and links are counted from 1; link i lies between axes i and i+1."""
 
     arm: Arm
 
@@ -79,23 +79,23 @@ class Axes:
         return common_normals(self.arm.rows, self.arm.convention)
 
     def parallel(self, link: int) -> bool:
-        """Whether axes i and i+1 are parallel."""
+        """Return whether axes i and i+1 are parallel."""
         return is_parallel(self.links[link][1])
 
     def perpendicular(self, link: int) -> bool:
-        """Whether axes i and i+1 are at a right angle."""
+        """Return whether axes i and i+1 are at a right angle."""
         return is_perpendicular(self.links[link][1])
 
     def touching(self, link: int) -> bool:
-        """Whether the common normal of axes i and i+1 has length zero."""
+        """Return whether the common normal of axes i and i+1 has length zero."""
         return is_zero_length(self.links[link][0], self.arm)
 
     def turns(self, first: int, last: int) -> bool:
-        """Whether joints ``first`` to ``last`` exist and are all revolute."""
+        """Return whether joints ``first`` to ``last`` exist and are all revolute."""
         return last <= self.arm.n and set(self.kinds[first - 1 : last]) == {"R"}
 
     def meet(self, i: int) -> bool:
-        """Whether revolute axes i, i+1, i+2 meet in one point, no two neighbours in one line."""
+        """Return whether revolute axes i, i+1, i+2 meet in one point, no two neighbours in one line."""
         return (
             self.turns(i, i + 2)
             and all(self.touching(k) and not self.parallel(k) for k in (i, i + 1))
@@ -103,15 +103,15 @@ class Axes:
         )
 
     def three_parallel(self, i: int) -> bool:
-        """Whether revolute axes i, i+1, i+2 are parallel, no two neighbours in one line."""
+        """Return whether revolute axes i, i+1, i+2 are parallel, no two neighbours in one line."""
         return self.turns(i, i + 2) and all(self.parallel(k) and not self.touching(k) for k in (i, i + 1))
 
     def last_triple(self, test: Callable[[int], bool]) -> int | None:
-        """Return the last i for which axes i, i+1, i+2 pass a test: the wrist before the shoulder."""
+        """Return the last i for which axes i, i+1, i+2 pass a test, so that a wrist is found before a shoulder."""
         return next((i for i in range(self.arm.n - 2, 0, -1) if test(i)), None)
 
     def direction(self, i: int, j: int) -> NDArray[np.float64]:
-        """Return the direction of axis j in axes whose z is axis i < j; joints between them must slide."""
+        """Return the direction (3,) of axis j in axes with z along axis i < j; joints between must be prismatic."""
         R: NDArray[np.float64] = np.eye(3)
         for k in range(i, j):
             R = R @ rotation_about("x", self.links[k][1])
@@ -128,7 +128,7 @@ class Axes:
         return self.lifts(1, self.arm.n)
 
     def lifts(self, first: int, last: int) -> list[int] | None:
-        """Return the same of joints ``first`` to ``last``; None where they are not a plane with lifts."""
+        """Return the lifts of the plane of joints ``first`` to ``last``; None when they are no plane with lifts."""
         turning = [i for i in range(first, last + 1) if self.kinds[i - 1] == "R"]
         if not turning:
             return None

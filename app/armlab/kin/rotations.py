@@ -19,14 +19,14 @@ from armlab.kin.checks import as_floats
 Array = NDArray[np.floating]
 
 SMALL = 1e-15
-"""Part of a unit quaternion that counts as zero where it would decide the sign."""
+"""Component of a unit quaternion that counts as zero when its sign would decide."""
 
 EXACT = 1e-12
-"""Deviation of R^T R from the identity below which a matrix is taken as it is: the rounding of long products."""
+"""Deviation of R^T R from the identity below which a matrix is not changed: the rounding of long products."""
 
 ROUNDED = 2e-3
-"""Largest difference of an entry from the nearest rotation that is taken for rounding. Three decimals are off by up to
-5e-4 an entry, 1.5e-3 in the root of the sum of squares, and the nearest rotation is no farther than that."""
+"""Largest difference of an entry from the nearest rotation that is taken for rounding. Entries with three decimals are
+off by up to 5e-4, or 1.5e-3 in the root of the sum of squares, and the nearest rotation is not farther away."""
 
 _PERMUTED = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}
 
@@ -147,8 +147,8 @@ class NearestRotation:
 def nearest_rotation(R: ArrayLike, where: str = "R") -> NearestRotation:
     """Return the rotation nearest to a 3 x 3 matrix, in the sum of squared differences, and how far it is off.
 
-    With R = U S V^T it is U V^T, with diag(1, 1, -1) between where that would be a reflection. What counts as near is
-    left to who asks.
+    With R = U S V^T it is U V^T, with diag(1, 1, -1) between where that would be a reflection. The caller decides what
+    counts as near.
 
     Raises
     ------
@@ -282,7 +282,7 @@ def quaternion_from_rotation(R: ArrayLike) -> Array:
 
 
 def _orthonormal(m: list[float], tolerance: float) -> bool:
-    """Return whether nine entries, row by row, are a rotation; false for what is no number."""
+    """Return whether nine entries, row by row, are a rotation; false when one is not a number."""
     a, b, c, d, e, f, g, h, i = m
     return (
         -tolerance < a * a + b * b + c * c - 1.0 < tolerance
@@ -296,7 +296,7 @@ def _orthonormal(m: list[float], tolerance: float) -> bool:
 
 
 def _of_one_rotation(a: float, b: float, c: float, d: float, e: float, f: float, g: float, h: float, i: float) -> Array:
-    """Return the same for one rotation, given by rows, which every picture of a moving mark asks for."""
+    """Return the quaternion of one rotation, given by rows: quicker, as each frame of a film needs it."""
     trace = a + e + i
     largest = max(trace, a, e, i)
     if largest == trace:
@@ -315,7 +315,7 @@ def _of_one_rotation(a: float, b: float, c: float, d: float, e: float, f: float,
 
 
 def _sign_rule(q: Array) -> Array:
-    """Return 1 or -1: the scalar part becomes positive, or where it is zero the last non-zero vector component."""
+    """Return the sign that makes the scalar part positive or, when that is zero, the last non-zero component."""
     sign = np.sign(np.where(np.abs(q[..., 0]) > SMALL, q[..., 0], 0.0))
     for k in (3, 2, 1):
         sign = np.where(sign == 0.0, np.sign(np.where(np.abs(q[..., k]) > SMALL, q[..., k], 0.0)), sign)
@@ -344,7 +344,7 @@ def rotation_from_quaternion(q: ArrayLike) -> Array:
 
 
 def _of_one_quaternion(w: float, x: float, y: float, z: float) -> Array:
-    """Return the same for one quaternion, which every event of a hand brings: a tenth of the time."""
+    """Return the matrix of one quaternion, in a tenth of the time: each event of a drag needs it."""
     square = w * w + x * x + y * y + z * z
     if square == 0.0 or not math.isfinite(square):
         raise InputError("q: expected a finite quaternion that is not zero")
@@ -370,7 +370,7 @@ def euler_zyx(R: ArrayLike) -> tuple[Array, NDArray[np.bool_]]:
     angles : ndarray, shape (..., 3)
         Yaw, pitch, roll in radians; pitch in [-pi/2, pi/2].
     singular : ndarray of bool, shape (...)
-        Where pitch is ±pi/2 only yaw ∓ roll is defined; roll is then 0.
+        Rotations with pitch ±pi/2, for which only yaw ∓ roll is defined; roll is then 0.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The joints a task leaves over, and the arms that are left when as many of them are held."""
+"""The spare joints of a task, and the arms that are left when as many of them are held."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from armlab.kin.dh import Row
 from armlab.kin.lines import CommonNormal, Line, common_normal
 
 SAMPLES = 8
-"""Random configurations, one seed, that stand for the generic one."""
+"""Number of random configurations, with a fixed seed, that represent the generic one."""
 
 RANK_TOLERANCE = 1e-9
-"""Singular values of the task Jacobian, lengths over the arm's length scale, below this are zero."""
+"""Singular value of the task Jacobian, with lengths in length scales, below which it counts as zero."""
 
 MOST_SETS = 28
-"""Sets of joints that are tried."""
+"""Largest number of sets of joints that are tried."""
 
 NEARLY = 1e-6
-"""Sine, or length over the length scale: axes that are not parallel or meet within this are so by no tolerance."""
+"""Sine of an angle, or length in length scales, above which axes are certainly not parallel or do not meet."""
 
 
 @dataclass(frozen=True, eq=False)
 class Spare:
-    """What a task leaves over.
+    """The spare joints of a task.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Spare:
     samples : ndarray, shape (SAMPLES, n)
         Configurations.
     jacobians : ndarray, shape (SAMPLES, m, n)
-        Of the task, in the axes of frame 0, lengths over the length scale.
+        Task Jacobians, in the axes of frame 0, lengths over the length scale.
     """
 
     arm: Arm
@@ -45,7 +45,7 @@ class Spare:
 
     @property
     def free(self) -> int:
-        """n minus the rank of the task Jacobian in a generic configuration."""
+        """Number of spare freedoms: n minus the rank of the task Jacobian in a generic configuration."""
         return self.arm.n - _rank(self.jacobians)
 
     def with_fixed(self, special: bool = False) -> Iterator[tuple[tuple[int, ...], Arm]]:
@@ -67,7 +67,7 @@ class Spare:
 
 
 def spare_joints(arm: Arm) -> Spare:
-    """Return what the task of an arm leaves over."""
+    """Return the spare joints of the task of an arm."""
     samples = np.random.default_rng(0).uniform(-3.0, 3.0, (SAMPLES, arm.n))
     return Spare(arm, samples, np.array([task_jacobian(arm, q) for q in samples]))
 
@@ -77,7 +77,7 @@ def _rank(jacobians: NDArray[np.float64]) -> int:
 
 
 def task_jacobian(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the rows the task controls, in the axes of frame 0, lengths over the length scale; shape (m, n)."""
+    """Return the task Jacobian in axes of frame 0, with lengths in length scales, shape (m, n)."""
     turn = arm.base[:3, :3].T
     J = arm.jacobian(q)
     linear, angular = turn @ J[:3] / arm.length_scale, turn @ J[3:]
@@ -87,7 +87,7 @@ def task_jacobian(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 class _Normals:
-    """The axes of an arm's joints in one configuration, in the axes of the world, and their common normals."""
+    """The joint axes of an arm in one configuration, in world axes, and their common normals."""
 
     def __init__(self, arm: Arm, q: NDArray[np.float64]) -> None:
         whole = np.asarray(arm.frames(q), dtype=np.float64)
@@ -98,14 +98,14 @@ class _Normals:
         self._turns = arm.revolute
 
     def are_special(self, kept: list[int]) -> bool:
-        """Return whether a slide is among some axes (0-based), or two pairs of neighbours are parallel or meet."""
+        """Return whether a prismatic axis is among these (0-based), or two pairs of neighbours are parallel or meet."""
         if len(kept) < 4 or not self._turns[kept].all():
             return True
         pairs = (self.between(j, k, self.frames[j, :3, 3]) for j, k in pairwise(kept))
         return sum(bool(min(abs(np.sin(pair.alpha)), pair.a / self.scale) < NEARLY) for pair in pairs) >= 2
 
     def between(self, j: int, k: int, place: NDArray[np.float64]) -> CommonNormal:
-        """Return the common normal of two axes (0-based), at a place on the first where they are parallel."""
+        """Return the common normal of two axes (0-based), at a place on the first when they are parallel."""
         found = self._skew.get((j, k))
         if found is None:
             first = Line(place, self._lines[j].direction)
@@ -116,7 +116,7 @@ class _Normals:
 
 
 def _of_axes(arm: Arm, normals: _Normals, kept: list[int]) -> Arm:
-    """Return an arm of some of the joints (0-based), its table read off their axes in one configuration."""
+    """Return an arm with some of the joints (0-based), its table computed from their axes in one configuration."""
     frames, rows = normals.frames, list[Row]()
     x, place = frames[kept[0], :3, 0], frames[kept[0], :3, 3]
     for j, k in pairwise(kept):
@@ -125,7 +125,7 @@ def _of_axes(arm: Arm, normals: _Normals, kept: list[int]) -> Arm:
         d, theta = float((normal.foot1 - place) @ z), _turn(x, normal.normal, z)
         rows.append(Row(arm.rows[j].kind, normal.a, normal.alpha, d, theta))
         x, place = normal.normal, normal.foot2
-    # What the tool adds makes a length scale of the same order; no test of axes looks at it.
+    # The tool gives a length scale of the same order; no test of axes uses it.
     rows.append(Row(arm.rows[kept[-1]].kind, arm.length_scale))
     return Arm.from_dh(rows, task=arm.task)
 

@@ -22,14 +22,14 @@ Array = NDArray[np.float64]
 
 
 def joint_torques(J: ArrayLike, wrench: ArrayLike) -> Array:
-    """Return what the joints must do for the robot to exert a wrench on the environment: ``tau = J^T F``.
+    """Return the joint torques with which the robot exerts a wrench on the environment: ``tau = J^T F``.
 
     Parameters
     ----------
     J : array_like, shape (..., m, n)
         Geometric Jacobian at the point of the wrench, or some of its rows.
     wrench : array_like, shape (..., m)
-        In the axes of the rows: N along linear rows, N m along angular ones.
+        Wrench in the axes of the rows: N along linear rows, N m along angular ones.
 
     Returns
     -------
@@ -64,7 +64,7 @@ def wrench_at(wrench: ArrayLike, r: ArrayLike) -> Array:
     wrench : array_like, shape (..., 6)
         (f; m) with m about the point P.
     r : array_like, shape (..., 3)
-        From P to the other point, metres, in the axes of the wrench.
+        Vector from P to the other point, metres, in the axes of the wrench.
 
     Returns
     -------
@@ -142,7 +142,7 @@ class Duality:
     ----------
     rank : int
     singular_values : ndarray, shape (min(m, n),)
-        Of the Jacobian made comparable: see `duality`.
+        Singular values of the Jacobian made comparable; see `duality`.
     wrenches : ndarray, shape (m, m - rank)
         N(J^T): columns span the wrenches that need no torque, N and N m. Unit vectors where all rows have one unit;
         else of length 1 in (length f; m).
@@ -228,7 +228,7 @@ def _matrix(J: ArrayLike) -> Array:
 
 
 def _settled(columns: Array) -> Array:
-    """Return read-only columns whose largest components are positive, without negative zeros."""
+    """Return read-only columns with positive largest components and without negative zeros."""
     largest = np.abs(columns).argmax(axis=0) if columns.size else np.zeros(columns.shape[1], dtype=int)
     signs = np.sign(columns[largest, np.arange(columns.shape[1])])
     settled = columns * np.where(signs == 0.0, 1.0, signs) + 0.0

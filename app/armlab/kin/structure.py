@@ -1,4 +1,4 @@
-"""Which closed form of the inverse kinematics an arm has, and which of its axes give it.
+"""The structure of an arm: which closed form of the inverse kinematics it has, and which axes cause it.
 
 Everything is read off the table (links a and alpha, offsets d, joint types), so it holds in every configuration.
 Tolerances are those of `relations`: an angle, and a length relative to the arm.
@@ -21,7 +21,7 @@ nothing free. They are upper bounds, with these reasons:
     Both equations are linear in (cos q1, sin q1, cos q3, sin q3), so two circles become two conics in a plane, which
     cut in 4 points; each gives one q2, and the planar 3R that is left has 2 solutions. The notes' UR (figure 4.8) is
     the case in which q1 stands alone.
-*   A planar part with slides: as above. Of the turns outside it two make its direction (2) where a third joint, a
+*   A planar part with slides: as above. Two of the turns outside it make its direction (2) where a third joint, a
     slide inside or outside, makes the height (1); three turns and the height 4. Times the ways of the planar part.
 *   Three slides: the turns alone make the orientation (three: 2, two: 2 for a direction, one: 1), then everything is
     linear (1).
@@ -46,7 +46,7 @@ MOST_6R = 16
 
 @dataclass(frozen=True)
 class Structure:
-    """How the inverse kinematics of an arm can be solved.
+    """The kind of solution of the inverse kinematics that an arm has.
 
     Attributes
     ----------
@@ -121,7 +121,7 @@ def _found(axes: Axes) -> Structure:
 
 
 def _with_fixed(fixed: tuple[int, ...], rest: Structure, n: int) -> str:
-    """Return the sentence on the structure that is left of an arm of n joints; ``rest`` counts without the fixed."""
+    """Return the sentence on the structure that remains of an arm of n joints; ``rest`` is without fixed ones."""
     kept = [k for k in range(1, n + 1) if k not in fixed]
     named = [kept[k - 1] for k in rest.joints]
     where = f" ({'joint' if len(named) == 1 else 'joints'} {_listed(named)})" if named else ""
@@ -150,7 +150,7 @@ def _cartesian(axes: Axes) -> Structure | None:
 
 
 def _planar(axes: Axes) -> Structure | None:
-    """Find the arms whose turns have one direction: a planar arm, alone or with a lift."""
+    """Return the structure of an arm whose revolute axes are parallel: planar, alone or with a lift; None otherwise."""
     lifts = axes.beside_plane
     if lifts is None:
         return None
@@ -256,7 +256,7 @@ def _parallel(axes: Axes) -> Structure | None:
 
 
 def _ways_around(axes: Axes, run: list[int], lifts: list[int]) -> int | None:
-    """Return how many solutions a pose has at most with a planar part in the run; None where no bound is known."""
+    """Return the largest number of solutions of a pose with a planar part in the run; None when none is known."""
     if axes.arm.n != 6 or axes.arm.task.key != "pose":
         return None
     slides = sum(axes.kinds[j - 1] == "P" for j in _joints(axes) if j not in run)
@@ -279,14 +279,14 @@ def _three_slides(axes: Axes) -> Structure | None:
 
 
 def _about_z(axes: Axes, i: int) -> bool:
-    """Return whether the axis of joint i, with slides before it only, is parallel to z of frame 0."""
+    """Return whether the axis of joint i, with only prismatic joints before it, is parallel to z of frame 0."""
     whole = axes.arm.frames(np.zeros(axes.arm.n))
     turned = whole[i - 1 if axes.arm.convention == "standard" else i, :3, 2]
     return bool(np.linalg.norm(np.cross(turned, whole[0, :3, 2])) <= PARALLEL_ANGLE)
 
 
 def _planar_part(axes: Axes) -> Structure | None:
-    """Find three neighbouring joints that move a plane in itself, maybe with a lift among them, and slides in them."""
+    """Return the structure with three neighbouring joints that move in a plane, with lifts or slides, or None."""
     for size in (4, 3):
         for i in range(axes.arm.n - size + 1, 0, -1):
             run = list(range(i, i + size))
@@ -297,7 +297,7 @@ def _planar_part(axes: Axes) -> Structure | None:
 
 
 def _apart(axes: Axes, run: list[int], lifts: list[int]) -> bool:
-    """Return whether no two turns that follow each other, but for a lift between them, have one axis."""
+    """Return whether no two revolute joints in succession, lifts between them aside, have one axis."""
     flat = [j for j in run if j not in lifts]
     for j, k in pairwise(flat):
         if axes.kinds[j - 1] + axes.kinds[k - 1] != "RR":
@@ -344,11 +344,11 @@ _FINDERS: tuple[Callable[[Axes], Structure | None], ...] = (
     _planar_part,
     _general,
 )
-"""From the special to the general; the last one always finds."""
+"""Tests from the special to the general structure; the last one always succeeds."""
 
 
 def _ways(kinds: str) -> int:
-    """Return in how many ways three joints of these types can place a point, at most."""
+    """Return the largest number of ways in which three joints of these types can position a point."""
     slides = kinds.count("P")
     return 4 if slides <= 1 else 3 - slides + 1
 

@@ -1,4 +1,4 @@
-"""The curve the tool point traces when one joint alone moves and the others stay: a circle arc or a straight line."""
+"""The curve of the tool point when one joint alone moves: a circular arc or a straight line."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.checks import as_floats
 Floats = NDArray[np.float64]
 
 NO_RADIUS = 1e-9
-"""A tool point nearer to an axis than this part of the reach does not move when the joint turns."""
+"""Distance of the tool point from an axis, relative to the reach, below which the joint does not move it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,8 +24,8 @@ class Sweeps:
     Attributes
     ----------
     centre : ndarray, shape (n, 3)
-        In the world, metres. Of a revolute joint the foot of the tool point on its axis; of a prismatic one where the
-        tool point is at q_i = 0.
+        Centre in the world, metres: for a revolute joint the foot of the tool point on its axis; for a prismatic one
+        the tool point at q_i = 0.
     axes : ndarray, shape (n, 3, 3)
         Columns are x, y and z of the curve in the world: z is the joint axis; x of a revolute joint points from the
         axis to where the tool point is at q_i = 0. Where the radius is zero, x is any normal of z.

@@ -1,4 +1,4 @@
-"""The formulas of an arm in symbols: joint variables q1 ..., lengths a1, d1 ..., twists alpha1 ..."""
+"""The formulas of an arm in symbols: joint variables q1, ..., lengths a1, d1, ..., twists alpha1, ..."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.graph.expression import Expression, Graph, Number
 from armlab.kin.graph.printing import Printer, Style, term_counts
 
 QUARTER = 1e-9
-"""Radians from a multiple of a quarter turn within which an angle counts as one."""
+"""Difference from a multiple of a quarter turn, in radians, within which an angle counts as one."""
 
 
 def pose_formulas(arm: Arm, style: Style = "text") -> dict[str, str]:
@@ -71,7 +71,7 @@ class PoseFormulas:
         }
 
     def printed(self, style: Style = "text", most_terms: float = math.inf) -> dict[str, str]:
-        """Return the printed entries without those that have more terms."""
+        """Return the printed entries, except those with too many terms."""
         show = Printer(self._graph, style)
         return {
             name: _with_offsets(show(value), self._offsets, style)
@@ -94,8 +94,8 @@ class PoseFormulas:
 def angle_offsets(arm: Arm) -> dict[int, float]:
     """Return the constant parts of the angles theta, in rad, that are no quarter turns, by joint (1-based).
 
-    Quarter turns only exchange sines and cosines and are worked into the formulas. Of a prismatic joint the angle is
-    constant and is worked in too.
+    Quarter turns only exchange sines and cosines and are worked into the formulas. The angle of a prismatic joint is
+    constant and included as well.
     """
     return {
         i + 1: row.theta
@@ -116,7 +116,7 @@ def _with_offsets(formula: str, offsets: dict[int, float], style: Style) -> str:
 
 
 def constants(arm: Arm) -> dict[str, float]:
-    """Return the values of the symbols of `pose_formulas`: lengths ``a1, d1`` in m, twists ``alpha1`` in rad."""
+    """Return the values of the symbols in `pose_formulas`: lengths ``a1, d1`` in m, twists ``alpha1`` in rad."""
     values: dict[str, float] = {}
     for i, (a, alpha) in enumerate(common_normals(arm.rows, arm.convention)):
         values |= {f"a{i}": a, f"alpha{i}": alpha}

@@ -64,7 +64,7 @@ class Task:
 
     @property
     def coordinates(self) -> list[int]:
-        """Indices of the controlled coordinates."""
+        """Indices of the controlled position coordinates."""
         return ["xyz".index(letter) for letter in self.position]
 
     def jacobian_rows(self, linear: Sequence[Vector], angular: Sequence[Vector], tool: Frame) -> list[list[Number]]:
@@ -79,7 +79,7 @@ class Task:
         return rows
 
     def rotation_error(self, turn: Vector, tool: Frame) -> list[Number]:
-        """Return the components of a small turn, in axes of frame 0, that the task controls."""
+        """Return the controlled components of a small rotation, in axes of frame 0."""
         if self.rotation == "phi":
             return [turn[2]]
         if self.rotation == "approach":

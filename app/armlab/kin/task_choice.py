@@ -1,4 +1,4 @@
-"""The sensible default task of an arm, from its geometry."""
+"""The default task of an arm, from its geometry."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.graph.kernel import Kernel
 from armlab.kin.task import NAMED, Task, task_named
 
 SAMPLES = 16
-"""Random configurations, one seed, that stand for the generic one."""
+"""Number of random configurations, with a fixed seed, that represent the generic one."""
 
 
 def default_task(rows: Sequence[Row], convention: Convention, tool: NDArray[np.float64]) -> Task:

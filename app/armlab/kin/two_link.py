@@ -1,4 +1,4 @@
-"""The planar arm with two turning joints: its velocity ellipse over the distance of the tool from the first axis."""
+"""The planar 2R arm: its velocity ellipse over the distance of the tool from the first axis."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from armlab.kin.dh import link_transform
 Array = NDArray[np.float64]
 
 PARALLEL = 1e-9
-"""Sine of the angle within which two joint axes are parallel."""
+"""Sine of the angle below which two joint axes are parallel."""
 
 
 class TwoLink(NamedTuple):
-    """Lengths of the two links, metres: from axis to axis, and from the second axis to the tool point."""
+    """Lengths of the two links, metres: between the axes, and from the second axis to the tool point."""
 
     l1: float
     l2: float
@@ -35,7 +35,7 @@ class TwoLink(NamedTuple):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """The least and the largest distance of the tool from the first axis, both singular."""
+        """The least and the largest distance of the tool from the first axis, metres; both are singular."""
         return abs(self.l1 - self.l2), self.l1 + self.l2
 
     def sigma(self, r: ArrayLike) -> Array:
@@ -93,7 +93,7 @@ def two_link(arm: Arm) -> TwoLink:
 
 
 def distance(arm: Arm, q: ArrayLike) -> Array:
-    """Return how far the tool point is from the first joint axis, metres, shape (...) for q of shape (..., n)."""
+    """Return the distance of the tool point from the first joint axis, metres, shape (...) for q of shape (..., n)."""
     root = arm.base @ (np.eye(4) if arm.convention == "standard" else link_transform(*_first(arm), 0.0, 0.0))
     return np.asarray(_across(arm.position(q) - root[:3, 3], root[:3, 2]))
 
@@ -103,5 +103,5 @@ def _first(arm: Arm) -> tuple[float, float]:
 
 
 def _across(vectors: Array, z: Array) -> Array:
-    """Return the length of the part at a right angle to a unit vector."""
+    """Return the length of the part perpendicular to a unit vector."""
     return np.asarray(np.linalg.norm(np.cross(vectors, z), axis=-1))

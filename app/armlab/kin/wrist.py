@@ -1,4 +1,4 @@
-"""The centre of a spherical wrist: the point that the last three joints only turn about."""
+"""The centre of a spherical wrist: the point about which the last three joints turn."""
 
 from __future__ import annotations
 

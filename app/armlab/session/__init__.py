@@ -1,1 +1,1 @@
-"""One student: state, commands, undo, mailbox, worker, store. Knows nothing of the browser."""
+"""The session of one student: state, commands, undo, mailbox, worker, store. It does not depend on the browser."""

@@ -1,4 +1,4 @@
-"""The arguments of commands as files write them: read by their type annotations, with sentences for what is wrong."""
+"""Arguments of commands in files: read by their type annotations, with sentences on mistakes."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from armlab.errors import ContentError, InputError, suggestion
 from armlab.kin.task import Task, task_named
 
 FACTORS = {"_deg": math.pi / 180.0, "_mm": 1e-3}
-"""What may stand behind the name of a number: it is then written in degrees or millimetres."""
+"""Factors of suffixes of argument names, by which a number may be given in degrees or millimetres."""
 
 
 class Unfit(Exception):
-    """A value is not what an argument takes; the text says what was expected."""
+    """A value does not fit an argument; the text says what was expected."""
 
 
 @dataclass(frozen=True)
 class Kind:
-    """How an argument is written.
+    """The form of an argument in a file.
 
     Attributes
     ----------
     says : str
-        What is expected, such as ``"a whole number"``.
+        The expected value in words, such as ``"a whole number"``.
     read : callable
         ``read(value) -> object``; raises `Unfit`.
     numbers : bool
@@ -57,7 +57,7 @@ class Argument:
     needed : bool
         Whether it has to be there.
     about : str
-        What it is, and its unit, where that is declared.
+        Meaning and unit, where they are declared.
     """
 
     name: str
@@ -69,7 +69,7 @@ class Argument:
 def arguments_of(command: type) -> tuple[Argument, ...] | None:
     """Return the arguments of a command that can be written in a file; None for one whose arguments cannot.
 
-    What can be written: texts, numbers, true or false, one of some words, lists and tables of these, poses.
+    The following can be written: texts, numbers, true or false, one of some words, lists and tables of these, poses.
     """
     hints = get_type_hints(command)
     found = []
@@ -111,7 +111,7 @@ def read_arguments(known: tuple[Argument, ...], given: Mapping[str, Any]) -> dic
 
 
 class WrongArgument(Exception):
-    """An argument that is wrong: its key in the file, and what is wrong with it."""
+    """A wrong argument: its key in the file, and the problem."""
 
     def __init__(self, key: str, problem: str) -> None:
         super().__init__(f"{key}: {problem}")
@@ -140,7 +140,7 @@ def _scaled(value: Any, factor: float) -> Any:
 
 
 def kind_of(hint: Any) -> Kind | None:
-    """Return how a value of a type is written; None where it cannot be."""
+    """Return how a value of a type is written; None if it cannot be written."""
     if hint in _PLAIN:
         return _PLAIN[hint]
     origin, inside = get_origin(hint), get_args(hint)
@@ -182,7 +182,7 @@ def _whole(value: Any) -> int:
 
 
 def _anything(value: Any) -> Any:
-    """Return a text, a number, true or false, or a list of these as a tuple."""
+    """Return a text, a number or a truth value unchanged, and a list of these as a tuple."""
     if isinstance(value, list):
         return tuple(_anything(each) for each in value)
     if not isinstance(value, (str, bool, int, float)):
@@ -222,7 +222,7 @@ _PLAIN: dict[Any, Kind] = {
 
 
 def one_of(words: tuple[Any, ...]) -> Kind:
-    """Return how one of some words or numbers is written."""
+    """Return the form of a choice among words or numbers."""
     there = " or ".join(map(str, words))
 
     def read(value: Any) -> Any:
@@ -240,7 +240,7 @@ def _optional(inside: tuple[Any, ...]) -> Kind | None:
 
 
 def _tuple(inside: tuple[Any, ...]) -> Kind | None:
-    """Return how a list of one kind is written: of any length, or of a certain one."""
+    """Return the form of a list with one kind of entries, of any or a fixed length."""
     many = len(inside) == 2 and inside[1] is Ellipsis
     kinds = [kind_of(each) for each in (inside[:1] if many else inside)]
     if not kinds or any(kind is None for kind in kinds):
@@ -265,7 +265,7 @@ def _tuple(inside: tuple[Any, ...]) -> Kind | None:
 
 
 def _table(hint: type) -> Kind | None:
-    """Return how a frozen dataclass is written: a table of its fields."""
+    """Return the form of a frozen dataclass: a table of its fields."""
     fields = arguments_of(hint)
     if fields is None:
         return None

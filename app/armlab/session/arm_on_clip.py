@@ -1,4 +1,4 @@
-"""Clips that move the whole arm: it is noted where the arm stood, and it goes back there when the clip is taken off."""
+"""Clips that move the whole arm: its position is noted before, and restored when the clip is closed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 
 UNTOUCHED = 1e-9
-"""rad or m from where a clip has put a joint, within which no hand has moved it."""
+"""Difference from the joint value of a clip, rad or m, within which nobody has moved the joint."""
 
 Floats = NDArray[np.float64]
 
@@ -40,12 +40,12 @@ def standing(arm: Arm, q: Floats) -> Floats:
 
 @dataclass(frozen=True)
 class ArmOnClip:
-    """What such a clip does with the arm.
+    """The effect of such a clip on the arm.
 
     Parameters
     ----------
     key : str
-        Of the clip.
+        Key of the clip.
     part : type
         The part of the state with the field ``before``: joint values before the clip, tuple of n floats, or None.
     duration : callable
@@ -60,7 +60,7 @@ class ArmOnClip:
     configuration: Callable[[State, float], Floats | None]
 
     def at(self, state: State, time: float) -> State:
-        """Return the state with the arm where the clip has it; the first call notes where it stood."""
+        """Return the state with the arm as in the clip at a time; the first call notes its position before."""
         part, joints = state[self.part], state[Joints]
         if part.before is None:
             state = state.replace(replace(part, before=tuple(joints.q.tolist())))
@@ -68,7 +68,7 @@ class ArmOnClip:
         return state if q is None else _moved(state, q)
 
     def untouched(self, state: State) -> bool:
-        """Return whether the clip is on and the arm stands where it has put it."""
+        """Return whether the clip is open and the arm stands as in the clip."""
         timeline, joints = state[Timeline], state[Joints]
         if timeline.clip != self.key:
             return False
@@ -79,7 +79,7 @@ class ArmOnClip:
         return bool(np.all(np.abs(there - joints.q) <= UNTOUCHED))
 
     def shown(self, state: State) -> State:
-        """Return the state with the arm where the clip has it, if it is on; its time is at most its end."""
+        """Return the state with the arm as in the clip, if that is open, at its time or at most its end."""
         timeline = state[Timeline]
         if timeline.clip != self.key:
             return state
@@ -88,7 +88,7 @@ class ArmOnClip:
         return self.at(state.replace(replace(timeline, time=time)), time)
 
     def put_back(self, state: State) -> State:
-        """Return the state with the arm where it stood before the clip, unless a hand has moved it meanwhile."""
+        """Return the state with the arm as before the clip, unless somebody has moved it meanwhile."""
         before = state[self.part].before
         return state if before is None or not self.untouched(state) else _moved(state, np.array(before))
 

@@ -1,4 +1,4 @@
-"""The benches whose examples a lesson can put in place, found by folder: ``"motion/corner_fly"``."""
+"""Benches whose examples a lesson can use, found by folder: ``"motion/corner_fly"``."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ class Bench:
     Parameters
     ----------
     key : str
-        What stands before the stroke in lesson files.
+        The part before the slash in lesson files.
     order : int
         Place in lists.
     examples : mapping of str to object
-        By key; where an example brings its arm, ``robot`` is the key of that.
+        Examples by key; when one brings its arm, ``robot`` is the key of that.
     choose : callable
         ``choose(key) -> Command``, which puts the example in place.
     """
@@ -36,7 +36,7 @@ class Bench:
 
 @cache
 def benches() -> dict[str, Bench]:
-    """Return all benches."""
+    """Return all benches by key."""
     return discover_in_benches("bench", "BENCH", Bench)
 
 
@@ -75,13 +75,13 @@ def robot_of(name: str) -> str:
 
 @dataclass(frozen=True)
 class PutInPlace(Command):
-    """Put an example of any bench in place, by its name in lessons."""
+    """Put an example of a bench in place, by its name in lessons."""
 
     name: str
     label: ClassVar[str] = "example"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example; refused when there is none such."""
+        """Return the state with the example; `UnknownName` when there is no such example."""
         return choosing(self.name).apply(state)
 
 
@@ -100,7 +100,7 @@ def with_example(state: State, name: str, robot: str) -> State:
 
 
 def refuse_other_arm(name: str, robot: str) -> None:
-    """Raise `InputError` when an example brings another arm than this one; `UnknownName` when there is none such."""
+    """Raise `InputError` when an example uses another arm than this; `UnknownName` when there is no such example."""
     brought = robot_of(name)
     if brought not in ("", robot):
         raise InputError(f"the example {name!r} is of the arm {brought!r}, not {robot!r}; write robot = {brought!r}")

@@ -1,4 +1,4 @@
-"""Words about where an arm is among its branches: what it has crossed, and which singularity it is near."""
+"""Sentences on the branch of an arm: borders that it has crossed, and singularities near it."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from armlab.kin.spare import task_jacobian
 Branch = tuple[str, ...]
 
 BORDER = ("straight", "folded", "above", "beside", "beside the axis")
-"""Words for neither side of a border."""
+"""Words for being on neither side of a border."""
 
 NEAR, STILL_NEAR = 0.03, 0.045
-"""Smallest singular value of the task Jacobian, lengths in length scales, below which a singularity is near, and below
-which it stays near: 5 and 8 degrees of a wrist."""
+"""Smallest singular values of the task Jacobian, with lengths in length scales: below the first a singularity is near,
+and it stays near below the second; 5 and 8 degrees of a wrist."""
 
 SHARE = 0.3
-"""Part of a unit of joint motion from which on a joint takes part in a singularity."""
+"""Part of a unit of joint motion from which a joint contributes to a singularity."""
 
 POSITIVE, NEGATIVE = "det J above 0", "det J below 0"
-"""The branch of an arm that has no words for its branches."""
+"""Branches of an arm that has no other words for them."""
 
 
 def branch_of(arm: Arm, q: NDArray[np.float64]) -> Branch:
@@ -40,7 +40,7 @@ def branch_of(arm: Arm, q: NDArray[np.float64]) -> Branch:
 
 
 def followed(before: Branch, now: Branch) -> Branch:
-    """Return the branch with the side it came from where it is on neither side of a border."""
+    """Return the branch; on a border it keeps the side on which it was before."""
     if len(before) != len(now):
         return now
     return tuple(old if new.endswith(BORDER) else new for old, new in zip(before, now, strict=True))
@@ -68,7 +68,7 @@ def crossed(before: Branch, now: Branch) -> str:
 
 
 def near_singularity(arm: Arm, q: NDArray[np.float64], least: float = NEAR) -> str:
-    """Return which singularity a configuration (n,) is near, in words; empty when it is near none."""
+    """Return a sentence on the singularity that a configuration (n,) is near; empty when it is near none."""
     J = _scaled(arm, q)
     _, sizes, motions = np.linalg.svd(J, full_matrices=False)
     if len(sizes) < J.shape[0] or float(sizes[-1]) >= least:
@@ -81,7 +81,7 @@ def _scaled(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _named(arm: Arm, motion: NDArray[np.float64]) -> str:
-    """Return the name of a singularity in which this motion of the joints hardly moves the tool."""
+    """Return the name of the singularity in which this joint motion hardly moves the tool."""
     named = _elbow_arm(arm, motion) or _planar(arm)
     if named:
         return named
@@ -92,7 +92,7 @@ def _named(arm: Arm, motion: NDArray[np.float64]) -> str:
 
 
 def _elbow_arm(arm: Arm, motion: NDArray[np.float64]) -> str:
-    """Return the name in an arm with shoulder, elbow and maybe wrist."""
+    """Return the name of the singularity for an arm with shoulder, elbow and perhaps wrist."""
     structure = known_structure(arm)
     elbow = structure.key in ("elbow", "spherical_wrist", "three_parallel") and bool(arm.revolute.all())
     words = {name.split(" ", 1)[0] for name in branch_of(arm, np.zeros(arm.n))} if elbow and arm.n in (3, 6) else set()

@@ -1,4 +1,4 @@
-"""A kind of path or of law that was chosen, with its options, as parts of the state hold it."""
+"""A chosen kind of path or law with its options, as it is held in the state."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ from armlab.kin.field import Field, seen_fields
 from armlab.session.state import Json
 
 Value = Any
-"""A number, a truth value, a text, or numbers in tuples, in rows."""
+"""Value of an option: a number, a truth value, a text, or numbers in tuples or rows."""
 
 
 class Kind(Protocol):
-    """What has options: `armlab.kin.motion.PathType`, `armlab.kin.motion.LawType`."""
+    """A type with options: `armlab.kin.motion.PathType`, `armlab.kin.motion.LawType`."""
 
     @property
     def fields(self) -> tuple[Field, ...]:
-        """The options there are."""
+        """The options of this kind."""
 
 
 @dataclass(frozen=True)
 class Chosen:
-    """A kind by its key, and those options that are not left as they come.
+    """A kind by its key, with those options that are not at their defaults.
 
     Attributes
     ----------
     key : str
     given : tuple of (str, value)
-        In the order of the keys; lists and tables are tuples.
+        Options in the order of their keys; lists and tables are tuples.
     """
 
     key: str
@@ -56,11 +56,11 @@ class Chosen:
 
     @property
     def options(self) -> dict[str, Value]:
-        """The options by key, as the makers of paths and laws take them."""
+        """The options by key, as makers of paths and laws take them."""
         return dict(self.given)
 
     def with_option(self, kind: Kind, name: str, value: Value) -> Self:
-        """Return the choice with one option set; None leaves it as it comes.
+        """Return the choice with one option set; None restores its default.
 
         Those given before that cannot be used with it fall, and those that would be in another unit.
 
@@ -79,7 +79,7 @@ class Chosen:
         return type(self)(self.key, kept)
 
     def _set(self, kind: Kind, name: str, value: Value) -> Self:
-        """Return the choice with one option set, whether it can be used with the others or not."""
+        """Return the choice with one option set, even if the others do not allow it."""
         known = {field.key: field for field in kind.fields}
         if name not in known:
             raise UnknownName(f"option of {self.key}", name, known)
@@ -89,12 +89,12 @@ class Chosen:
         return type(self)(self.key, tuple(sorted(others.items())))
 
     def to_json(self) -> Json:
-        """Write kind and options."""
+        """Return kind and options as JSON."""
         return {"key": self.key, **({"options": self.options} if self.given else {})}
 
     @classmethod
     def from_json(cls, data: Json, kinds: Mapping[str, Kind]) -> Self:
-        """Read them back; `InputError` when they are not usable."""
+        """Return the choice in JSON data; `InputError` when it is not usable."""
         if not isinstance(data, dict) or not isinstance(data.get("key"), str):
             raise InputError(f"kind: expected a key and options, got {str(data)[:60]}")
         key, options = data["key"], data.get("options", {})
@@ -107,7 +107,7 @@ def _seen(kind: Kind, chosen: Chosen) -> dict[str, Field]:
 
 
 def _frozen(value: Value) -> Value:
-    """Return lists and arrays as tuples: a state is never changed in place."""
+    """Return lists and arrays as tuples, since a state is never changed in place."""
     if isinstance(value, np.ndarray):
         value = value.tolist()
     return tuple(_frozen(each) for each in value) if isinstance(value, list) else value

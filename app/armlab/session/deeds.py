@@ -1,4 +1,4 @@
-"""What lesson files write as actions, as commands of the lab."""
+"""Actions in lesson files, translated to commands of the lab."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changes of the table on screen: each makes an arm of the student's own, or says why it cannot."""
+"""Edits of the table on screen: each makes an arm of the student's own, or says why it cannot."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from armlab.session.sizes import ANGLES, LENGTHS, LONGEST, check_cell, check_lim
 from armlab.session.state import Command, State
 
 EXACT = 1e-12
-"""Entries of a rotation this close to 0 or ±1 are meant to be that: quarter turns are exact."""
+"""Difference of an entry of a rotation from 0 or ±1 within which it is taken as exact: quarter turns stay exact."""
 
 PASTED = "Pasted arm"
 MOST_TEXT = 50_000
-"""Characters of a pasted table or a file."""
+"""Longest pasted table or file, in characters."""
 
 FILE = re.compile(r"^[ \t]*(\[\[[ \t]*joints[ \t]*\]\]|joints[ \t]*=|convention[ \t]*=)", re.MULTILINE)
-"""What tells a robot file from a table."""
+"""Pattern that distinguishes a robot file from a table."""
 
 Limits = tuple[float, float]
 
 
 def default_limits(kind: Kind) -> Limits:
-    """Return the limits of a joint that is given none."""
+    """Return the default limits of a joint."""
     return (-np.pi, np.pi) if kind == "R" else DEFAULT_STROKE
 
 
@@ -133,7 +133,7 @@ class AddJoint(Command):
 
 @dataclass(frozen=True)
 class RemoveJoint(Command):
-    """Take a row away."""
+    """Remove a row."""
 
     row: int
     label: ClassVar[str] = "removed joint"
@@ -157,7 +157,7 @@ class ReorderJoint(Command):
     label: ClassVar[str] = "order of joints"
 
     def apply(self, state: State) -> State:
-        """Return the state with the row in its place; beyond the ends nothing happens."""
+        """Return the state with the row in its new place; at the ends of the table nothing changes."""
         arm = _arm(state)
         _row(arm, self.row)
         if not 0 <= self.to < arm.n or self.to == self.row:
@@ -169,7 +169,7 @@ class ReorderJoint(Command):
 
 @dataclass(frozen=True, eq=False)
 class SetEnd(Command):
-    """Move frame 0 in the world ("base") or the tool in frame n ("tool"); the pose is (4, 4)."""
+    """Set the pose (4, 4) of frame 0 in the world ("base") or of the tool in frame n ("tool")."""
 
     end: str
     pose: NDArray[np.floating]
@@ -199,7 +199,7 @@ class Convert(Command):
     label: ClassVar[str] = "convention"
 
     def apply(self, state: State) -> State:
-        """Return the state with the same arm and another table, and with what went into base and tool."""
+        """Return the state with the same arm, another table, and the rest of the conversion in base and tool."""
         if self.convention not in CONVENTIONS:
             raise UnknownName("convention", self.convention, CONVENTIONS)
         arm = _arm(state)
@@ -220,7 +220,7 @@ class PasteTable(Command):
     def apply(self, state: State) -> State:
         """Return the state with the arm of the text, in its home pose.
 
-        What was concluded and not written in a table becomes the summary of the arm.
+        Conclusions that were not written in the table become the summary of the arm.
         """
         if len(self.text) > MOST_TEXT:
             raise InputError(f"table: expected at most {MOST_TEXT} characters, got {len(self.text)}")
@@ -240,7 +240,7 @@ class PasteTable(Command):
 
 @dataclass(frozen=True)
 class RestoreTable(Command):
-    """Go back to the table of the file the own one began with."""
+    """Restore the table of the robot file from which the student's own began."""
 
     label: ClassVar[str] = "original table"
 
@@ -269,12 +269,12 @@ def _replaced(rows: tuple[Row, ...], i: int, row: Row) -> tuple[Row, ...]:
 
 
 def _same(arm: Arm) -> tuple[int, ...]:
-    """Return the origin of joints that are the same as before."""
+    """Return the origin of joints when all are the same as before."""
     return tuple(range(arm.n))
 
 
 def _rebuilt(state: State, rows: tuple[Row, ...], origin: tuple[int | None, ...]) -> State:
-    """Return the state with other joints; those that are the same keep limits and bounds."""
+    """Return the state with other joints; unchanged joints keep limits and bounds."""
     arm = _arm(state)
     limits, speeds, accelerations = [], [], []
     for row, i in zip(rows, origin, strict=True):

@@ -1,4 +1,4 @@
-"""What choosing an example has in common on all benches: it is looked up, its arm comes, what is played is closed."""
+"""Common parts of choosing an example: it is looked up, its arm is put in place, and a clip is closed."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class PartExample(Generic[P]):
     key, title : str
     part : Part
     says : str
-        What to look at, in one sentence.
+        Sentence on what to look at.
     """
 
     key: str
@@ -38,25 +38,25 @@ class PartExample(Generic[P]):
 
 
 def part_examples(*examples: PartExample[P]) -> dict[str, PartExample[P]]:
-    """Return examples by key, in the order of the list; each part, which has an ``example``, knows which it is."""
+    """Return examples by key, in the order given; the field ``example`` of each part is set to its key."""
     return {one.key: replace(one, part=replace(one.part, example=one.key)) for one in examples}
 
 
 def example_of(examples: Mapping[str, T], key: object) -> T:
-    """Return an example by key; `UnknownName` with those there are."""
+    """Return an example by key; `UnknownName` lists the existing ones."""
     if not isinstance(key, str) or key not in examples:
         raise UnknownName("example", key, examples)
     return examples[key]
 
 
 def on_arm(state: State, key: str) -> State:
-    """Return the state with the arm of this key; the same state where it is there as its file has it."""
+    """Return the state with the arm of this key; the same state when it is there, unedited."""
     robot = catalogue()[key]
     return state if state[RobotPart].robot is robot else state.with_robot(robot)
 
 
 def with_clip_closed(state: State) -> State:
-    """Return the state without a film or run in the bar."""
+    """Return the state with no film or run open."""
     timeline = state[Timeline]
     if not timeline.clip:
         return state

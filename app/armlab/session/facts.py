@@ -1,4 +1,4 @@
-"""What benches publish as facts that lessons can check and show, found by folder: ``velocity.statics.torques``."""
+"""Facts that benches publish for lessons to check and show, found by folder: ``velocity.statics.torques``."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ KINDS: dict[Kind, str] = {
 }
 
 ANGLES = ("rad", "rad/s")
-"""Units of facts whose numbers lessons may write in degrees."""
+"""Units of facts whose numbers may be given in degrees in lessons."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Fact:
     Parameters
     ----------
     title : str
-        What it is, to go on with "is": ``"the largest torque of a joint"``.
+        The fact in words, to be continued with "is": ``"the largest torque of a joint"``.
     value : callable
         ``value(state)`` returns it, quickly, and None where the arm has no such thing or it is not worked out; an
         `ArmlabError` means the same. A fact of long work only looks at what has been found.
@@ -61,7 +61,7 @@ class Fact:
     kind: Kind = "number"
 
     def now(self, state: State) -> SeenFact:
-        """Return it as it is in a state."""
+        """Return the value of the fact in a state."""
         try:
             found = self.value(state)
         except ArmlabError:
@@ -80,7 +80,7 @@ class Facts:
     parts : tuple of type
         Parts of the state from which the facts follow, besides joints and target: they are kept as evidence.
     facts : mapping of str to Fact
-        By name; the word of one has the folders of tab and page before it.
+        Facts by name; the word of one has the folders of tab and page before it.
     job : Job, optional
         The work that finds them, where it takes long.
     ask : callable, optional
@@ -95,19 +95,19 @@ class Facts:
 
     @property
     def key(self) -> str:
-        """What their words begin with, such as ``"velocity.statics"``."""
+        """The beginning of their words, such as ``"velocity.statics"``."""
         return self.module.removeprefix(f"{BENCHES}.").rpartition(".")[0]
 
     @property
     def panel(self) -> str:
-        """The key of their page."""
+        """The key of the page."""
         package = self.module.rpartition(".")[0]
         return constant_of(package, "PAGE", Page).key
 
 
 @cache
 def facts_of_benches() -> dict[str, Facts]:
-    """Return what benches publish, by page."""
+    """Return the facts of all benches by page."""
     return discover_in_benches("facts", "FACTS", Facts)
 
 
@@ -129,7 +129,7 @@ def fact_of(word: str) -> tuple[Facts, Fact]:
 
 
 def unfit(asked: FactIs, fact: Fact) -> Iterator[str]:
-    """Yield why a check does not fit the fact it looks at."""
+    """Yield the reasons why a check does not fit its fact."""
     value = asked.value
     of_text, of_truth = isinstance(value, str), isinstance(value, bool)
     several = isinstance(value, tuple)
@@ -146,19 +146,19 @@ def unfit(asked: FactIs, fact: Fact) -> Iterator[str]:
 
 
 def facts_asked(lesson: Lesson, step: Step, met: bool) -> tuple[str, ...]:
-    """Return the words of the facts a step looks at, in a text, or in its check until that is met."""
+    """Return the words of the facts of a step: those in its text, and in its check while that is not met."""
     checked = () if step.check is None or met else step.check.facts
     return tuple(dict.fromkeys((*checked, *filter(is_word, (*step.live, *lesson.live)))))
 
 
 def benches_of(words: Iterable[str]) -> tuple[Facts, ...]:
-    """Return what publishes some facts, each once; words that nobody knows are left out."""
+    """Return the benches that publish some facts, without repetitions; unknown words are ignored."""
     pages = {word.rpartition(".")[0] for word in words}
     return tuple(found for page, found in facts_of_benches().items() if page in pages) if pages else ()
 
 
 def seen_facts(state: State, words: Iterable[str]) -> dict[str, SeenFact]:
-    """Return facts as they are in a state, by their words; those that nobody knows are left out."""
+    """Return the values of facts in a state, by their words; unknown words are ignored."""
     return dict(_seen(state, words))
 
 
@@ -172,7 +172,7 @@ def _seen(state: State, words: Iterable[str]) -> Iterator[tuple[str, SeenFact]]:
 
 
 def worked_out(state: State, found: Facts) -> State:
-    """Return the state with what the work behind some facts finds, done to its end here and now."""
+    """Return the state with the results of the work behind some facts, done at once to its end."""
     if found.job is None:
         return state
     state = found.ask(state) if found.ask else state
@@ -184,7 +184,7 @@ def worked_out(state: State, found: Facts) -> State:
 
 
 def evidence_of(state: State, words: Iterable[str]) -> Json:
-    """Return from what facts can be worked out again, and the values of those that takes long."""
+    """Return the data from which facts can be computed again, and the values of those that take long."""
     words = tuple(words)
     benches = benches_of(words)
     slow = [word for found in benches if found.job for word in words if word.rpartition(".")[0] == found.key]
@@ -195,7 +195,7 @@ def evidence_of(state: State, words: Iterable[str]) -> Json:
 
 
 def _tellable(value: Value | None) -> Json:
-    """Return a value as it can be read again; None for one that is none or beyond what a file may hold."""
+    """Return a value as it can be read again; None for other values, or one too large for a file."""
     data = list(value) if isinstance(value, tuple) else value
     try:
         read_value(data, "fact")
@@ -210,12 +210,12 @@ def facts_again(data: Json, words: Iterable[str], seen: Observation, robot: Robo
     Parameters
     ----------
     data : Json
-        As `evidence_of` writes it.
+        Data written by `evidence_of`.
     words : iterable of str
     seen : Observation
         The arm, joint values and target, which have been looked at already.
     robot : Robot
-        Of the lesson.
+        The robot of the lesson.
     whole : bool
         Whether long work is done again; what is told of it is taken down otherwise.
 
@@ -260,7 +260,7 @@ def _as_it_was(data: Json, words: tuple[str, ...], seen: Observation, robot: Rob
 
 
 def _plain(value: Any) -> Value | None:
-    """Return a value without NumPy in it; None for what is not a number."""
+    """Return a value without NumPy types; None when it is not a number."""
     if value is None or isinstance(value, (str, bool, np.bool_)):
         return bool(value) if isinstance(value, np.bool_) else value
     if np.ndim(value) == 0:

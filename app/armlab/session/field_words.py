@@ -1,4 +1,4 @@
-"""The fields that parts declare, as arguments of a command that files can write."""
+"""Declared fields of parts as arguments of a command in files."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ KINDS: dict[str, Any] = {
     "vector": tuple[float, ...],
     "own": Any,
 }
-"""What a field is as an argument, by its kind."""
+"""Type of the argument for each kind of field."""
 
 
 def field_arguments(part: type[FieldPart]) -> tuple[Argument, ...]:
-    """Return the fields of a part as arguments; each may be left out. Which example is in place cannot be set."""
+    """Return the fields of a part as arguments, all optional. The field for the example cannot be set."""
     specs = (each.spec for each in declarations(part).values())
     found = ((field, _kind(field)) for field in specs if field.key != EXAMPLE)
     return tuple(Argument(field.key, kind, False, _about(field)) for field, kind in found if kind is not None)
@@ -56,7 +56,7 @@ class SetFields(Command):
 
     @classmethod
     def of(cls, part: type[FieldPart], **values: Any) -> SetFields:
-        """Return the command; `InputError` where there is nothing to set."""
+        """Return the command; `InputError` when there is nothing to set."""
         if not values:
             raise InputError(f"expected some of {', '.join(each.name for each in field_arguments(part))}")
         return cls(part, tuple(values.items()))
@@ -68,9 +68,9 @@ class SetFields(Command):
 
     @property
     def undoable(self) -> bool:  # type: ignore[override]
-        """Whether it is work, and not only what is being looked at."""
+        """Whether the command is a step of undo: not when only the view changes."""
         return not self.part.kept_by_undo and any(name not in self.part.looks for name, _ in self.values)
 
     def apply(self, state: State) -> State:
-        """Return the state with the fields set, and no example in place any more."""
+        """Return the state with the fields set, and without an example in place."""
         return setting(state, self.part, dict(self.values))

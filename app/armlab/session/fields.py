@@ -1,4 +1,4 @@
-"""Parts whose fields are declared once: checks, JSON, first values and the command that sets one follow from it."""
+"""Parts with declared fields: checks, JSON, initial values and the command `Set` follow from the declarations."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from armlab.kin.field import Field
 from armlab.session.state import Command, Json, Part, State
 
 Kept = Literal["", "edits", "joints", "always"]
-"""What a field survives: nothing, edits of the table, those joint by joint, also another arm."""
+"""Changes that a field survives: none, edits of the table (also joint by joint), or another arm as well."""
 
 DECLARED = "declared"
 
 Table = tuple[tuple[float, ...], ...]
 EXAMPLE = "example"
-"""Name of the text that holds the key of the example in place; empty as soon as another field is set."""
+"""Name of the field for the key of the example in place; it is cleared when another field is set."""
 
 
 def number(
@@ -36,12 +36,12 @@ def number(
     above: bool = False,
     kept: Kept = "always",
 ) -> Any:
-    """Declare a number of a part; see `Field` for what is said of it. One whose default is None may be None."""
+    """Declare a number of a part, with the arguments of `Field`. If its default is None, it may be None."""
     return _declared(Field("", symbol, title, "number", default, low, high, above, unit), kept)
 
 
 def whole(title: str, default: int | None, low: int, high: float = math.inf, kept: Kept = "always") -> Any:
-    """Declare a whole number. One whose default is None may be None."""
+    """Declare a whole number. If its default is None, it may be None."""
     return _declared(Field("", "", title, "whole", default, low, high), kept)
 
 
@@ -51,7 +51,7 @@ def flag(title: str, default: bool, kept: Kept = "always") -> Any:
 
 
 def choice(title: str, default: Any, choices: Mapping[Any, str] | Sequence[Any], kept: Kept = "always") -> Any:
-    """Declare one of some keys; as a mapping with the words of each."""
+    """Declare a choice of a key; a mapping also gives the words for each."""
     words = choices if isinstance(choices, Mapping) else {key: key for key in choices}
     return _declared(Field("", "", title, "choice", default, choices=tuple(words.items())), kept)
 
@@ -65,7 +65,7 @@ def vector(
     unit: str = "1",
     kept: Kept = "always",
 ) -> Any:
-    """Declare a tuple of numbers, as many as in the part an arm opens with."""
+    """Declare a tuple of numbers, as many as in the initial part of an arm."""
     return _declared(Field("", symbol, title, "vector", default, low, high, unit=unit), kept)
 
 
@@ -75,7 +75,7 @@ def text(title: str, default: str = "", longest: int = 200, kept: Kept = "always
 
 
 def some(title: str, default: Sequence[Any], choices: Sequence[Any], kept: Kept = "always") -> Any:
-    """Declare some of several keys, a `frozenset`, written in the order of the alphabet."""
+    """Declare a choice of several keys, a `frozenset`, saved in alphabetical order."""
 
     def read(data: Json) -> frozenset[str]:
         if isinstance(data, str) or not all(isinstance(each, str) for each in data):
@@ -89,7 +89,7 @@ def some(title: str, default: Sequence[Any], choices: Sequence[Any], kept: Kept 
 
 
 def table(title: str, default: Table, low: float = -math.inf, high: float = math.inf, kept: Kept = "always") -> Any:
-    """Declare a tuple of tuples of numbers, as many rows of as many numbers as there are by default."""
+    """Declare a tuple of tuples of numbers, with the shape of the default."""
     shape = len(default), len(default[0])
 
     def read(data: Json) -> Table:
@@ -117,7 +117,7 @@ def own(
     default : object
         Immutable.
     read : callable
-        Returns the value of what was written; takes a value, too. What it raises besides `InputError` is told as one.
+        Returns the value of what was written; takes a value, too. Other errors that it raises are reported as one.
     write : callable, optional
         Tuples and arrays are lists by themselves.
     kept : str
@@ -129,7 +129,7 @@ def own(
 
 @dataclass(frozen=True)
 class Own:
-    """A field with its own form; see `own`."""
+    """A field with its own form of saving; see `own`."""
 
     key: str
     title: str
@@ -150,7 +150,7 @@ class Own:
 
 @dataclass(frozen=True)
 class Declared:
-    """What is declared of a field: its kind, what it survives, and its key in the JSON."""
+    """Declaration of a field: its kind, the changes it survives, and its key in JSON."""
 
     spec: Field | Own
     kept: Kept
@@ -174,31 +174,31 @@ class FieldPart(Part):
     """
 
     clip: ClassVar[str] = ""
-    """Key of the film of the part; where it is on, it begins again as soon as a field is set."""
+    """Key of the film of the part; if it is open, it starts again when a field is set."""
 
     leave_example: ClassVar[tuple[str, ...]] = (EXAMPLE,)
     """Fields that may be set while the example stays in place."""
 
     looks: ClassVar[tuple[str, ...]] = ()
-    """Fields that only say what is drawn: no step to undo, and example and film go on as they are."""
+    """Fields that only change what is drawn: they are no step of undo, and leave example and film alone."""
 
     bare: ClassVar[bool] = False
-    """Whether the JSON is the value of its one field, without a name."""
+    """Whether the JSON form is the value of its only field, without a name."""
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the part with the values declared."""
+        """Return the part with the declared defaults."""
         return cls()
 
     def check(self) -> None:
-        """Raise `InputError` when the values, each fine by itself, cannot be used together."""
+        """Raise `InputError` when the values cannot be used together, though each is valid."""
 
     def for_robot(self, robot: Robot) -> Self:
-        """Return the part for another arm, with the fields that are kept always."""
+        """Return the part for another arm; only fields that are always kept keep their values."""
         return self._for(robot, ("always",), ())
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Return the part for an edited table, with the fields that are kept, and values of joints where these are."""
+        """Return the part for an edited table, with the kept fields, and with values of joints where these are now."""
         return self._for(robot, ("always", "edits"), origin)
 
     def _for(self, robot: Robot, kept: Sequence[Kept], origin: tuple[int | None, ...]) -> Self:
@@ -212,12 +212,12 @@ class FieldPart(Part):
             found = new.with_values(values)
         except InputError:
             found = self.for_robot(robot) if origin else new
-        # What looks for changes asks whether it is the same object.
+        # Changes are detected by asking whether it is the same object.
         every = [each.name for each in dataclasses.fields(found)]
         return self if all(_same(getattr(found, name), getattr(self, name)) for name in every) else found
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the part with some fields set; `UnknownName` or `InputError` when it cannot be."""
+        """Return the part with some fields set; `UnknownName` or `InputError` when this is not possible."""
         declared = declarations(type(self))
         for name in values:
             if name not in declared:
@@ -236,19 +236,19 @@ class FieldPart(Part):
         return tuple(found.tolist())
 
     def without_example(self) -> Self:
-        """Return the part with no example in place any more, if it is kept as a text which one that is."""
+        """Return the part without an example in place, if it has a field for that."""
         kept = fields_of(type(self)).get(EXAMPLE)
         named = kept is not None and kept.kind == "text" and getattr(self, EXAMPLE)
         return replace(self, **{EXAMPLE: ""}) if named else self
 
     def to_json(self) -> Json:
-        """Write the fields declared."""
+        """Return the declared fields as JSON."""
         written = {each.under: each.written(getattr(self, name)) for name, each in declarations(type(self)).items()}
         return next(iter(written.values())) if self.bare else written
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read them back; what is missing is as it opens. Raises `InputError` when it is not usable."""
+        """Return the part from JSON, with defaults for missing fields; `InputError` when it is not usable."""
         if cls.bare:
             return cls.initial(robot).with_values(dict.fromkeys(declarations(cls), data))
         if not isinstance(data, dict):
@@ -258,11 +258,11 @@ class FieldPart(Part):
 
 
 _DECLARED: dict[type[FieldPart], dict[str, Declared]] = {}
-"""What was looked up already."""
+"""Cache of `declarations`."""
 
 
 def declarations(part: type[FieldPart]) -> dict[str, Declared]:
-    """Return what is declared of the fields of a part, by name."""
+    """Return the declarations of the fields of a part, by name."""
     if part not in _DECLARED:
         found = ((each.name, each.metadata[DECLARED]) for each in dataclasses.fields(part) if DECLARED in each.metadata)
         _DECLARED[part] = {
@@ -272,7 +272,7 @@ def declarations(part: type[FieldPart]) -> dict[str, Declared]:
 
 
 def fields_of(part: type[FieldPart]) -> dict[str, Field]:
-    """Return the fields of a part that a form can ask for, by name."""
+    """Return the fields of a part that can be shown in a form, by name."""
     found = ((name, each.spec) for name, each in declarations(part).items())
     return {name: spec for name, spec in found if isinstance(spec, Field)}
 
@@ -301,16 +301,16 @@ class Set(Command):
 
     @property
     def undoable(self) -> bool:  # type: ignore[override]
-        """Whether it is work, and not only what is being looked at."""
+        """Whether the command is a step of undo: not when only the view changes."""
         return not self.part.kept_by_undo and self.name not in self.part.looks
 
     def apply(self, state: State) -> State:
-        """Return the state with the field set, and no example in place any more."""
+        """Return the state with the field set, and without an example in place."""
         return setting(state, self.part, {self.name: self.value})
 
 
 def setting(state: State, kind: type[FieldPart], values: Mapping[str, Any]) -> State:
-    """Return the state with fields of a part set; where one becomes another, no example is in place any more."""
+    """Return the state with fields of a part set; when one changes, no example is in place any more."""
     part = state[kind]
     changed = part.with_values(values)
     others = [name for name in values if not _same(getattr(changed, name), getattr(part, name))]
@@ -320,7 +320,7 @@ def setting(state: State, kind: type[FieldPart], values: Mapping[str, Any]) -> S
 
 
 def put(state: State, part: FieldPart) -> State:
-    """Return the state with a part, and its film, if it is on, at its beginning; raises what `FieldPart.check` does."""
+    """Return the state with a part, and its film, if open, at the start; raises the errors of `FieldPart.check`."""
     part.check()
     return state if part == state[type(part)] else _begun(state, part)
 

@@ -1,8 +1,8 @@
 """The work of a student as a file, and the verdicts on such a file: the same as on screen, without a browser.
 
 Answers are judged again, and every check looks again at what it saw when it was met: at the arm of the lesson with its
-own limits, at the joint values of the file, at a motion that is planned again from its waypoints. What no file proves,
-such as the time, is noted and called so.
+own limits, at the joint values of the file, at a motion that is planned again from its waypoints. Anything that no file
+proves, such as the time, is noted and called so.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ from armlab.version import VERSION
 
 FORMAT = 1
 MOST = 1_000_000
-"""Characters of a file that are read."""
+"""Largest file that is read, in characters."""
 
 LONGEST_KEY = 64
-"""Characters of the name of a lesson."""
+"""Longest key of a lesson, in characters."""
 
 OF_THE_STUDENT = ("lesson", "shelf")
-"""Keys of the parts that are no state of the lab: the file has the progress of its own lesson only."""
+"""Keys of the parts that belong to the student, not the lab: a file has the progress of its own lesson only."""
 
 _MATH = re.compile("<math.*?</math>", re.DOTALL)
 
@@ -66,7 +66,7 @@ def hand_in(state: State) -> str:
 
 
 def hand_in_name(state: State) -> str:
-    """Return a name for that file: the lesson and the student's name in plain letters."""
+    """Return a file name for the hand-in: the lesson and the student's name in plain letters."""
     part = state[LessonPart]
     who = re.sub(r"[^a-z0-9]+", "_", part.student.lower()).strip("_")[:40]
     return "_".join(filter(None, (part.open.replace("/", "_"), who))) + ".json"
@@ -88,9 +88,9 @@ class StepReport:
     noted : bool
         Whether it rests on what no file proves, such as the time or that a film was played: that is noted, not judged.
     says : str
-        What there is to say, as plain text.
+        Sentence on the step, as plain text.
     hints : int
-        How many hints were looked at.
+        Number of hints that were shown.
     """
 
     title: str
@@ -103,7 +103,7 @@ class StepReport:
 
     @property
     def counts(self) -> bool:
-        """Whether there was anything to do."""
+        """Whether the step has a task."""
         return self.met is not None or self.right is not None
 
 
@@ -114,7 +114,7 @@ class Report:
     Attributes
     ----------
     student : str
-        As they have signed it.
+        The student's name, as signed.
     lesson, title : str
     variant : int
     changed : bool
@@ -122,7 +122,7 @@ class Report:
     steps : tuple of StepReport
         All steps, also those with nothing to do.
     prints : frozenset of str
-        What it has in common with another only when one is made of the other; see `prints_of`.
+        Marks that two hand-ins share only if one was made from the other; see `prints_of`.
 
     Notes
     -----
@@ -139,12 +139,12 @@ class Report:
 
     @property
     def passed(self) -> int:
-        """Return how many of the steps that count are passed."""
+        """Number of steps with a task that are passed."""
         return sum(step.passed for step in self.steps if step.counts)
 
     @property
     def count(self) -> int:
-        """Return how many steps count."""
+        """Number of steps with a task."""
         return sum(step.counts for step in self.steps)
 
 
@@ -254,7 +254,7 @@ def judged_anew(found: Lesson, progress: Progress, plans: bool = True) -> tuple[
 
 
 def _check_again(found: Lesson, step: Step, evidence: Json, plans: bool) -> tuple[bool | None, str]:
-    """Return whether the check is met by what is said to have been seen, and what there is to say."""
+    """Return whether the check is met according to the evidence, and the sentence on it."""
     if step.check is None:
         return None, ""
     if evidence is None:
@@ -275,7 +275,7 @@ def _check_again(found: Lesson, step: Step, evidence: Json, plans: bool) -> tupl
 def _answer_again(
     step: Step, typed: str | None, kept: RightAnswer | None
 ) -> tuple[bool | None, str, RightAnswer | None]:
-    """Return whether the question is answered rightly, what there is to say, and the answer that is right."""
+    """Return whether the question is answered rightly, the sentence on it, and the right answer."""
     if step.question is None:
         return None, "", None
     if step.question.hide:
@@ -291,7 +291,7 @@ def _answer_again(
 
 
 def _is_no_prediction(step: Step, typed: str | None) -> bool:
-    """Return whether what stands as a prediction is none: on screen it is not taken."""
+    """Return whether the prediction is invalid, as one that the screen would not accept."""
     if typed is None or step.question is None or not step.question.hide:
         return False
     return step.question.judge(typed).name == "unreadable"
@@ -319,7 +319,7 @@ def plain(html: str) -> str:
 
 
 class _Text(HTMLParser):
-    """Collects what stands between the tags."""
+    """A parser that collects the text between the tags."""
 
     def __init__(self) -> None:
         super().__init__(convert_charrefs=True)

@@ -1,4 +1,4 @@
-"""What shows only when the work of a class is looked at together: another's work, and another's variant."""
+"""Comparison of the hand-ins of a class: copied work, and variants that were not assigned."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def looked_at_together(judged: Sequence[Judged], students: Mapping[int, str] | N
 
 
 def _not_assigned(report: Report, students: Mapping[int, str]) -> str:
-    """Return why the work is not that which the student was given; empty when it is."""
+    """Return the reason why the work is not the one assigned to the student; empty when it is."""
     name = _plain(report.student)
     given = [number for number, student in students.items() if _plain(student) == name]
     if not given:

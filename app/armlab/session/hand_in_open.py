@@ -1,4 +1,4 @@
-"""Go on with work that was saved: begun at one computer, finished at another."""
+"""Continuation of saved work: begun at one computer, finished at another."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ class OpenWork(Command):
     """Open work that was saved, at its step and with the arm as it stood, as far as it can be used.
 
     Its answers and checks are judged anew, and only what holds is done; a motion is not planned again here, which takes
-    too long, but when it is handed in. What is done here already stays done.
+    too long, but when it is handed in. Steps already done here stay done.
 
     Parameters
     ----------
     text : str
-        Of a file written by `hand_in`.
+        Text of a file written by `hand_in`.
     """
 
     text: str
@@ -61,7 +61,7 @@ class OpenWork(Command):
 
 
 def _together(here: Progress, there: Progress) -> Progress:
-    """Return what is done here or there, at the step of the file; of two answers the one given here."""
+    """Return the progress from both places, at the step of the file; of two answers the one given here."""
     hints = {name: max(here.hints.get(name, 0), there.hints.get(name, 0)) for name in {*here.hints, *there.hints}}
     return replace(
         there,
@@ -74,7 +74,7 @@ def _together(here: Progress, there: Progress) -> Progress:
 
 
 def _as_it_stood(begun: State, parts: Json) -> State:
-    """Return the lesson with the arm and the benches of the file; as the step finds them where these are not usable."""
+    """Return the lesson with arm and benches as in the file, or as the step begins when these are not usable."""
     if not isinstance(parts, dict) or not parts or begun[LessonPart].hides:
         return begun
     try:

@@ -1,4 +1,4 @@
-"""By what two hand-ins are known to be made of each other."""
+"""Comparison of two hand-ins, to find out whether one was copied from the other."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from armlab.session.state import Json
 def prints_of(progress: Json, parts: Json) -> frozenset[str]:
     """Return what two hand-ins have in common only when one is made of the other.
 
-    Of everything that was done the whole evidence counts, with its time, which is a number of sixteen digits: two
-    people who do the same do not take the same time. Besides that, all of the work together counts.
+    The whole evidence of everything done counts, with its time, which is a number of sixteen digits: two people who do
+    the same do not take the same time. Besides that, all of the work together counts.
 
     Parameters
     ----------
     progress, parts : Json
-        Of a file, with anything in them.
+        Data of a file, which may contain anything.
     """
     done = [*_timed(progress, "evidence", _seconds_seen), *_timed(progress, "right", _seconds_typed)]
     some = [data for name in ("evidence", "right") if isinstance(data := progress.get(name), dict) and data]

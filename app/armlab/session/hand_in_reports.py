@@ -1,4 +1,4 @@
-"""Verdicts on the work of a class, written down: a table to read, rows for a spreadsheet, results for Gradescope."""
+"""Reports on the work of a class: a table to read, rows for a spreadsheet, results for Gradescope."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from armlab.session.hand_in import Report, StepReport
 from armlab.session.state import Json
 
 DONE, NOTED, NOT_DONE, NOTHING = "ok", "noted", "no", "-"
-"""Marks of a step in the table; one that is noted is done by what the file says, and no file proves that."""
+"""Marks of a step in the table; a noted step is done according to the file, which does not prove it."""
 
 FORMULA = tuple("=+-@\t\r＝＋－＠")
-"""What makes a spreadsheet take a text for a formula when a cell begins with it."""
+"""First characters that make a spreadsheet take a text for a formula."""
 
 COLUMNS = ("file", "student", "lesson", "variant", "changed", "passed", "count", "score", "same as")
 OF_STEP = ("passed", "hints", "says")
@@ -43,24 +43,24 @@ class Judged:
 
     @property
     def name(self) -> str:
-        """The student, or the file of work nobody has signed."""
+        """The student's name, or the file name of unsigned work."""
         return (self.report.student if self.report else "") or self.file
 
     @property
     def passed(self) -> int:
-        """How many steps are done and count."""
+        """Number of steps with a task that are done."""
         return 0 if self.report is None or self.problem else self.report.passed
 
     @property
     def remark(self) -> str:
-        """What a teacher should know besides the verdicts."""
+        """Remark for the teacher besides the verdicts."""
         same = f"Agrees to the last digit with {', '.join(self.same_as)}." if self.same_as else ""
         changed = "The lesson has changed since." if self.report is not None and self.report.changed else ""
         return " ".join(filter(None, (self.problem, same, changed)))
 
 
 def table(judged: Sequence[Judged], details: bool = False) -> str:
-    """Return one line a student with a mark for each step, then what is missing if ``details``; text to read."""
+    """Return one line for each student with a mark for each step, and what is missing if ``details``; plain text."""
     found = [(one, one.report) for one in judged if one.report is not None]
     if not found:
         return ""
@@ -93,7 +93,7 @@ def rows(judged: Sequence[Judged]) -> str:
 
 
 def gradescope(judged: Judged) -> Json:
-    """Return what Gradescope reads as ``results.json``: one point for each step in which there is something to do."""
+    """Return the content of ``results.json`` for Gradescope: one point for each step with a task."""
     report = judged.report
     if report is None:
         return {"score": 0.0, "output": judged.problem, "output_format": "text", "tests": []}
@@ -130,7 +130,7 @@ def _score(one: Judged, report: Report) -> str:
 
 
 def _details(name: str, report: Report) -> Iterator[str]:
-    """Yield lines about what is not done, and about all that was said."""
+    """Yield lines on what is not done, and on all answers."""
     yield f"{name}\n"
     for i, step in enumerate(report.steps):
         if not step.counts:
@@ -158,5 +158,5 @@ def _cells(one: Judged, report: Report) -> list[str | int]:
 
 
 def _safe(cell: str | int) -> str | int:
-    """Return a cell that no spreadsheet takes for a formula: one that looks like it begins with an apostrophe."""
+    """Return a cell that no spreadsheet takes for a formula: one that looks like it gets an apostrophe in front."""
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell

@@ -10,23 +10,23 @@ from armlab.session.state import Command, State
 from armlab.session.weight import forget_derived, weight
 
 DEPTH = 200
-"""Steps that are kept. States share their unchanged parts, so a step costs some hundred bytes."""
+"""Largest number of steps that are kept. States share unchanged parts, so that a step takes some hundred bytes."""
 
 HEAVIEST = 12 << 20
-"""Bytes that the steps may hold together: recorded motions and planned ones are large. The oldest steps go first."""
+"""Largest size of all steps, bytes: recorded and planned motions are large. The oldest steps are dropped first."""
 
 PAUSE = 1.0
-"""Seconds of rest after which moving the same slider again is a new step."""
+"""Pause, seconds, after which moving the same slider again is a new step."""
 
 
 class Step(NamedTuple):
-    """A state that can be gone to.
+    """A state that undo or redo can restore.
 
     Attributes
     ----------
     state : State
     label : str
-        What is taken back, or brought back, by going there.
+        Name of the change that is taken back or restored.
     held : int
         Bytes that this step alone holds: of the parts that were replaced.
     """
@@ -38,7 +38,7 @@ class Step(NamedTuple):
 
 @dataclass
 class History:
-    """The steps of one student."""
+    """The steps of undo of one student."""
 
     past: list[Step] = field(default_factory=list)
     future: list[Step] = field(default_factory=list)
@@ -46,7 +46,7 @@ class History:
     _at: float = 0.0
 
     def note(self, before: State, after: State, command: Command, at: float) -> None:
-        """Note that a command has replaced a state; commands of one stroke are one step."""
+        """Record that a command has replaced a state; commands of one stroke are one step."""
         goes_on = command.stroke is not None and command.stroke == self._stroke
         if not goes_on or (command.rests and at - self._at > PAUSE):
             self.past.append(Step(before, command.label, _lightened(before, after)))
@@ -58,7 +58,7 @@ class History:
 
     @property
     def held(self) -> int:
-        """Bytes that all steps hold, roughly."""
+        """Approximate size of all steps, bytes."""
         return sum(step.held for step in (*self.past, *self.future))
 
     def forget_half(self) -> None:
@@ -84,22 +84,22 @@ class History:
         return step.state
 
     def only(self, label: str) -> bool:
-        """Return whether every step there is bears this label."""
+        """Return whether all steps have this label."""
         return all(step.label == label for step in self.past)
 
     @property
     def undo_label(self) -> str | None:
-        """What an undo would take back."""
+        """The label of the step that an undo would take back."""
         return self.past[-1].label if self.past else None
 
     @property
     def redo_label(self) -> str | None:
-        """What a redo would bring back."""
+        """The label of the step that a redo would bring back."""
         return self.future[-1].label if self.future else None
 
 
 def _lightened(kept: State, shown: State) -> int:
-    """Have a state that is kept forget what can be computed again; return the bytes that it alone holds."""
+    """Drop what can be computed again from a kept state; return the bytes that it alone occupies."""
     kept.forget_derived()
     replaced = [part for part in kept if shown[type(part)] is not part]
     for part in replaced:

@@ -16,7 +16,7 @@ from armlab.session.state import Command, State
 
 
 class Wanted(NamedTuple):
-    """What a job is to work on.
+    """The input of a job.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Job:
     ----------
     key : str
     title : str
-        What a person is told has failed, such as ``"The search for all solutions"``.
+        Name of the work in a message on its failure, such as ``"The search for all solutions"``.
     wanted : callable
         ``wanted(state, panels) -> Wanted | None``, cheap: what to work on, None for nothing. ``panels`` are the keys of
         the panels that are open in some window of the student.
@@ -62,13 +62,13 @@ class Job:
 
 @cache
 def jobs() -> dict[str, Job]:
-    """Return all jobs."""
+    """Return all jobs by key."""
     return discover_in_benches("job", "JOB", Job)
 
 
 @dataclass(frozen=True, eq=False)
 class Deliver(Command):
-    """Hand in what a job has found so far; of several waiting the newest counts."""
+    """Hand in the present result of a job; of several waiting only the newest is used."""
 
     job: Job
     inputs: Any
@@ -78,9 +78,9 @@ class Deliver(Command):
 
     @property
     def channel(self) -> object:
-        """One for each job."""
+        """The job: its newest result replaces waiting ones."""
         return Deliver, self.job.key
 
     def apply(self, state: State) -> State:
-        """Return the state with what was found."""
+        """Return the state with the result."""
         return self.job.delivered(state, self.inputs, self.found)

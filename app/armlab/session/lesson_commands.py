@@ -1,4 +1,4 @@
-"""What can be done with lessons: open, go through, answer, ask for a hint, close."""
+"""Commands of lessons: open, step through, answer, ask for a hint, close."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class OpenLesson(Command):
     anew : bool
         Whether to forget the progress in it, also when it is open already.
     variant : int, optional
-        Of a lesson that has variants; the one last worked on, or the student's own, when left out.
+        Variant of a lesson that has some; by default the one last worked on, or the student's own.
     """
 
     key: str
@@ -37,7 +37,7 @@ class OpenLesson(Command):
     label: ClassVar[str] = "arm of the lesson"
 
     def apply(self, state: State) -> State:
-        """Return the state at the start of the lesson, or the same state when it is open already."""
+        """Return the state at the start of the lesson, or the same state if it is open already."""
         part = state[LessonPart]
         place = self._place(part)
         if part.open == place and not self.anew:
@@ -59,7 +59,7 @@ class OpenLesson(Command):
 
 @dataclass(frozen=True)
 class TakeLessonArm(Command):
-    """Put arm and example of the open lesson back as they are at the start of the step; the progress stays."""
+    """Restore arm and example of the open lesson as at the start of the step; the progress stays."""
 
     label: ClassVar[str] = "arm of the lesson"
 
@@ -71,7 +71,7 @@ class TakeLessonArm(Command):
 
 @dataclass(frozen=True)
 class CloseLesson(Command):
-    """Close the lesson; arm and progress stay as they are, and what it held is free again."""
+    """Close the lesson; arm and progress stay, and everything locked is free again."""
 
     undoable: ClassVar[bool] = False
 
@@ -89,13 +89,13 @@ class CloseLesson(Command):
 
 @dataclass(frozen=True)
 class ReloadLesson(Command):
-    """Show the open lesson again, whose file has changed; what was done in steps that are still there stays done."""
+    """Show the open lesson again after its file has changed; steps that still exist keep their progress."""
 
     key: str
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the lesson as its file is now."""
+        """Return the state with the lesson as it is in its file now."""
         part = state[LessonPart]
         if part.open.partition("/")[0] != self.key:
             return state
@@ -104,7 +104,7 @@ class ReloadLesson(Command):
 
 @dataclass(frozen=True)
 class LookAt(Command):
-    """Note which panel is looked at."""
+    """Note the panel that is open."""
 
     panel: str
     undoable: ClassVar[bool] = False
@@ -117,7 +117,7 @@ class LookAt(Command):
 
 @dataclass(frozen=True)
 class SignAs(Command):
-    """Take the name with which a student signs the work."""
+    """Set the name with which a student signs the work."""
 
     name: str
     undoable: ClassVar[bool] = False
@@ -137,7 +137,7 @@ class GoToStep(Command):
     Parameters
     ----------
     step : int
-        From 0.
+        Step, from 0.
     """
 
     step: int
@@ -163,7 +163,7 @@ class UnlockHint(Command):
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with one hint more, or the same state when all are shown."""
+        """Return the state with one more hint, or the same state when all are shown."""
         part = state[LessonPart]
         step, progress, name = part.step, part.progress, part.name
         shown = progress.hints.get(name, 0)
@@ -180,14 +180,14 @@ class Answer(Command):
     Parameters
     ----------
     text : str
-        As typed; an empty one takes the answer away. Of a prediction the first counts, and stays.
+        The answer as typed; an empty one removes it. The first prediction counts and stays.
     """
 
     text: str
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state with the answer noted."""
+        """Return the state with the answer."""
         part, typed = state[LessonPart], self.text.strip()[:MOST_TYPED]
         step, progress, name = part.step, part.progress, part.name
         if step is None or step.question is None:

@@ -1,4 +1,4 @@
-"""How far a student has come in one lesson, by the names of its steps, which outlive a change of their order."""
+"""The progress of a student in a lesson, by the names of its steps, which do not depend on their order."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armlab.content.lesson import Lesson
 from armlab.session.state import Json
 
 MOST_TYPED = 1000
-"""Characters of an answer that are kept."""
+"""Longest answer that is kept, in characters."""
 
 
 def _empty() -> Mapping[str, Json]:
@@ -37,7 +37,7 @@ class RightAnswer:
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a student has come in one lesson.
+    """The progress of a student in one lesson.
 
     Attributes
     ----------
@@ -46,15 +46,15 @@ class Progress:
     met : frozenset of str
         Steps whose check was met once, or that have been shown and have none.
     right : mapping of str to RightAnswer
-        By the step: what was typed when its question was first answered rightly. Like evidence, it can be judged again.
+        By step, the answer typed when its question was first answered rightly. Like evidence, it can be judged again.
     answers : mapping of str to str
-        What was typed last at each question; at a prediction, what was typed first.
+        By question, the last answer typed; for a prediction the first one.
     hints : mapping of str to int
-        How many hints were unlocked at each step.
+        By step, the number of hints shown.
     evidence : mapping of str to Json
-        What the check of a step saw when it was met.
+        By step, the observation with which its check was met.
     since : float or None
-        When the step was first shown, in seconds of the session's clock; not saved.
+        Time at which the step was first shown, in seconds of the session's clock; not saved.
     films : frozenset of str
         Clips that were played to their end since then; not saved.
     tried : bool
@@ -72,25 +72,25 @@ class Progress:
     tried: bool = False
 
     def anew(self) -> Progress:
-        """Return it as it is when the step is shown anew: nothing has been done yet, and no time has passed."""
+        """Return the progress as when the step is shown anew: nothing is done yet, and no time has passed."""
         return replace(self, since=None, films=frozenset(), tried=False)
 
     def shown(self, lesson: Lesson) -> int:
-        """Return the number of the step that is shown, from 0."""
+        """Return the number of the shown step, from 0."""
         names = step_names(lesson)
         return names.index(self.step) if self.step in names else 0
 
     def seconds(self, now: float) -> float:
-        """Return for how long the step has been shown; ``now`` is a time of the session's clock."""
+        """Return how long the step has been shown, in seconds; ``now`` is a time of the session's clock."""
         return 0.0 if self.since is None else max(0.0, now - self.since)
 
     def committed(self, lesson: Lesson, i: int) -> bool:
-        """Return whether step i asks for a prediction and has got it."""
+        """Return whether step i asks for a prediction and has one."""
         question = lesson.steps[i].question
         return question is not None and bool(question.hide) and step_names(lesson)[i] in self.answers
 
     def answered(self, lesson: Lesson, i: int) -> bool:
-        """Return whether the question of step i is settled, or there is none."""
+        """Return whether the question of step i is answered finally, or there is none."""
         return lesson.steps[i].question is None or self.committed(lesson, i) or step_names(lesson)[i] in self.right
 
     def passed(self, lesson: Lesson) -> frozenset[int]:
@@ -104,7 +104,7 @@ class Progress:
 
 @lru_cache(maxsize=1024)
 def step_names(lesson: Lesson) -> tuple[str, ...]:
-    """Return a name for each step: its title, with a number where an earlier step has the same."""
+    """Return a name for each step: its title, with a number when an earlier step has the same title."""
     seen: Counter[str] = Counter()
     names = []
     for step in lesson.steps:
@@ -114,7 +114,7 @@ def step_names(lesson: Lesson) -> tuple[str, ...]:
 
 
 def written(progress: Progress) -> Json:
-    """Return it written down."""
+    """Return the progress as JSON."""
     return {
         "step": progress.step,
         "met": sorted(progress.met),
@@ -126,7 +126,7 @@ def written(progress: Progress) -> Json:
 
 
 def read(lesson: Lesson, data: Json) -> Progress:
-    """Return it read back; steps that are no longer there are forgotten."""
+    """Return the progress from JSON; steps that no longer exist are left out."""
     names = step_names(lesson)
     asked = {name for name, step in zip(names, lesson.steps, strict=True) if step.question is not None}
     checked = {name for name, step in zip(names, lesson.steps, strict=True) if step.check is not None}
@@ -145,7 +145,7 @@ def read(lesson: Lesson, data: Json) -> Progress:
 
 
 def _right(data: Json, answers: Mapping[str, str], asked: set[str]) -> dict[str, RightAnswer]:
-    """Return the right answers; where only names were kept, what was typed last has to do."""
+    """Return the right answers; where only names were saved, the last answer typed is used."""
     if isinstance(data, list):
         return {name: RightAnswer(answers[name]) for name in data if name in answers}
     right = {name: RightAnswer(str(typed)[:MOST_TYPED], float(at)) for name, (typed, at) in data.items()}

@@ -1,4 +1,4 @@
-"""How lessons and their steps begin: the arm and how it stands, an example of a bench, and what is done then."""
+"""The start of lessons and steps: the arm and its pose, an example of a bench, and actions."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ from armlab.session.taught import taught
 from armlab.session.words import command_of, lies_in
 
 THE_LESSON = -1
-"""Stands for the lesson itself where its steps are counted from 0."""
+"""Index of the lesson itself among its steps, which are counted from 0."""
 
 
 def set_up(state: State, lesson: Lesson, i: int) -> State:
-    """Return the state with arm, pose, target, switches and benches as step i finds them; nothing plays."""
+    """Return the state at the start of step i: arm, pose, target, switches and benches; nothing plays."""
     robot = lesson.robot_used
     if robot is not state[RobotPart].robot:
         state = state.with_robot(robot)
     joints = held(Joints.initial(robot).moved_to(lesson.start), lesson, True)
-    # What the lesson before has switched on would be in the way; what is on besides is a matter of this one.
+    # Switches that the previous lesson turned on would be in the way; this lesson says which are on.
     off = {name: False for name, on in state[Display].switches.items() if not on}
     on = {**off, **state[Display].of_screen(), **dict.fromkeys(lesson.overlays, True)}
     ready = state.replace(
@@ -49,7 +49,7 @@ def set_up(state: State, lesson: Lesson, i: int) -> State:
 
 
 def gone_to(state: State, lesson: Lesson, before: int, i: int) -> State:
-    """Return the state with what step i begins with, coming from another; the same state where it goes on with that.
+    """Return the state with the start of step i, coming from another; the same state when the step has none.
 
     Who goes forward finds put in place what the steps on the way begin with; who goes back finds the benches as they
     were for the earlier step.
@@ -66,7 +66,7 @@ def gone_to(state: State, lesson: Lesson, before: int, i: int) -> State:
 
 
 def refuse_unknown(lesson: Lesson) -> None:
-    """Raise `ContentError` where a lesson names a command or a fact of a bench at its starts that there is not."""
+    """Raise `ContentError` where the starts of a lesson name an unknown command or fact of a bench."""
     for action in (*lesson.begin, *(action for step in lesson.steps for action in step.begin)):
         if isinstance(action, BenchWord):
             command_of(action)
@@ -79,7 +79,7 @@ def refuse_unknown(lesson: Lesson) -> None:
 
 
 def held(joints: Joints, lesson: Lesson, on: bool) -> Joints:
-    """Return the joints with those that a lesson keeps held, or free again."""
+    """Return the joints with those locked by a lesson held, or free again."""
     locked = tuple(on if j + 1 in lesson.locked_joints else held for j, held in enumerate(joints.locked))
     return replace(joints, locked=locked)
 
@@ -96,12 +96,12 @@ def _start(lesson: Lesson, k: int) -> tuple[str, tuple[Action, ...]]:
 
 
 def _stage(lesson: Lesson, i: int) -> int:
-    """Return which step, at or before step i, last puts anything in place."""
+    """Return the last step, at or before step i, that puts anything in place."""
     return next((k for k in range(i, THE_LESSON, -1) if _begins(lesson, k)), THE_LESSON)
 
 
 def _begun(state: State, lesson: Lesson, first: int, i: int) -> State:
-    """Return the state with what steps first to i begin with, from the last example among them on."""
+    """Return the state after the starts of steps first to i, beginning with the last example among them."""
     with_one = (k for k in range(i, first - 1, -1) if _start(lesson, k)[0])
     for k in range(next(with_one, first), i + 1):
         example, done = _start(lesson, k)
@@ -112,7 +112,7 @@ def _begun(state: State, lesson: Lesson, first: int, i: int) -> State:
 
 
 def _fresh(state: State, lesson: Lesson) -> State:
-    """Return the state with the benches a lesson checks or sets up as they open: not what was made there before."""
+    """Return the state with the benches that a lesson uses as they open, without the student's earlier work."""
     robot = state[RobotPart].robot
     return state.replace(*(kind.initial(robot) for kind in dict.fromkeys(_parts_of(lesson))))
 

@@ -1,4 +1,4 @@
-"""How much of a processor core this process uses, for what has to give way to hands that drag."""
+"""The use of a processor core by this process, for work that gives way to people dragging the arm."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 
 WINDOW = 0.5
-"""Seconds over which the use is averaged."""
+"""Window of the average, seconds."""
 
 
 class Load:
@@ -39,5 +39,5 @@ class Load:
 
 
 def of_others() -> float:
-    """Return the seconds of processor time of this process without those of the thread that asks."""
+    """Return the processor time of this process, seconds, without that of the calling thread."""
     return time.process_time() - time.thread_time()

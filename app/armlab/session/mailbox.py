@@ -1,4 +1,4 @@
-"""The commands a student has posted and that are not applied yet."""
+"""The commands that a student has posted and that are not applied yet."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections import deque
 from armlab.session.state import Command
 
 MOST = 500
-"""Commands that may wait. A hand leaves a few; only a flood of dear ones is faster than the lab for so long."""
+"""Largest number of waiting commands. A person leaves a few; only a flood of expensive ones exceeds it."""
 
 
 class Mailbox:
@@ -23,7 +23,7 @@ class Mailbox:
         self._waiting: deque[Command] = deque()
 
     def post(self, command: Command) -> bool:
-        """Add a command; return False where so many wait already that it is not taken."""
+        """Add a command; return False when too many are waiting."""
         with self._lock:
             last = self._waiting[-1] if self._waiting else None
             if last is not None and last.snapshot and command.snapshot and last.channel == command.channel:
@@ -35,7 +35,7 @@ class Mailbox:
             return True
 
     def take(self) -> Command | None:
-        """Return the command that has waited longest, and forget it; None when none waits."""
+        """Remove and return the command that has waited longest; None when none waits."""
         with self._lock:
             return self._waiting.popleft() if self._waiting else None
 

@@ -1,4 +1,4 @@
-"""A lesson played by its own solution, and what is wrong with it."""
+"""Playing a lesson by its own solution, to find its mistakes."""
 
 from __future__ import annotations
 
@@ -34,19 +34,19 @@ from armlab.session.taught import taught
 
 RANDOM_STATES = 100
 MOST_BY_CHANCE = 4
-"""How many of the random states may meet a check."""
+"""Largest number of the random states that may meet a check."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """Something wrong with a lesson that its file does not show.
+    """A mistake of a lesson that its file does not show.
 
     Attributes
     ----------
     step : int
-        From 1.
+        Step, from 1.
     line : int
-        Of the step in the file.
+        Line of the step in the file.
     says : str
     """
 
@@ -62,7 +62,7 @@ class Player:
     ----------
     lesson : Lesson
     planning : bool, optional
-        Whether plans of motions are worked out, which takes time.
+        Whether motions are planned, which takes time.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class Player:
         self.do(LookAt(self.part.bench))
 
     def go_to(self, i: int) -> str:
-        """Go to a step, from 0, and look at the panel it opens; return why it was refused, or nothing."""
+        """Go to a step, from 0, and open its panel; return the reason of a refusal, or ""."""
         refused = self.do(GoToStep(i))
         if not refused and self.lesson.steps[i].panel:
             self.do(LookAt(self.lesson.steps[i].panel))
@@ -86,18 +86,18 @@ class Player:
 
     @property
     def part(self) -> LessonPart:
-        """The lesson as it is now."""
+        """The lesson part of the present state."""
         return self.session.state[LessonPart]
 
     def do(self, command: Command) -> str:
-        """Apply a command, and wait for the plan it asks for; return why it was refused, or nothing."""
+        """Apply a command and wait for the motion to be planned; return the reason of a refusal, or ""."""
         told = self.session.notice
         self.session.apply(command, self.time)
-        self._plan()
+        self._work_out()
         return "" if self.session.notice is told or self.session.notice is None else self.session.notice.text
 
-    def _plan(self) -> None:
-        """Work out what lessons may ask for, such as the plan of the motion, where the lab would."""
+    def _work_out(self) -> None:
+        """Compute everything lessons may need, such as the planned motion, as the lab would in the background."""
         of_facts = [(found.job, {found.panel}) for found in benches_of(self.part.facts) if found.job is not None]
         for job, panels in (*((each.job, set[str]()) for each in taught()), *of_facts):
             wanted = job.wanted(self.session.state, frozenset(panels))
@@ -108,7 +108,7 @@ class Player:
                     self.session.apply(Deliver(job, wanted.inputs, found), self.time)
 
     def act(self, action: actions.Action) -> str:
-        """Do what a solution says; return why it was refused, or nothing."""
+        """Do an action of a solution; return the reason of a refusal, or ""."""
         if isinstance(action, actions.Wait):
             self.time += action.seconds
             return ""
@@ -129,7 +129,7 @@ class Player:
 
 
 def problems(key: str, variant: int = 0) -> list[Problem]:
-    """Return what is wrong with a lesson: played by its solution, with its wrong answers, and with random states.
+    """Return the mistakes of a lesson: played by its solution, with its wrong answers, and with random states.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
     q : array_like, shape (n,)
         Radians and metres.
     step : int
-        From 1.
+        Step, from 1.
     variant : int
 
     Raises
@@ -196,12 +196,12 @@ def check_at(key: str, q: ArrayLike, step: int = 1, variant: int = 0) -> tuple[b
 
 @lru_cache(maxsize=8)
 def _at_start(lesson: Lesson) -> Observation:
-    """Return what is seen when a lesson begins, without any plan of a motion."""
+    """Return the observation at the beginning of a lesson, without any planned motion."""
     return observed(Player(lesson, planning=False).session.state)
 
 
 def _before(player: Player) -> Iterator[str]:
-    """Say when there is nothing left to do at a step before anything is done."""
+    """Yield a mistake when a step is done before anything is done in it."""
     step = player.part.step
     if step is not None and step.check is not None and check_line(player.session.state)[0]:
         yield "its check is met already when the step begins"
@@ -262,7 +262,7 @@ def _of_configuration(check: Check) -> bool:
 
 
 def panels_asked(check: Check) -> Iterator[str]:
-    """Yield the panels a check asks to open: anybody can at any time, so solutions do not say it."""
+    """Yield the panels that a check wants open: anybody can open them, so that solutions leave this out."""
     if isinstance(check, AllOf):
         for each in check.checks:
             yield from panels_asked(each)
@@ -292,7 +292,7 @@ def _seen_at(start: Observation, q: NDArray[np.float64]) -> Observation:
 
 
 def _with_facts(seen: Observation, words: tuple[str, ...], begun: State) -> Observation:
-    """Return what is seen with facts of benches, which stand as they do when the step begins."""
+    """Return the observation with facts of benches, as they are when the step begins."""
     if not words:
         return seen
     state = begun.replace(begun[Joints].moved_to(seen.q))

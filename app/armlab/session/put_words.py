@@ -1,4 +1,4 @@
-"""A part of a bench as it was saved, as a command that files can write; and what a lesson begins with as words."""
+"""A saved part of a bench as a command in files, and the start of a lesson as such commands."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class PutPart(Command):
     ----------
     part : type
     saved : str
-        What the part has written down, in JSON.
+        The saved part, in JSON.
     """
 
     part: type[Part]
@@ -30,7 +30,7 @@ class PutPart(Command):
     label: ClassVar[str] = "saved bench"
 
     def apply(self, state: State) -> State:
-        """Return the state with the part; `InputError` where it is not usable with the arm on the table."""
+        """Return the state with the part; `InputError` when it is not usable with the present arm."""
         try:
             part = self.part.from_json(json.loads(self.saved), state[RobotPart].robot)
         except Exception as error:
@@ -40,7 +40,7 @@ class PutPart(Command):
 
 
 def put_words(page: str) -> dict[str, type[Part]]:
-    """Return the parts of a page such as ``velocity.statics`` by the words that put them as they were saved."""
+    """Return the parts of a page such as ``velocity.statics`` by the words of the commands that restore them."""
     parts = [kind for kind in part_types() if kind.__module__.startswith(f"{BENCHES}.{page}.")]
     return {f"{page}.put" if len(parts) == 1 else f"{page}.put_{kind.key}": kind for kind in parts}
 

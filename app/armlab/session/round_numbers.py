@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 ROUNDING = 1e-9
-"""What a number may miss a round one by, as a part of it."""
+"""Relative difference from a round number that is ignored."""
 
 
 def round_below(value: float) -> float:

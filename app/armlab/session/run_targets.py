@@ -1,4 +1,4 @@
-"""Targets of runs: the one they begin with, and those that make sense."""
+"""Targets of runs: the initial one, and those that are accepted."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.kin.transforms import as_pose
 from armlab.session.parts.target import FARTHEST
 
 ASIDE = 0.4
-"""Radians, or parts of half a stroke, of each joint from the home pose to where the first target lies."""
+"""Distance of each joint of the first target from the home pose, radians or fractions of half a stroke."""
 
 
 def first_target(robot: Robot) -> NDArray[np.float64]:
@@ -32,7 +32,7 @@ def first_target(robot: Robot) -> NDArray[np.float64]:
 
 
 def checked_target(robot: Robot, pose: ArrayLike) -> NDArray[np.float64]:
-    """Return a target (4, 4), read-only; `InputError` when it is no pose or absurdly far away."""
+    """Return a target (4, 4), read-only; `InputError` when it is no pose or much too far away."""
     arm, checked = robot.arm, np.array(as_pose(pose, "target"), dtype=np.float64)
     if np.linalg.norm(checked[:3, 3] - arm.base[:3, 3]) > FARTHEST * 2.0 * arm.length_scale:
         raise InputError(f"target: farther than {FARTHEST:g} times the reach of the arm")

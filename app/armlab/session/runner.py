@@ -1,4 +1,4 @@
-"""The one thread that does the long work of all students, a piece of each in turn."""
+"""The thread that does the long work of all students, in pieces taken in turn."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ log = logging.getLogger(__name__)
 
 FULL = 0.75
 LEAST, MOST = 0.03, 0.8
-"""Long work takes what the rest of the lab leaves of this part of a core, but never less or more than these: hands that
-drag come first, and nobody waits for ever."""
+"""Least and largest part of a core for long work, which otherwise takes what the rest of the lab leaves: people
+dragging the arm come first, but nobody waits for ever."""
 
 Post = Callable[[Session, Command], None]
 
@@ -31,13 +31,13 @@ class Task:
     Attributes
     ----------
     wanted : Wanted or None
-        What the state asks for now.
+        Input of the work that the state needs now.
     begun : Wanted or None
-        What was begun last, maybe finished.
+        Input of the work begun last, possibly finished.
     pieces : iterator or None
         The work under way.
     due : float
-        When the next piece of work may begin, in seconds of the clock.
+        Earliest start of the next piece of work, in seconds of the clock.
     """
 
     session: Session
@@ -49,12 +49,12 @@ class Task:
 
     @property
     def has_work(self) -> bool:
-        """Whether something is under way, or to be begun or cancelled."""
+        """Whether work is in progress, or to be started or cancelled."""
         return self.pieces is not None or self.is_outdated
 
     @property
     def is_outdated(self) -> bool:
-        """Whether something else is wanted than what was begun."""
+        """Whether the work in progress is no longer what is wanted."""
         wanted, begun = self.wanted, self.begun
         return (wanted is None) != (begun is None) or (wanted and wanted.key) != (begun and begun.key)
 
@@ -79,12 +79,12 @@ class Runner(threading.Thread):
 
     @property
     def idle(self) -> bool:
-        """Whether everything that is wanted is done and handed in."""
+        """Whether all work is done and handed in."""
         with self._changed:
             return not any(task.has_work for task in self._tasks.values())
 
     def follow(self, session: Session, panels: frozenset[str]) -> None:
-        """Look at what the state of a session wants now; returns at once, from any thread."""
+        """Read from the state of a session what work it needs; returns at once, from any thread."""
         state, token = session.state, session.token
         for job in jobs().values():
             try:
@@ -104,13 +104,13 @@ class Runner(threading.Thread):
                     self._changed.notify()
 
     def forget(self, session: Session) -> None:
-        """Cancel the work for a student who has gone."""
+        """Cancel the work for a student who has left."""
         with self._changed:
             for key in [key for key in self._tasks if key[0] == session.token]:
                 self._tasks.pop(key).wanted = None
 
     def stop(self) -> None:
-        """End after the piece at hand."""
+        """End after the present piece."""
         with self._changed:
             self._stopping = True
             self._changed.notify()
@@ -128,7 +128,7 @@ class Runner(threading.Thread):
                     self._changed.wait_for(lambda: self._stopping, took * (1.0 / share - 1.0))
 
     def _next(self) -> Task | None:
-        """Wait for the task whose turn it is; None at the end."""
+        """Wait for the next task in turn; return None at the end."""
         with self._changed:
             while not self._stopping:
                 now = self._clock()
@@ -141,7 +141,6 @@ class Runner(threading.Thread):
         return None
 
     def _work(self, task: Task) -> None:
-        """Do one piece."""
         with self._changed:
             wanted, outdated = task.wanted, task.is_outdated
         now = self._clock()

@@ -1,4 +1,4 @@
-"""What a check saw, from evidence that anyone may have changed: what follows from the inputs is worked out again."""
+"""Observations of checks from evidence that anyone may have changed: everything derived is computed again."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from armlab.session.state import Json
 from armlab.session.taught import taught
 
 FACTS = "facts"
-"""Where evidence holds what facts of benches follow from."""
+"""Key in evidence of the data from which facts are computed."""
 
 
 def seen_again(data: Json, robot: Robot, plans: bool = True, facts: tuple[str, ...] = ()) -> Observation:
-    """Return what a check saw.
+    """Return the observation that a check saw.
 
     Parameters
     ----------
     data : Json
-        What `Observation.to_json` wrote, and what benches were worked on with: the parts of what they give to lessons.
+        Data written by `Observation.to_json`, with the parts of benches from which observations follow.
     robot : Robot
-        Of the lesson.
+        The robot of the lesson.
     plans : bool
-        Whether that work is done again, such as the planning of a motion, which may take seconds; what is told of it is
-        taken down otherwise.
+        Whether long work is done again, such as planning a motion, which may take seconds; otherwise its results are
+        taken from the data.
     facts : tuple of str
         Words of the facts of benches that the check looks at.
 

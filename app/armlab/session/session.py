@@ -1,4 +1,4 @@
-"""One student's session: the present state, undo, messages."""
+"""The session of one student: present state, undo, messages."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from armlab.session.state import Command, State, apply, guard
 log = logging.getLogger(__name__)
 
 LONGEST_NOTICE = 600
-"""Characters."""
+"""Longest notice, in characters."""
 
 VARIANTS = 1000
-"""Variants of lessons that students are given by themselves: 0 to 999."""
+"""Number of variants of lessons that are assigned to students: 0 to 999."""
 
 
 @dataclass(frozen=True)
@@ -35,30 +35,30 @@ class Undo(Command):
 
 @dataclass(frozen=True)
 class Redo(Command):
-    """Bring the last step taken back again."""
+    """Restore the step that was taken back last."""
 
 
 @dataclass(frozen=True)
 class StartFresh(Command):
-    """Forget everything, history included: the next person at a shared computer begins anew."""
+    """Forget everything, history included, for the next person at a shared computer."""
 
     label: ClassVar[str] = "start"
 
 
 @dataclass(frozen=True)
 class Refuse(Command):
-    """Say why something a person typed cannot be used."""
+    """Refuse what a person typed, with a sentence."""
 
     text: str
 
     def apply(self, state: State) -> State:
-        """Refuse."""
+        """Raise the refusal."""
         raise InputError(self.text)
 
 
 @dataclass(frozen=True)
 class Asked(Command):
-    """What a person asked for with one field or button: all of it is done, or nothing, and it is told there why.
+    """A request by one field or button: all of it is done, or nothing, and refusals are shown there.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ class Asked(Command):
 
 @dataclass(frozen=True)
 class Notice:
-    """Something to tell the student once; ``number`` grows with each."""
+    """A message that is shown once; ``number`` increases with each."""
 
     number: int
     text: str
@@ -89,12 +89,12 @@ class Session:
     Attributes
     ----------
     token : str
-        Of the student's browser.
+        Token of the student's browser.
     opening : Robot
         The arm a fresh session begins with.
     state : State
     notice : Notice or None
-        What the student has to be told.
+        The latest message for the student.
     notice_seen : int
         Number of the last notice that some page has shown; a page that opens later shows only newer ones.
     front : str
@@ -117,7 +117,7 @@ class Session:
 
     @classmethod
     def fresh(cls, token: str, opening: Robot) -> Session:
-        """Return a session nobody has touched."""
+        """Return a new session."""
         return cls(token, opening, _beginning(token, opening))
 
     @property
@@ -160,7 +160,7 @@ class Session:
             self.untaken += 1
 
     def _take(self, commands: tuple[Command, ...], at: float) -> None:
-        """Apply commands one after the other, all of them or none."""
+        """Apply all commands in order, or none."""
         states = [self.state]
         for command in commands:
             states.append(apply(states[-1], command, at))
@@ -170,7 +170,7 @@ class Session:
                 self.state = after
 
     def _note(self, command: Command, after: State, at: float) -> None:
-        """Note a step of undo. Each place of the shelf has its history; one that is shared begins without."""
+        """Record a step of undo. Each place of the shelf has its own history; a shared one starts empty."""
         before, here, there = self.state, self.state[Shelf], after[Shelf]
         if (here.place, here.shared) != (there.place, there.shared):
             if not here.shared:
@@ -183,7 +183,7 @@ class Session:
             self.history.note(before, after, command, at)
 
     def _stepped(self, step: Callable[[State], State], back: Callable[[State], State]) -> State:
-        """Return the state after an undo or a redo; a refused one stays in the history."""
+        """Return the state after undo or redo; a refused one stays in the history."""
         found = step(self.state)
         restored = _with_kept(found, self.state)
         try:
@@ -194,12 +194,12 @@ class Session:
         return restored
 
     def tell(self, text: str) -> None:
-        """Leave a notice for the student."""
+        """Show a notice to the student."""
         self.notice = Notice(1 if self.notice is None else self.notice.number + 1, cut(text))
 
 
 def cut(text: str) -> str:
-    """Return a sentence that is not longer than a notice."""
+    """Return a sentence, cut to the length of a notice."""
     return text if len(text) <= LONGEST_NOTICE else f"{text[: LONGEST_NOTICE - 3]}..."
 
 
@@ -208,14 +208,14 @@ def _nowhere(_: str) -> bool:
 
 
 def _beginning(token: str, opening: Robot) -> State:
-    """Return the first state of a student, to whom lessons give a variant of their own."""
+    """Return the first state of a student, with a personal variant for lessons."""
     state = State.initial(opening)
     number = int.from_bytes(hashlib.sha256(token.encode()).digest()[:4], "big") % VARIANTS
     return state.replace(replace(state[LessonPart], number=number))
 
 
 def _with_kept(restored: State, present: State) -> State:
-    """Return a restored state with the present parts that undo leaves alone."""
+    """Return a restored state with the present parts that undo does not change."""
     robot = restored[RobotPart].robot
     kept = [part for part in present if part.kept_by_undo]
     if _same_table(restored[RobotPart], present[RobotPart]):
@@ -227,6 +227,6 @@ def _with_kept(restored: State, present: State) -> State:
 
 
 def _same_table(one: RobotPart, other: RobotPart) -> bool:
-    """Return whether two arms are states of one table under edit, with the same joints."""
+    """Return whether both arms are states of one edited table, with the same joints."""
     edited = one.robot is not other.robot and one.origin == other.origin and (one.own or other.own)
     return edited and np.array_equal(one.robot.arm.revolute, other.robot.arm.revolute)

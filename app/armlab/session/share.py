@@ -1,4 +1,4 @@
-"""A state as a short text for links: what is on the table, and nothing about the student."""
+"""A state as a short text for links: everything on the table, and nothing about the student."""
 
 from __future__ import annotations
 
@@ -20,26 +20,26 @@ from armlab.session.share_words import FREQUENT
 from armlab.session.state import Json, State
 
 VERSION = "1"
-"""First character of every text. Another version has other words in `FREQUENT`, or parts that are read differently."""
+"""First character of every text. Other versions have other words in `FREQUENT`, or read parts differently."""
 
 TEXT = re.compile(r"[A-Za-z0-9_-]{2,1500}\Z")
-"""What can be a shared state: letters that need no escape in an address, and no more than people can send around."""
+"""Pattern of a shared state: letters that need no escape in an address, and a length that people can send."""
 
 LONGEST = 1500
 MOST_BYTES = 64 << 10
-"""Of the state unpacked: an honest one has some 4 kB."""
+"""Largest size of the unpacked state, bytes: a usual one has some 4 kB."""
 
 STAYS = ("lesson", "shelf")
-"""Keys of the parts that never travel: progress and answers, the student's name, and what the student has put aside."""
+"""Keys of the parts that are never shared: progress and answers, the student's name, and states put aside."""
 
 DECIMALS = 9
-"""Of metres and radians outside the table: nothing on screen shows a thousandth of that."""
+"""Decimals of metres and radians outside the table: the screen does not show a thousandth of that."""
 
 MOST_WORDS = 500
-"""Characters of a name, or of a line about an arm."""
+"""Longest name or line about an arm, in characters."""
 
 MARKUP = re.compile(r"<[a-zA-Z/!?]|[\x00-\x08\x0b-\x1f\x7f]")
-"""What no name of an arm or of a pose needs, and an attempt to smuggle script would."""
+"""Pattern that no name of an arm or pose needs, but script injection would."""
 
 
 def short(state: State) -> str:
@@ -85,7 +85,7 @@ def from_short(text: str) -> State:
 
 
 def state_of_parts(parts: Json) -> State:
-    """Return the state of parts written down by `State.to_json`; raises anything when they are not usable."""
+    """Return the state of parts written by `State.to_json`; raises any error when they are not usable."""
     state = State.from_json(parts, robot_from_json(parts[RobotPart.key]))
     if state[Joints].draws < 0:
         raise InputError(f"draws: expected 0 or more, got {state[Joints].draws}")
@@ -93,7 +93,7 @@ def state_of_parts(parts: Json) -> State:
 
 
 def _written(state: State) -> dict[str, Json]:
-    """Return what travels, rounded; an own table keeps all its digits, for it travels as text."""
+    """Return the shared data, rounded; an edited table keeps all its digits, as it is shared as text."""
     parts = {key: part for key, part in state.to_json().items() if key not in STAYS}
     parts[Display.key] = {name: on for name, on in parts[Display.key].items() if name not in OF_THE_SCREEN}
     return {key: _rounded(part) for key, part in parts.items()}
@@ -109,7 +109,7 @@ def _rounded(data: Json) -> Json:
 
 
 def _without(data: Json, opened: Json) -> Json:
-    """Return what differs from how it opens; None for nothing."""
+    """Return the differences from the initial data; None when there are none."""
     if data == opened:
         return None
     if not isinstance(data, dict):
@@ -152,7 +152,7 @@ def _read(data: Json) -> State:
 
 
 def _check_words(robot: Robot) -> None:
-    """Refuse names that could not have been meant as names."""
+    """Refuse names that are not meant as names."""
     words = {"name": robot.name, "summary": robot.summary, "source": robot.source}
     words |= {f"pose {i + 1}": name for i, name in enumerate(robot.poses)}
     for where, word in words.items():

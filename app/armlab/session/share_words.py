@@ -1,6 +1,6 @@
 """Words that come in most states, for the packer of `armlab.session.share` to refer to; a part of its version.
 
-What comes oftenest stands last. Line breaks of this file do not count.
+The most frequent ones stand last. Line breaks of this file do not count.
 """
 
 from __future__ import annotations

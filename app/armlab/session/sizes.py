@@ -1,4 +1,4 @@
-"""Sizes an arm on screen may have; what lies beyond is a slip of the pen."""
+"""Largest sizes of an arm on screen; larger ones are typing mistakes."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from armlab.kin.dh import LARGEST_ANGLE, Row
 
 LENGTHS, ANGLES = ("a", "d"), ("alpha", "theta")
 LONGEST = 100.0
-"""Metres; a longer link is a slip of the pen."""
+"""Longest link, metres."""
 
 MOST_TURNED = 20.0 * math.pi
-"""Radians: ten turns; more is one, too."""
+"""Largest angle in the table, radians: ten turns."""
 
 LEAST_RANGE = {"R": 0.01, "P": 0.001}
-"""Radians and metres a joint can move at least: a slider needs some room."""
+"""Least range of a joint, radians and metres: a slider needs some room."""
 
 
 def check_sizes(arm: Arm) -> None:
-    """Refuse an arm with sizes that cannot be meant."""
+    """Refuse an arm with impossible sizes."""
     for i, row in enumerate(arm.rows):
         for field in LENGTHS + ANGLES:
             check_cell(i, field, getattr(row, field))
@@ -31,12 +31,12 @@ def check_sizes(arm: Arm) -> None:
 
 
 def check_cell(i: int, field: str, value: float) -> None:
-    """Refuse a cell of row i (0-based) of the table: an angle beyond a full turn, or a length that cannot be meant."""
+    """Refuse a cell of row i (0-based) of the table: an angle beyond a full turn, or an impossible length."""
     check_size(f"row {i + 1}, {field}", value, LARGEST_ANGLE if field in ANGLES else None)
 
 
 def check_size(where: str, value: float, turned: float | None = None) -> None:
-    """Refuse a length in metres that cannot be meant, or an angle of more than ``turned`` radians."""
+    """Refuse an impossible length in metres, or an angle of more than ``turned`` radians."""
     most, turns = LONGEST if turned is None else turned, turned is not None
     if not abs(value) <= most:
         raise InputError(f"{where}: expected at most {_said(most, turns)}, got {_said(value, turns)}")

@@ -16,16 +16,16 @@ from armlab.content.robots import Robot
 from armlab.plugins import discover_in_benches
 
 Json = Any
-"""What `json.dumps` takes."""
+"""Data that `json.dumps` takes."""
 
 
 class Part:
-    """A topic of the state. Subclasses are frozen dataclasses and live in ``state.py`` of a bench."""
+    """A part of the state. Subclasses are frozen dataclasses and are defined in ``state.py`` of a bench."""
 
     key: ClassVar[str]
 
     kept_by_undo: ClassVar[bool] = False
-    """Whether an undo leaves the part as it is: what is being looked at is not work that is taken back."""
+    """Whether undo leaves the part as it is: what is shown is not work that is taken back."""
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
@@ -33,7 +33,7 @@ class Part:
         raise NotImplementedError
 
     def for_robot(self, robot: Robot) -> Self:
-        """Return the part for another arm; what does not depend on the arm is kept by overriding this."""
+        """Return the part for another arm; by default the initial one."""
         return self.initial(robot)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
@@ -43,28 +43,28 @@ class Part:
         ----------
         robot : Robot
         origin : tuple of int or None
-            For each joint of the edited arm, which joint it was before; None for an added one.
+            For each joint of the edited arm, its index before; None for an added one.
         """
         return self.for_robot(robot)
 
     def after(self, before: State, now: State) -> Self:
-        """Return the part adapted to what a command changed in others; called once for each command."""
+        """Return the part adapted to the changes of other parts by a command; called once for each command."""
         return self
 
     def rewound(self, clip: str) -> Self:
-        """Return the part with the film of a key at its beginning, if it is what holds the film that is on."""
+        """Return the part with its film at the start, if the film with this key is its own and open."""
         return self
 
     def guard(self, before: State, now: State) -> None:
-        """Raise `InputError` to refuse what a command, or an undo, is about to change in others."""
+        """Raise `InputError` to refuse a change that a command or an undo is about to make in other parts."""
 
     def to_json(self) -> Json:
-        """Return the part written down."""
+        """Return the part as JSON."""
         raise NotImplementedError
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Return the part read back; raise anything when the data are not usable."""
+        """Return the part from JSON; raise any error when the data are not usable."""
         raise NotImplementedError
 
 
@@ -89,7 +89,7 @@ class PartType:
 
     @property
     def key(self) -> str:
-        """The key of the class."""
+        """The key of the part's class."""
         return self.part.key
 
 
@@ -107,7 +107,7 @@ class State:
     Attributes
     ----------
     at : float
-        When it came about, in seconds of the clock of its session; not saved.
+        Time of the state, in seconds of the session's clock; not saved.
     """
 
     def __init__(self, parts: dict[type[Part], Part], at: float = 0.0) -> None:
@@ -128,7 +128,7 @@ class State:
         return iter(self._parts.values())
 
     def replace(self, *parts: Part) -> State:
-        """Return a state with these parts instead of the present ones of their types."""
+        """Return the state with these parts in place of the present ones of their types."""
         return State(self._parts | {type(part): part for part in parts}, self.at)
 
     def dated(self, at: float) -> State:
@@ -154,16 +154,16 @@ class State:
         return value
 
     def forget_derived(self) -> None:
-        """Forget what was computed with `derived`; it is computed again where it is asked for."""
+        """Forget results of `derived`; they are computed again when needed."""
         self._derived = {}
 
     def to_json(self) -> Json:
-        """Return the whole state written down, part by part."""
+        """Return the whole state as JSON, part by part."""
         return {part.key: part.to_json() for part in self}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> State:
-        """Return a state read back; a part that is missing is as it opens with this arm."""
+        """Return a state from JSON; a missing part is as it opens with this arm."""
         parts: dict[type[Part], Part] = {}
         for kind in part_types():
             parts[kind] = kind.from_json(data[kind.key], robot) if kind.key in data else kind.initial(robot)
@@ -171,19 +171,19 @@ class State:
 
 
 class Command:
-    """A wish to change the state. Subclasses are frozen dataclasses beside the part they change.
+    """A request to change the state. Subclasses are frozen dataclasses beside the part they change.
 
     Attributes
     ----------
     snapshot : bool
-        Of snapshots of one `channel` waiting in a row only the newest counts (a drag, a moving slider); every event
-        counts, in order.
+        Whether, of commands of one `channel` waiting in a row, only the newest counts (a drag, a moving slider);
+        otherwise all are applied in order.
     rests : bool
         Whether a pause ends its stroke: sliders do not say when they are let go.
     undoable : bool
         Whether it is a step of undo; what only changes the view of things is none.
     label : str
-        What an undo of it says it takes back.
+        Name of the change that an undo takes back.
     reacts : bool
         Whether parts guard against it and react to it; a whole state that is put in place fits together already.
     """
@@ -200,17 +200,17 @@ class Command:
 
     @property
     def channel(self) -> object:
-        """Which snapshots replace each other."""
+        """A key of snapshots that replace each other."""
         return type(self)
 
     @property
     def stroke(self) -> object:
-        """Commands in a row with the same stroke are one step of undo; None is always a step of its own."""
+        """A key of successive commands that are one step of undo; None for a step of its own."""
         return None
 
 
 Post = Callable[[Command], None]
-"""Hands a command to the worker; returns at once."""
+"""A function that hands a command to the worker and returns at once."""
 
 
 def apply(state: State, command: Command, at: float = 0.0) -> State:
@@ -241,7 +241,7 @@ def apply(state: State, command: Command, at: float = 0.0) -> State:
 
 
 def guard(before: State, now: State) -> None:
-    """Ask every part whether a change may be; see `Part.guard`."""
+    """Ask every part whether a change is allowed; see `Part.guard`."""
     for kind in _with_own(before, "guard"):
         before[kind].guard(before, now)
 

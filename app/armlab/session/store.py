@@ -1,4 +1,4 @@
-"""Sessions by token, kept on disk: a reload, a lost network or a restart brings a student's arm back."""
+"""Sessions by token, saved on disk: they survive a reload, a lost network and a restart."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ log = logging.getLogger(__name__)
 FORMAT = 1
 
 IDLE = 120.0
-"""Seconds after the last visit of a student before their session may be let go of."""
+"""Time, seconds, after the last visit of a student before the session may be dropped from memory."""
 
 OPENING = 30.0
-"""Seconds after the last visit in which the page of a student may still be built."""
+"""Time, seconds, after the last visit during which the page may still be under construction."""
 
 MOST_IDLE = 200
-"""Sessions without a page that are held; others are read again from their files."""
+"""Largest number of sessions in memory without a page; others are read again from their files."""
 
 MOST_HELD = 256 << 20
-"""Bytes that the steps of undo of all students may hold together."""
+"""Largest size of the undo steps of all students, bytes."""
 
 MOST_UNSEEN = 64 << 20
-"""Bytes that the present states of students without a page may hold together: what was found for them by long work is
-large, and is found again."""
+"""Largest size, bytes, of the present states of students without a page: results of long work are large, and can be
+computed again."""
 
 MOST_FILES = 20_000
-"""Students whose work is kept, those who came last; by their number and not by a date, for a clock may be wrong."""
+"""Largest number of students whose work is kept, the latest visitors; a number, as clocks may be wrong."""
 
 
 class Store:
@@ -48,7 +48,7 @@ class Store:
     Parameters
     ----------
     folder : Path or None
-        Where the files lie; None keeps nothing beyond this process.
+        Folder of the files; None keeps everything in memory only.
     opening : Robot
         The arm a new student begins with.
     """
@@ -66,7 +66,7 @@ class Store:
             _clear_up(folder)
 
     def get(self, token: str) -> Session:
-        """Return the session of a browser: live, from disk, or fresh."""
+        """Return the session of a browser: from memory, from disk, or new."""
         with self._lock:
             self._visited.pop(token, None)
             self._visited[token] = time.monotonic()
@@ -75,7 +75,7 @@ class Store:
             return self._live[token]
 
     def let_go(self, watched: Collection[str], now: float) -> None:
-        """Hold no more than may be held: of sessions without a page, and of steps of undo.
+        """Keep within the allowed memory: of sessions without a page, and of steps of undo.
 
         Parameters
         ----------
@@ -99,7 +99,7 @@ class Store:
             max(histories, key=lambda history: history.held).forget_half()
 
     def _heavy(self, watched: Collection[str]) -> list[str]:
-        """Return who has to go so that the states of students without a page hold no more than they may together."""
+        """Return the tokens to drop so that states of students without a page stay below the allowed size."""
         with self._lock:
             states = {token: self._live[token].state for token in self._visited if token not in watched}
         known, self._weights = self._weights, {}
@@ -142,7 +142,7 @@ class Store:
         return True
 
     def _path(self, token: str) -> Path:
-        """Return the file of a token, which never becomes a file name itself."""
+        """Return the file of a token, whose name is not the token itself."""
         assert self._folder is not None
         return self._folder / f"{hashlib.sha256(token.encode()).hexdigest()[:40]}.json"
 
@@ -176,7 +176,7 @@ class Store:
 
 
 def state_from_text(text: str) -> State:
-    """Return the state a saved file holds; raises on anything that does not fit."""
+    """Return the state in a saved file; raises an error when anything does not fit."""
     data = json.loads(text)
     if data["format"] != FORMAT:
         raise ValueError(f"format {data['format']}, expected {FORMAT}")
@@ -184,7 +184,7 @@ def state_from_text(text: str) -> State:
 
 
 def _clear_up(folder: Path) -> None:
-    """Remove what a lab that was killed was writing, and the oldest files where there are too many."""
+    """Remove unfinished files of a killed process, and the oldest files when there are too many."""
     kept = sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime)
     for path in (*folder.glob(".writing-*"), *kept[: max(0, len(kept) - MOST_FILES)]):
         try:

@@ -1,4 +1,4 @@
-"""What a bench gives to lessons: facts that checks and live values look at, and what solutions may do to it."""
+"""Contributions of a bench to lessons: observations for checks and live values, and actions for solutions."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ class Taught:
     Parameters
     ----------
     key : str
-        Under which an `Observation` holds the facts: the name of its field.
+        Name of the field of `Observation` that holds the facts.
     part : type
-        Of the state; the facts follow from it, and it is kept as evidence under its own key.
+        Type of the part from which the facts follow; it is kept as evidence under its own key.
     clip : str
         Key of the film or run in which they can be watched.
     job : Job
@@ -61,5 +61,5 @@ class Taught:
 
 @cache
 def taught() -> tuple[Taught, ...]:
-    """Return what the benches give to lessons."""
+    """Return the contributions of all benches."""
     return tuple(discover_in_benches("lesson", "TAUGHT", Taught).values())

@@ -1,4 +1,4 @@
-"""The way to another solution: the nearest one inside the limits, or why there is none."""
+"""The way to another solution: the nearest one inside the limits, or the reason why there is none."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from armlab.kin.ik.solve_all import solve_all
 Vector = NDArray[np.float64]
 
 HERE = 1e-3
-"""Radians, or length scales: an arm that is nearer than this to a solution in all joints is at it."""
+"""Distance in all joints, radians or length scales, below which an arm is at a solution."""
 
 ON_CURVE = 0.2
-"""Radians and length scales: what is nearer than this to a curve of solutions is on it; its points are at most
+"""Distance, radians and length scales, below which a configuration is on a curve of solutions; points on it are at most
 `armlab.kin.ik.self_motion.STEP`, 0.15, apart."""
 
 OTHER_STARTS = 12
-"""Random starts of the search for another branch of an arm whose solutions take long to find, or cannot be counted."""
+"""Number of random starts when another branch is sought for an arm whose solutions are slow to find or infinite."""
 
 
 def gap(arm: Arm, one: NDArray[np.float64], other: NDArray[np.float64]) -> Vector:
-    """Return how far joint values are apart, radians and length scales, whole turns apart counting as the same."""
+    """Return the difference (n,) of joint values up to whole turns, in radians and length scales."""
     apart = one - other
     turned = apart - math.tau * np.round(apart / math.tau)
     return np.where(arm.revolute, turned, apart / arm.length_scale)
 
 
 def nearest_copy(arm: Arm, solution: Vector, q: Vector) -> Vector | None:
-    """Return a solution (n,) with its turns counted so that it is nearest to q inside the limits; None outside them."""
+    """Return a solution (n,) moved by whole turns nearest to q inside the limits; None when it is outside."""
     low, high = arm.limits.T
     turns = np.round((q - solution) / math.tau)
     # Rounding must not push a value that is at a limit over it.
@@ -46,7 +46,7 @@ def nearest_copy(arm: Arm, solution: Vector, q: Vector) -> Vector | None:
 
 
 def is_quick(arm: Arm) -> bool:
-    """Return whether all solutions of an arm can be counted, and are found within a command."""
+    """Return whether all solutions of an arm are finitely many, and quick enough to find within a command."""
     if known_structure(arm).free:
         return False
     by_elimination = arm.n == 6 and bool(arm.revolute.all()) and arm.task.key == "pose"

@@ -1,4 +1,4 @@
-"""How much memory a part of the state holds, roughly: what undo keeps of one student has to end somewhere."""
+"""The approximate memory of a part of the state, by which undo is limited."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from armlab.kin.arm import Arm
 from armlab.session.state import Part
 
 OBJECT = 64
-"""Bytes of a number, a name, or the shell of what holds others."""
+"""Size in bytes of a number, a name, or the shell of a container."""
 
 ARM = 50_000
-"""Bytes of an arm with its compiled formulas, measured over some hundred edits of a table."""
+"""Size in bytes of an arm with its compiled formulas, measured over some hundred edits of a table."""
 
 MOST_LOOKED_AT = 100_000
-"""Objects that are looked at; a part with more is heavy, however much more."""
+"""Largest number of objects that are counted; a part with more counts as heavy."""
 
 
 def weight(parts: Iterable[Part], shared: Iterable[object] = ()) -> int:
-    """Return the bytes that parts hold, without what follows from them and without what others hold as well.
+    """Return the size of parts in bytes, without derived results and without anything that others hold as well.
 
     Parameters
     ----------
     parts : iterable of Part
     shared : iterable of object
-        What is left out where the parts refer to it, such as the arm.
+        Objects that are not counted when the parts refer to them, such as the arm.
     """
     total, seen, waiting = 0, {id(value) for value in shared}, list[Any](parts)
     while waiting and len(seen) < MOST_LOOKED_AT:
@@ -54,6 +54,6 @@ def weight(parts: Iterable[Part], shared: Iterable[object] = ()) -> int:
 
 
 def forget_derived(part: Part) -> None:
-    """Forget what was computed from a part; it is computed again where it is asked for."""
+    """Forget results computed from a part; they are computed again when needed."""
     for name in [name for name in vars(part) if isinstance(getattr(type(part), name, None), cached_property)]:
         vars(part).pop(name, None)

@@ -1,8 +1,8 @@
 """The commands of all benches by their words, such as ``velocity.statics.set_component``, found by folder.
 
-A word is there for every public command of a page whose arguments can be written in a file. What only makes sense as an
-event of a drag, and so has to say of which (an argument ``drag``), has none. The fields that a part declares are set
-by the word ``set`` of its page, such as ``control.loop.set``; ``put`` takes a bench as the lab has saved it.
+A word is there for every public command of a page whose arguments can be written in a file. A command that is an event
+of a drag, with an argument ``drag`` that says of which, has none. The fields that a part declares are set by the word
+``set`` of its page, such as ``control.loop.set``; ``put`` takes a bench as the lab has saved it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from armlab.session.put_words import PutPart, put_words
 from armlab.session.state import Command, part_types
 
 OF_A_DRAG = "drag"
-"""The argument by which a command tells the drag it is an event of."""
+"""Name of the argument that connects a command with the drag to which it belongs."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Word:
     name : str
         Such as ``velocity.statics.set_component``.
     says, label : str
-        What it does, in a sentence; and what it is called in a word or two, empty where it has no name.
+        Description in a sentence, and a name of a word or two, or empty.
     arguments : tuple of Argument
     make : callable
         Takes the arguments by their names and returns the command.
@@ -52,7 +52,7 @@ class Word:
 
     @classmethod
     def of(cls, name: str, command: type[Command], arguments: tuple[Argument, ...]) -> Word:
-        """Return the word of a command; it says the first sentence of its docstring."""
+        """Return the word of a command; its text is the first sentence of the command's docstring."""
         text = (inspect.getdoc(command) or "").partition("\n\n")[0]
         label = command.label if isinstance(command.label, str) and command.label != Command.label else ""
         return cls(name, " ".join(text.split()), label, arguments, command)
@@ -89,7 +89,7 @@ def _of_commands(page: str) -> Iterator[Word]:
 
 
 def _of_fields(page: str) -> Iterator[Word]:
-    """Yield a word for the fields of the part of a page, or one for each part of several."""
+    """Yield a word for the fields of the part of a page, or one for each of several parts."""
     parts = [part for part in part_types() if lies_in(part, page) and issubclass(part, FieldPart)]
     for part in parts:
         name = f"{page}.set" if len(parts) == 1 else f"{page}.set_{part.key}"
@@ -99,14 +99,14 @@ def _of_fields(page: str) -> Iterator[Word]:
 
 
 def _of_parts(page: str) -> Iterator[Word]:
-    """Yield a word for each part of a page that puts it as it was saved."""
+    """Yield for each part of a page a word that restores it as it was saved."""
     for name, part in put_words(page).items():
         saved = Argument("saved", TEXT, True, "what the lab has saved of it, in JSON")
         yield Word(name, f"Put {part.key} as it was saved.", PutPart.label, (saved,), partial(PutPart, part))
 
 
 def lies_in(kind: type, page: str) -> bool:
-    """Return whether a class is of a module of a page, such as ``velocity.statics``."""
+    """Return whether a class belongs to a module of a page, such as ``velocity.statics``."""
     return kind.__module__.startswith(f"{BENCHES}.{page}.")
 
 
@@ -175,5 +175,5 @@ def _commands(package: str) -> Iterator[type[Command]]:
 
 
 def _is_command(found: object) -> bool:
-    """Return whether something is a command that can be given; what several are made of is none."""
+    """Return whether an object is a usable command, and not a base class of several."""
     return inspect.isclass(found) and issubclass(found, Command) and dataclasses.is_dataclass(found)

@@ -1,4 +1,4 @@
-"""The one thread that applies the commands of all students."""
+"""The thread that applies the commands of all students."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from armlab.session.state import Command
 log = logging.getLogger(__name__)
 
 TURN = 0.02
-"""Seconds after which it is the next student's turn, when the command at hand is done."""
+"""Time, seconds, after which the next student's turn comes, when the present command is done."""
 
 TOO_MANY = "More was asked for than the lab can do at a time; what came last was not done."
 
 
 @dataclass
 class Counts:
-    """What the worker has done since the start."""
+    """Counters of the worker since the start."""
 
     posted: int = 0
     applied: int = 0
@@ -62,7 +62,7 @@ class Worker(threading.Thread):
         self._wake.set()
 
     def stop(self) -> None:
-        """Finish the student at hand and end."""
+        """Finish the present student's commands and end."""
         self._stopping = True
         self._wake.set()
 

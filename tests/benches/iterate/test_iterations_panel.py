@@ -171,7 +171,7 @@ def test_the_picture_of_every_example_shows_its_iterates():
         found = solved(example.key, "", example.x0)
         for k in range(found.last + 1):
             place = Place(k, 1.0, 0.5)
-            view = View(found, place)
+            view = View.of(found, place).chart
             assert view.x[0] < found.iterates[k].x < view.x[1]
             drawn = picture(found, place)
             assert "nan" not in drawn
@@ -184,7 +184,7 @@ def test_a_start_at_a_root_shows_the_curve_and_not_a_flat_line():
     from armlab.benches.iterate.runs.one_equation import solved
 
     for text, x0 in (("abs(x)", 0.0), ("sin(x)", math.pi)):
-        view = View(solved("", text, x0), Place(0, 1.0, 0.5))
+        view = View.of(solved("", text, x0), Place(0, 1.0, 0.5)).chart
         assert view.y[1] - view.y[0] > 0.5
 
 

@@ -1,1 +1,1 @@
-"""One file a kind of check; each holds a constant ``CHECK``."""
+"""Checks, one file for each kind, with a constant ``CHECK``."""

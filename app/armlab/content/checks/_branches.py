@@ -1,4 +1,4 @@
-"""In which of its branches an arm stands: on which side its elbow, its shoulder and its wrist are.
+"""The branch in which an arm stands: the sides on which its elbow, its shoulder and its wrist are.
 
 Everything is told from points and lines in space, so it holds for both conventions, for any offsets of the joint
 values and wherever the base stands. Words as in Siciliano et al., *Robotics*, 2.12: the elbow of a planar arm is up
@@ -22,32 +22,32 @@ Vector = NDArray[np.float64]
 Side = Literal["first", "second", "neither"]
 
 STRAIGHT = 1e-3
-"""Of the reach: an elbow this near to the line through shoulder and hand is on neither side; so with a shoulder."""
+"""Distance from the line through shoulder and hand, relative to the reach, below which the elbow is on neither side;
+also for the shoulder."""
 
 FLAT_WRIST = 1e-3
-"""Radians: a wrist this near to straight is in neither branch."""
+"""Angle of joint 5 from straight, in radians, below which a wrist is in neither branch."""
 
 
 @dataclass(frozen=True, eq=False)
 class Branches:
-    """The branches that the table of an arm has, and where it stands in them."""
+    """The branches that an arm with this table has, and the one in which it stands."""
 
     arm: Arm
 
     @cached_property
     def axes(self) -> Axes:
-        """The joint axes."""
         return Axes(self.arm)
 
     @cached_property
     def planar(self) -> bool:
-        """Whether it is a planar arm of two or three turning joints."""
+        """Whether the arm is planar with two or three revolute joints."""
         n = self.arm.n
         return n in (2, 3) and self.axes.turns(1, n) and all(self._parallel_apart(i) for i in range(1, n))
 
     @cached_property
     def turning(self) -> bool:
-        """Whether joint 1 turns the plane of a shoulder and an elbow, as in most arms of six joints."""
+        """Whether joint 1 turns the plane of a shoulder and an elbow, as in most arms with six joints."""
         axes = self.axes
         if self.arm.n < 3 or not axes.turns(1, 3):
             return False
@@ -55,19 +55,19 @@ class Branches:
 
     @cached_property
     def wrist(self) -> bool:
-        """Whether the last three of six axes meet, those of joints 4, 5 and 6 at right angles."""
+        """Whether the last three of six axes meet, with axes 4, 5 and 6 at right angles."""
         axes = self.axes
         return self.arm.n == 6 and axes.meet(4) and axes.perpendicular(4) and axes.perpendicular(5)
 
     @cached_property
     def sided(self) -> bool:
-        """Whether such an arm with a spherical wrist stands beside axis 1, so that its shoulder has sides."""
+        """Whether an arm with a spherical wrist is offset from axis 1, so that its shoulder has two sides."""
         return self.turning and self.wrist and abs(self._beside(np.zeros(self.arm.n))) > STRAIGHT * self.arm.reach
 
     def elbow(self, q: ArrayLike) -> Side:
         """Return "first" where the elbow is up, "second" where it is down.
 
-        Of a planar arm up is to the left of the way from shoulder to hand, seen against the axes; of a turning one it
+        For a planar arm, up is to the left of the way from shoulder to hand, seen against the axes; of a turning one it
         is towards the end of axis 1, above the line from shoulder to wrist.
         """
         shoulder, elbow, hand = self._plane_points(q)
@@ -82,12 +82,12 @@ class Branches:
         return _side(float(aside @ up), STRAIGHT * self.arm.reach)
 
     def front(self, q: ArrayLike) -> Side:
-        """Return "first" where the wrist is in front of axis 1, on the side of x1, "second" where it is behind."""
+        """Return "first" when the wrist is in front of axis 1, on the side of x1, and "second" when it is behind."""
         point = self._plane_points(q)[2] - self._axis(q, 1)[0]
         return _side(float(point @ self._frames(q)[1, :3, 0]), STRAIGHT * self.arm.reach)
 
     def side(self, q: ArrayLike) -> Side:
-        """Return "first" where the arm is to the left of the way from axis 1 to the wrist, "second" to the right."""
+        """Return "first" when the arm is left of the line from axis 1 to the wrist, "second" when it is right of it."""
         beside = self._beside(q)
         axis_point, up = self._axis(q, 1)
         across = self._axis(q, 2)[1]
@@ -97,7 +97,7 @@ class Branches:
         return _side(float(left @ across) * math.copysign(1.0, beside), STRAIGHT * self.arm.reach)
 
     def hand(self, q: ArrayLike) -> Side:
-        """Return "first" where joint 5 of a spherical wrist is turned by a positive angle from straight."""
+        """Return "first" when joint 5 of a spherical wrist is at a positive angle from straight, else "second"."""
         angle = math.remainder(float(np.asarray(q)[4]) + self.arm.rows[4].theta, math.tau)
         return _side(math.sin(angle), FLAT_WRIST)
 
@@ -118,7 +118,7 @@ class Branches:
         return T[:3, 3], T[:3, 2]
 
     def _hand(self, q: ArrayLike) -> Vector:
-        """Return where the forearm ends."""
+        """Return the end of the forearm."""
         if self.arm.n > 3:
             # Axes 4, 5 and 6 of a spherical wrist meet in the origin of frame 4 in either convention.
             return self._frames(q)[4, :3, 3] if self.wrist else self._axis(q, 4)[0]
@@ -137,7 +137,7 @@ class Branches:
         return moved[0], moved[1], moved[2]
 
     def _beside(self, q: ArrayLike) -> float:
-        """Return how far the end of the forearm is from the plane of axis 1, along axis 2, in metres."""
+        """Return the distance of the end of the forearm from the plane of axis 1, along axis 2, in metres."""
         origin, across = self._axis(q, 1)[0], self._axis(q, 2)[1]
         return float((self._hand(q) - origin) @ across)
 

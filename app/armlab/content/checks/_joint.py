@@ -1,11 +1,11 @@
-"""The mistakes that explain the value of one joint."""
+"""Mistakes that explain the value of one joint."""
 
 from __future__ import annotations
 
 import math
 
 CONFUSED = 0.02
-"""Relative: a value in the wrong unit is recognised to two digits."""
+"""Relative tolerance for recognising a value in the wrong unit: two digits agree."""
 
 
 def joint_mistake(now: float, asked: float, within: float, revolute: bool) -> str:

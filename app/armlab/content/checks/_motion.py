@@ -1,11 +1,11 @@
-"""What the checks of a motion have in common."""
+"""Common parts of the checks of a motion."""
 
 from __future__ import annotations
 
 from armlab.content.check import signed
 
 NOT_PLANNED = "The motion is not worked out yet."
-"""Said while there is no plan, or the plan is still under way."""
+"""Sentence for a motion that is not planned yet, or is being planned."""
 
 
 def seconds(value: float) -> str:
@@ -14,5 +14,5 @@ def seconds(value: float) -> str:
 
 
 def percent(share: float) -> str:
-    """Return a share as a percentage."""
+    """Return a fraction as a percentage."""
     return f"{100.0 * share:.0f} %"

@@ -1,4 +1,4 @@
-"""A pose with tolerances, and the words for one that is off: which part, which axis, which mistake."""
+"""A pose with tolerances, and sentences on a deviation: which part, which axis, which mistake."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ class PoseGoal:
     rpy: Matrix | None = None
 
     def is_met(self, pose: Matrix) -> bool:
-        """Whether a pose, shape (4, 4), is within the tolerances."""
+        """Return whether a pose, shape (4, 4), is within the tolerances."""
         return self._is_there(pose) and self._is_turned(pose[:3, :3])
 
     def says(self, name: str, pose: Matrix, words: Words) -> str:
-        """Return what is off at a pose: the position, the orientation or both."""
+        """Return a sentence on what deviates: the position, the orientation or both."""
         there, turned = self._is_there(pose), self._is_turned(pose[:3, :3])
         if there and turned:
             return f"{name} is where it should be."
@@ -64,7 +64,7 @@ class PoseGoal:
         return float(axis_angle(R.T @ other)[1]) <= self.turned_within
 
     def _turn_mistake(self, R: Matrix, words: Words) -> str:
-        """Return the mistake that explains an orientation, or the axis that is farthest off."""
+        """Return the mistake that explains an orientation, or the axis with the largest deviation."""
         assert self.rotation is not None
         asked = self.rotation
         named = self._about_another_axis(R) or self._in_other_order(R)
@@ -80,7 +80,7 @@ class PoseGoal:
         return f"its {'xyz'[k]} axis points {words.angle(float(off[k]))} away from where it should."
 
     def _about_another_axis(self, R: Matrix) -> str:
-        """Return the mistake of a turn by the right angle about the wrong coordinate axis, or nothing."""
+        """Return the mistake of turning by the right angle about another coordinate axis, or ""."""
         assert self.rotation is not None
         axis, angle = axis_angle(self.rotation)
         right = int(np.argmax(np.abs(axis)))
@@ -93,7 +93,7 @@ class PoseGoal:
         return ""
 
     def _in_other_order(self, R: Matrix) -> str:
-        """Return the mistake of roll, pitch and yaw in the reverse order, or nothing."""
+        """Return the mistake of applying roll, pitch and yaw in the reverse order, or ""."""
         if self.rpy is None or not self._near(R, rotation_from_sequence("xyz", self.rpy)):
             return ""
         return "roll, pitch and yaw are in the reverse order: about fixed axes first roll, then pitch, then yaw."

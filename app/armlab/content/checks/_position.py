@@ -1,4 +1,4 @@
-"""What the checks of a position share: the words for one that is wrong, and what is refused when a file is read."""
+"""Common parts of the checks of a position: sentences on a wrong one, and refusals when a file is read."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _MIRRORED = (
 
 
 def point(p: Vector, words: Words) -> str:
-    """Return the coordinates of a point with their unit once."""
+    """Return the coordinates of a point, with the unit written once."""
     written = [words.length(float(value)) for value in p]
     unit = written[0].rpartition(" ")[2]
     return f"({', '.join(text.removesuffix(f' {unit}') for text in written)}) {unit}"
 
 
 def position_mistake(p: Vector, asked: Vector, within: float, words: Words) -> str:
-    """Return the mistake that explains a position, or the coordinate that is farthest off."""
+    """Return the mistake that explains a position, or the coordinate with the largest deviation."""
     for signs, says in _MIRRORED:
         if np.linalg.norm(p - asked * [*signs, 1]) <= within:
             return says
@@ -39,7 +39,7 @@ def position_mistake(p: Vector, asked: Vector, within: float, words: Words) -> s
 
 
 def refuse_out_of_reach(table: Table, key: str, position: Vector, robot: Robot, within: float) -> None:
-    """Raise `ContentError` for a point of the world that the arm cannot reach however its joints stand."""
+    """Raise `ContentError` for a point of the world that the arm cannot reach in any configuration."""
     far = float(np.linalg.norm(position - robot.arm.base[:3, 3])) - robot.arm.reach
     if far > within:
         raise table.fail(key, f"it is {far:.3f} m out of the reach of {robot.name}")

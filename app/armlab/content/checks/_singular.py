@@ -1,4 +1,4 @@
-"""The singular values of the task Jacobian without units: lengths in length scales of the arm, half its reach."""
+"""Dimensionless singular values of the task Jacobian: lengths are divided by half the reach of the arm."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from armlab.kin.arm import Arm
 from armlab.kin.spare import task_jacobian
 
 SIGMA = 0.02
-"""A singular value below this counts as zero: what a hand on a slider can find."""
+"""Singular value below which it counts as zero: small enough to be found with a slider."""
 
 LARGEST_SIGMA = 0.2
-"""With a larger one a good part of all configurations would count as singular."""
+"""Largest limit of a singular value: with a larger one many configurations would count as singular."""
 
 
 def singular_values(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
@@ -28,7 +28,7 @@ def singular_values(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
 
 
 def read_sigma(table: Table) -> float:
-    """Take ``sigma``: what a singular value has to be below to count as zero."""
+    """Take ``sigma``, the limit below which a singular value counts as zero."""
     value = tolerance(table, "sigma", SIGMA)
     if value > LARGEST_SIGMA:
         raise table.fail("sigma", f"expected at most {LARGEST_SIGMA:g}, got {value:g}")

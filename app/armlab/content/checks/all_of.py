@@ -1,4 +1,4 @@
-"""Several checks, all of which have to be met at the same time."""
+"""Several checks that have to be met at the same time."""
 
 from __future__ import annotations
 
@@ -12,41 +12,41 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True, eq=False)
 class AllOf:
-    """Every one of the checks."""
+    """All of these checks."""
 
     checks: tuple[Check, ...]
 
     @property
     def of_table(self) -> bool:
-        """Whether one of them is about the table."""
+        """Whether one of the checks is about the table."""
         return any(getattr(check, "of_table", False) for check in self.checks)
 
     @property
     def of_motion(self) -> bool:
-        """Whether one of them is about the planned motion."""
+        """Whether one of the checks is about the planned motion."""
         return any(getattr(check, "of_motion", False) for check in self.checks)
 
     @property
     def facts(self) -> tuple[str, ...]:
-        """Words of the facts of benches that they look at."""
+        """Words of the facts of benches that the checks use."""
         return tuple(word for check in self.checks for word in getattr(check, "facts", ()))
 
     @property
     def noted(self) -> tuple[str, ...]:
-        """What of them no file proves."""
+        """Conditions of the checks that no file proves."""
         return tuple(name for check in self.checks for name in getattr(check, "noted", ()))
 
     @property
     def goals(self) -> tuple[Goal, ...]:
-        """What they mark in the scene."""
+        """Goals of the checks that are marked in the scene."""
         return tuple(goal for check in self.checks for goal in getattr(check, "goals", ()))
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether all are met."""
+        """Return whether all checks are met."""
         return all(check.is_met(observation) for check in self.checks)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return what the first check that is not met says."""
+        """Return the sentence of the first check that is not met."""
         for check in self.checks:
             if not check.is_met(observation):
                 return check.says(observation, words)
@@ -54,7 +54,7 @@ class AllOf:
 
 
 def read(table: Table, robot: Robot) -> AllOf:
-    """Read tables ``checks``, each with ``kind`` and its fields; none of them an ``all_of``."""
+    """Read tables ``checks``, each with ``kind`` and its fields; an ``all_of`` must not be among them."""
     entries = table.tables("checks")
     if len(entries) < 2:
         raise table.fail("checks", f"expected at least two tables [[checks]], got {len(entries)}")

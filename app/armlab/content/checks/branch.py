@@ -1,4 +1,4 @@
-"""The arm stands in a branch of its inverse kinematics: elbow, shoulder, wrist."""
+"""The arm is in a branch of its inverse kinematics: elbow, shoulder, wrist."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Tell = Callable[[Branches, NDArray[np.float64]], Side]
 
 @dataclass(frozen=True)
 class Feature:
-    """One thing an arm can do in two ways.
+    """A feature of a configuration that has two branches.
 
     Attributes
     ----------
@@ -29,9 +29,9 @@ class Feature:
         Whether an arm has it.
     tell : callable
     needs : str
-        Which arms have it.
+        Sentence on the arms that have this feature.
     neither : str
-        Where an arm is in neither branch.
+        Sentence for an arm that is in neither branch.
     """
 
     field: str
@@ -80,16 +80,16 @@ FEATURES = (
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """The branches that are asked: feature and "first" or "second"."""
+    """The required branches: feature and "first" or "second"."""
 
     asked: tuple[tuple[Feature, Side], ...] = field(default=())
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether the arm stands in all of them; an arm on the border of two branches is in neither."""
+        """Return whether the arm is in all of these branches; on a border between two it is in neither."""
         return self._first_wrong(observation) is None
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the first branch that is not the one asked."""
+        """Return a sentence on the first branch that differs."""
         found = self._first_wrong(observation)
         if found is None:
             return "The arm stands in the branch that is asked."
@@ -118,7 +118,7 @@ def read(table: Table, robot: Robot) -> Branch:
 
     At least one; the sign of the wrist is that of q5, counted from straight.
 
-    What the table of the robot does not have is refused.
+    Branches that the robot does not have are refused.
     """
     branches = Branches(robot.arm)
     names = tuple(dict.fromkeys(feature.field for feature in FEATURES))

@@ -1,4 +1,4 @@
-"""A fact that a bench publishes has a value: near to one, at least or at most one, a text, or true or false."""
+"""A fact that a bench publishes has a value: near, at least or at most a number, a text, or true or false."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ MOST_COMPONENTS = 100
 
 @dataclass(frozen=True)
 class FactIs:
-    """What is asked of a fact; numbers in its own unit.
+    """The condition on a fact; numbers are in its own unit.
 
     Attributes
     ----------
     fact : str
         Its word, such as ``velocity.statics.torques``.
     component : int
-        Which of several numbers, from 1; 0 for all of them, or for a fact of one.
+        Number, from 1, of one of several values; 0 for all of them, or for a fact with one value.
     value : Value or None
-        Which it has to be; None where it has to lie between two.
+        The required value; None when the fact has to lie between two numbers.
     tolerance : float or None
-        By which numbers may differ from it; None where it is left out, which is for counts, texts and truth only.
+        Largest difference of a number from the value; None for counts, texts and truth values only.
     at_least, at_most : float or None
     degrees : bool
         Whether the file gives its numbers in degrees; which is right for angles only.
@@ -46,11 +46,11 @@ class FactIs:
 
     @property
     def facts(self) -> tuple[str, ...]:
-        """The word of its fact."""
+        """The word of the fact."""
         return (self.fact,)
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether the fact is known and as it is asked."""
+        """Return whether the fact is known and meets the condition."""
         value = self._now(observation)
         if value is None:
             return False
@@ -63,7 +63,7 @@ class FactIs:
         return (self.at_least is None or value >= self.at_least) and (self.at_most is None or value <= self.at_most)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return what the fact is, and what is asked."""
+        """Return a sentence on the value of the fact and the required one."""
         seen, value = observation.facts.get(self.fact), self._now(observation)
         title = self.titled(seen.title if seen else self.fact)
         if seen is None or value is None:
@@ -72,11 +72,11 @@ class FactIs:
         return f"{title[:1].upper()}{title[1:]}: {said(value, seen.unit, words)}.{asked}"
 
     def titled(self, title: str) -> str:
-        """Return what the check looks at, by the title of the fact."""
+        """Return the subject of the check, by the title of the fact."""
         return f"{title}, component {self.component}" if self.component else title
 
     def asked(self, unit: str, words: Words = PLAIN) -> str:
-        """Return in words what the fact has to be."""
+        """Return the required value in words."""
         if self.value is not None:
             within = f" ± {said(self.tolerance, unit, words)}" if self.tolerance else ""
             return f"{said(self.value, unit, words)}{within}"

@@ -1,4 +1,4 @@
-"""Every joint keeps away from its limits; for use in ``all_of``."""
+"""Every joint keeps a distance from its limits; for use in ``all_of``."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from armlab.content.reader import Table
 from armlab.content.robots import Robot
 
 ROUNDING = 1e-9
-"""Radians or metres that may be missing: a joint put to a round number of degrees is this near to it."""
+"""Distance, radians or metres, that may be missing: rounding of a joint that was set in degrees."""
 
 
 @dataclass(frozen=True, eq=False)
 class FromLimits:
-    """How far each joint is from both limits at least, shape (n,), rad or m."""
+    """Least distance of each joint from both limits, shape (n,), rad or m."""
 
     least: NDArray[np.float64]
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether all joints are so far from their limits."""
+        """Return whether all joints keep their distance."""
         rooms = _rooms(observation)
         return rooms.shape == self.least.shape and bool(np.all(rooms >= self.least - ROUNDING))
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the first joint that is too near, and by how much."""
+        """Return a sentence on the first joint that is too close, and by how much."""
         if self.is_met(observation):
             return "All joints are far enough from their limits."
         rooms = _rooms(observation)
@@ -44,13 +44,13 @@ class FromLimits:
 
 
 def _rooms(observation: Observation) -> NDArray[np.float64]:
-    """Return how far each joint is from the nearer limit; negative outside."""
+    """Return the distance of each joint from the nearer limit; negative outside."""
     low, high = observation.arm.limits.T
     return np.asarray(np.minimum(observation.q - low, high - observation.q))
 
 
 def read(table: Table, robot: Robot) -> FromLimits:
-    """Read ``at_least_deg`` and ``at_least_m``, at least one of them: of the joints that turn and those that slide."""
+    """Read ``at_least_deg`` for revolute joints and ``at_least_m`` for prismatic ones, at least one of them."""
     arm = robot.arm
     given = [key for key, there in (("at_least_deg", arm.revolute), ("at_least_m", ~arm.revolute)) if there.any()]
     if not any(table.has(key) for key in given):

@@ -14,7 +14,7 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True)
 class JointAt:
-    """Joint ``number`` (from 1) is at ``value`` within a tolerance: rad, up to whole turns, or m."""
+    """Joint ``number`` (from 1) is at ``value`` within a tolerance, in rad up to whole turns, or in m."""
 
     number: int
     value: float
@@ -22,11 +22,11 @@ class JointAt:
     revolute: bool
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether the joint is within the tolerance."""
+        """Return whether the joint is within the tolerance."""
         return abs(self._missing(observation)) <= self.within
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return what the joint is at and what it should be; names a wrong sign, and degrees taken for radians."""
+        """Return a sentence with actual and required value; it names a wrong sign, and degrees taken for radians."""
         written = words.angle if self.revolute else words.length
         now = float(observation.q[self.number - 1])
         if self.is_met(observation):

@@ -1,4 +1,4 @@
-"""All joints have their values: one configuration."""
+"""All joints have given values: one configuration."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from armlab.content.robots import Robot
 Vector = NDArray[np.float64]
 
 SAME_POINT = 0.02
-"""Of the reach: tools this near to each other count as in one place when another branch is recognised."""
+"""Distance of two tool points, relative to the reach, below which they coincide when another branch is recognised."""
 
 ANOTHER_BRANCH = 0.2
-"""Radians or metres by which a joint differs at least in another branch; less is a joint that is not there yet."""
+"""Least difference of a joint in another branch, radians or metres; with less the joint has not arrived yet."""
 
 
 @dataclass(frozen=True, eq=False)
 class JointsAt:
-    """The configuration ``q``, shape (n,), each joint within its tolerance: rad, up to whole turns, or m."""
+    """The configuration ``q``, shape (n,), with a tolerance for each joint: rad, up to whole turns, or m."""
 
     q: Vector
     within: Vector
     revolute: NDArray[np.bool_]
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether every joint is within its tolerance."""
+        """Return whether every joint is within its tolerance."""
         return self._is_at(observation.q)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the mistake that explains the configuration, or the first joint that is off."""
+        """Return the mistake that explains the configuration, or a sentence on the first joint that deviates."""
         if self.is_met(observation):
             return "All joints are where they should be."
         if observation.q.shape != self.q.shape:
@@ -70,7 +70,7 @@ class JointsAt:
         return ""
 
     def _is_another_branch(self, observation: Observation) -> bool:
-        """Return whether the tool is in the right place and leaves it on the way: joints may also turn it in place."""
+        """Return whether the tool is in place in another branch, and not only turned in place by these joints."""
         arm, q = observation.arm, observation.q
         way = arm.position(np.array([q, 0.75 * q + 0.25 * self.q, 0.5 * (q + self.q), 0.25 * q + 0.75 * self.q]))
         off = np.linalg.norm(way - arm.position(self.q), axis=-1) > SAME_POINT * arm.reach
@@ -87,7 +87,7 @@ class JointsAt:
 
 
 def read(table: Table, robot: Robot) -> JointsAt:
-    """Read ``q_deg``, ``q_m`` or ``q_deg_m``; ``tolerance_deg`` and ``tolerance_m`` where there are such joints."""
+    """Read ``q_deg``, ``q_m`` or ``q_deg_m``; also ``tolerance_deg`` and ``tolerance_m`` for such joints."""
     q, revolute = configuration(table, robot), robot.arm.revolute
     within = np.zeros(robot.arm.n)
     if revolute.any():

@@ -1,4 +1,4 @@
-"""All joints have the values that the student has to find: as ``joints_at``, but it never says what they are."""
+"""All joints have the values that the student has to find: like ``joints_at``, but without revealing them."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from armlab.content.robots import Robot
 
 
 class JointsFound(JointsAt):
-    """The configuration ``q``, shape (n,), of a step in which it is computed."""
+    """The configuration ``q``, shape (n,), of a step in which students compute it."""
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the mistake that explains the configuration, or which joints are right and which are not."""
+        """Return the mistake that explains the configuration, or which joints are right and which are wrong."""
         q = observation.q
         if self.is_met(observation) or q.shape != self.q.shape:
             return super().says(observation, words)

@@ -1,4 +1,4 @@
-"""Something was looked at: a switch is on, a panel is open, a film was played to its end."""
+"""The student has looked at something: a switch is on, a panel is open, a film was played to its end."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True)
 class LookedAt:
-    """All that is named; what is empty does not count."""
+    """Everything that is named; an empty name does not count."""
 
     switch: str = ""
     panel: str = ""
@@ -20,7 +20,7 @@ class LookedAt:
 
     @property
     def noted(self) -> tuple[str, ...]:
-        """What no file proves."""
+        """Conditions that no file proves."""
         told = (
             (self.panel, "that a panel was open"),
             (self.switch, "that a switch was on"),
@@ -29,11 +29,11 @@ class LookedAt:
         return tuple(words for name, words in told if name)
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether all of it is so."""
+        """Return whether all conditions are met."""
         return not self._missing(observation)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return what is still to be done first."""
+        """Return a sentence on the first thing still to be done."""
         missing = self._missing(observation, words)
         return missing[0] if missing else "You have looked at it."
 
@@ -49,7 +49,7 @@ class LookedAt:
 
 
 def read(table: Table, robot: Robot) -> LookedAt:
-    """Read ``switch``, ``panel`` and ``film``, the names of the lab for them; at least one."""
+    """Read ``switch``, ``panel`` and ``film``, by their names in the lab; at least one of them."""
     names = {key: table.text(key) for key in ("switch", "panel", "film") if table.has(key)}
     if not names:
         raise table.fail("panel", "missing; expected one of switch, panel, film")

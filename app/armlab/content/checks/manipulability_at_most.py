@@ -12,16 +12,16 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True)
 class ManipulabilityAtMost:
-    """The manipulability of the arm's task is at most a value (its unit depends on the arm)."""
+    """The largest manipulability of the arm's task (its unit depends on the arm)."""
 
     value: float
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether it is."""
+        """Return whether the manipulability is at most this value."""
         return self._of(observation) <= self.value
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return what it is and what it should be."""
+        """Return a sentence with actual and required value."""
         now = self._of(observation)
         if now <= self.value:
             return "The manipulability is small enough."

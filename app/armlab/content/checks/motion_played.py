@@ -14,18 +14,18 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True)
 class MotionPlayed:
-    """As it is planned at the moment: a change of the plan asks for another playback."""
+    """Playback of the motion as planned at present: a change of the plan requires another playback."""
 
     of_motion: ClassVar[bool] = True
     noted: ClassVar[tuple[str, ...]] = ("that the motion was played",)
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether it runs to its end and was played so far."""
+        """Return whether the motion can be run to its end and was played to it."""
         motion = observation.motion
         return motion is not None and motion.planned and motion.whole and motion.played
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return how far the playback is."""
+        """Return a sentence on how far it was played."""
         motion = observation.motion
         if motion is None or not motion.planned:
             return NOT_PLANNED
@@ -39,7 +39,7 @@ class MotionPlayed:
 
 
 def read(table: Table, robot: Robot) -> MotionPlayed:
-    """Read nothing: it has no fields."""
+    """Read the check, which has no fields."""
     return MotionPlayed()
 
 

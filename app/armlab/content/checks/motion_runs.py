@@ -1,4 +1,4 @@
-"""The planned motion runs to its end within its limits, perhaps in a given time."""
+"""The planned motion can be run to its end within its limits, perhaps in a given time."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from armlab.content.robots import Robot
 from armlab.content.seen_motion import MOST_WAYPOINTS, SeenMotion
 
 ROUNDING_S = 5e-3
-"""Seconds by which a motion may be slower or faster than it should: what is shown has two decimals."""
+"""Difference from the required time, seconds, that is rounding: two decimals are shown."""
 
 ROUNDING = 5e-4
-"""By which a share of a limit may be more than it should: the motion is looked at in samples."""
+"""Excess over a fraction of a limit that is ignored, since the motion is examined at samples."""
 
 
 @dataclass(frozen=True)
 class MotionRuns:
-    """To its end; ``most`` and ``least`` in seconds, ``deviation`` in metres, shares from 0 to 1; None: any."""
+    """Conditions besides running to the end: ``most`` and ``least`` in s, ``deviation`` in m, fractions; None: any."""
 
     of_motion: ClassVar[bool] = True
 
@@ -34,12 +34,12 @@ class MotionRuns:
     acceleration: float | None = None
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether all of it is so."""
+        """Return whether all conditions are met."""
         motion = observation.motion
         return motion is not None and not self._missing(motion)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the first thing that is missing."""
+        """Return a sentence on the first condition that is not met."""
         if observation.motion is None:
             return NOT_PLANNED
         return self._missing(observation.motion, words) or (

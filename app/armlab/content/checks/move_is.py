@@ -1,4 +1,4 @@
-"""A move of the plan, or all of them, is of a kind: its space, its path, its law."""
+"""A move of the plan, or every move, has a given space, path or law."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from armlab.kin.motion.path_types import Space
 
 @dataclass(frozen=True)
 class MoveIs:
-    """The move to waypoint ``to`` (from 2), or all where it is 0; what is empty does not count."""
+    """Properties of the move to waypoint ``to`` (from 2), or of all moves for 0; empty ones do not count."""
 
     of_motion: ClassVar[bool] = True
 
@@ -29,12 +29,12 @@ class MoveIs:
     law: str = ""
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether there is such a move and it is, or all are, of the kind."""
+        """Return whether there is such a move and it, or every move, has the properties."""
         motion = observation.motion
         return motion is not None and bool(self._asked(motion)) and not any(self._mistakes(motion))
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the first move that is another, and what it is."""
+        """Return a sentence on the first move that differs."""
         motion = observation.motion
         if motion is None:
             return NOT_PLANNED
@@ -43,7 +43,7 @@ class MoveIs:
         return next(self._mistakes(motion), "The moves are as they should be.")
 
     def _asked(self, motion: SeenMotion) -> dict[int, SeenMove]:
-        """Return the moves that are asked about, by the waypoint they come to, from 2."""
+        """Return the moves in question by the waypoint to which they lead, from 2."""
         moves = dict(enumerate(motion.moves, start=2))
         return {k: move for k, move in moves.items() if self.to in (0, k)}
 
@@ -71,7 +71,7 @@ def _law(key: str) -> str:
 
 
 def read(table: Table, robot: Robot) -> MoveIs:
-    """Read ``to``, the waypoint the move comes to (all moves when left out), ``space``, ``path`` and ``law``."""
+    """Read ``to``, the waypoint at the end of the move (all when left out), ``space``, ``path`` and ``law``."""
     to = Fields.of(table).whole("to", 2, MOST_WAYPOINTS) if table.has("to") else 0
     kinds = {"space": get_args(Space), "path": path_types(), "law": law_types()}
     wanted = {key: table.choice(key, options) for key, options in kinds.items() if table.has(key)}
@@ -82,7 +82,7 @@ def read(table: Table, robot: Robot) -> MoveIs:
 
 
 def _refuse_impossible(table: Table, wanted: dict[str, str]) -> None:
-    """Raise where a path is not there in the space that is asked."""
+    """Raise an error when a path does not exist in the given space."""
     if "path" not in wanted or "space" not in wanted:
         return
     spaces = path_types()[wanted["path"]].spaces

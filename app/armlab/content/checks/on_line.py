@@ -1,4 +1,4 @@
-"""The tool is somewhere on a line, a circle or a plane."""
+"""The tool is on a line, a circle or a plane."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from armlab.content.robots import Robot
 Vector = NDArray[np.float64]
 
 SAMPLES, OFTEN = 500, 0.25
-"""Random configurations, one seed; a check met by more than this part of them asks nothing."""
+"""Number of random configurations, with a fixed seed, and the fraction that may meet a check by chance."""
 
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """A set of points of the world: ``nearest`` gives the point of it that is nearest to a point."""
+    """A set of points in the world; ``nearest`` returns its point nearest to a given one."""
 
     name: str
     nearest: Callable[[Vector], Vector]
@@ -29,17 +29,17 @@ class Place:
 
 @dataclass(frozen=True, eq=False)
 class OnLine:
-    """The tool point is within so many metres of the place."""
+    """The tool point is within a distance in metres of the place."""
 
     place: Place
     within: float
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether it is."""
+        """Return whether the tool point is near enough."""
         return self.distance(observation.tool_pose[:3, 3]) <= self.within
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return how far the tool is away, and in which direction the way back goes."""
+        """Return a sentence on the distance of the tool and the direction towards the place."""
         p = observation.tool_pose[:3, 3]
         distance, way = self.distance(p), self.place.nearest(p) - p
         if distance <= self.within:
@@ -49,7 +49,7 @@ class OnLine:
         return f"The tool is {words.length(distance)} away from the {self.place.name}: it needs {more} {'xyz'[k]}."
 
     def distance(self, p: Vector) -> float:
-        """Return the distance of a point of the world."""
+        """Return the distance of a point in the world, metres."""
         return float(np.linalg.norm(self.place.nearest(p) - p))
 
 

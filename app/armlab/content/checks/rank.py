@@ -1,4 +1,4 @@
-"""The task Jacobian has a rank."""
+"""The task Jacobian has a given rank."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True)
 class Rank:
-    """As many singular values of the task Jacobian, without unit, are at least ``sigma``."""
+    """Number of dimensionless singular values of the task Jacobian that are at least ``sigma``."""
 
     value: int
     sigma: float
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether the rank is the one asked."""
+        """Return whether the rank is the required one."""
         return self._of(observation) == self.value
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the rank and the singular value that makes the difference."""
+        """Return a sentence on the rank and the singular value that decides."""
         now, values = self._of(observation), singular_values(observation.arm, observation.q)
         if now == self.value:
             return f"The rank is {now}."
@@ -43,7 +43,7 @@ class Rank:
 
 
 def read(table: Table, robot: Robot) -> Rank:
-    """Read ``value`` and ``sigma`` (0.02): what a singular value has to be below to count as zero."""
+    """Read ``value`` and ``sigma`` (0.02), the limit below which a singular value counts as zero."""
     value, most = table.value("value"), min(robot.arm.task.m, robot.arm.n)
     if type(value) is not int or not 0 <= value <= most:
         raise table.fail("value", f"expected a whole number from 0 to {most}, got {shown(value)}")

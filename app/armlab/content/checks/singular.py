@@ -1,4 +1,4 @@
-"""The arm is singular, or it is not."""
+"""The arm is singular, or it is not, as asked."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True)
 class Singular:
-    """The smallest singular value of the task Jacobian, without unit, is below ``sigma``; or not, as ``want`` says."""
+    """Whether the smallest dimensionless singular value of the task Jacobian is below ``sigma``, as ``want`` says."""
 
     want: bool
     sigma: float
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether it is."""
+        """Return whether the arm is singular, or not singular, as asked."""
         return (self._smallest(observation) < self.sigma) == self.want
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the smallest singular value and what it should be."""
+        """Return a sentence on the smallest singular value and its required range."""
         now = self._smallest(observation)
         if (now < self.sigma) == self.want:
             return "The arm is singular here." if self.want else "The arm is not singular here."
@@ -42,7 +42,7 @@ class Singular:
 
 
 def read(table: Table, robot: Robot) -> Singular:
-    """Read ``want`` (true when left out) and ``sigma`` (0.02)."""
+    """Read ``want`` (default true) and ``sigma`` (0.02)."""
     return Singular(table.boolean("want", True), read_sigma(table))
 
 

@@ -1,4 +1,4 @@
-"""The arm's Denavit-Hartenberg table is a given one."""
+"""The arm has a given Denavit-Hartenberg table."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from armlab.kin.assignment import CELLS, judge_row
 from armlab.kin.dh import CONVENTIONS, Convention, Kind, Row
 
 SYMBOLS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
-"""Cells as they are said, in the order in which they are looked at."""
+"""Names of the cells in sentences, in the order in which they are compared."""
 
 TOLERANCE_M, TOLERANCE_DEG = 1e-3, 0.1
-"""What is left out in a file."""
+"""Default tolerances, metres and degrees."""
 
 _NOT_THE_VALUE = ("", "wrong", "not a number")
 
 
 @dataclass(frozen=True)
 class TableIs:
-    """Rows in metres and radians, angles up to whole turns; ``within`` and ``turned_within`` hold for every cell."""
+    """Rows in m and rad, angles up to whole turns; tolerances ``within`` and ``turned_within`` are for every cell."""
 
     of_table: ClassVar[bool] = True
 
@@ -35,7 +35,7 @@ class TableIs:
     turned_within: float
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether convention, joint types and all cells are right."""
+        """Return whether convention, joint types and all cells are right."""
         arm = observation.arm
         if arm.convention != self.convention or arm.n != len(self.rows):
             return False
@@ -45,7 +45,7 @@ class TableIs:
         )
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return the first cell that is wrong, by row and name, and the mistake if one is seen; not what is right."""
+        """Return a sentence on the first wrong cell and a recognised mistake, without the right value."""
         arm = observation.arm
         if arm.n != len(self.rows):
             return f"The table has {_rows(arm.n)}; it should have {_rows(len(self.rows))}."
@@ -64,7 +64,7 @@ class TableIs:
         return "The table is right."
 
     def _mistake(self, row: Row, got: Row, words: Words) -> str:
-        """Return the first wrong cell of a row and what is wrong with it, or nothing."""
+        """Return a sentence on the first wrong cell of a row, or ""."""
         if got.kind != row.kind:
             return f"joint type: the joint should {'turn' if row.revolute else 'slide'}"
         wrong = self._wrong_cells(row, got)
@@ -88,7 +88,7 @@ class TableIs:
         return abs(turn_between(expected, value)) <= self.turned_within
 
     def _is_shifted(self, got: tuple[Row, ...]) -> bool:
-        """Return whether the links stand where the other convention has them, all else being right."""
+        """Return whether the links are in the rows of the other convention, everything else being right."""
         asked = self.rows
         shifted = (Row("R"), *asked[:-1]) if self.convention == "standard" else (*asked[1:], Row("R"))
         return (

@@ -1,4 +1,4 @@
-"""The handle of the target stands somewhere, perhaps turned."""
+"""The handle of the target has a position, and perhaps an orientation."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ class TargetAt:
     goal: PoseGoal
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether there is a target and it is within the tolerances."""
+        """Return whether there is a target within the tolerances."""
         return observation.target is not None and self.goal.is_met(observation.target)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return what is off."""
+        """Return a sentence on what deviates."""
         if observation.target is None:
             return "There is no target yet: drag the handle."
         return self.goal.says("The target", observation.target, words)
 
 
 def read(table: Table, robot: Robot) -> TargetAt:
-    """Read ``position``, ``tolerance_m``; ``rpy_deg`` or ``rotation`` with ``tolerance_deg`` where they count."""
+    """Read ``position``, ``tolerance_m``; optionally ``rpy_deg`` or ``rotation`` with ``tolerance_deg``."""
     return TargetAt(read_goal(table, robot, turned=False))
 
 

@@ -31,16 +31,16 @@ class ToolAt:
 
     @property
     def goals(self) -> tuple[Goal, ...]:
-        """The ball in which the tool has to be, if it is marked."""
+        """The ball in which the tool has to be, if it is to be marked."""
         return (Goal(self.position, self.within),) if self.marked else ()
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether position and angle are within their tolerances."""
+        """Return whether position and angle are within their tolerances."""
         turned = self._turn_missing(observation)
         return self._distance(observation) <= self.within and (turned is None or abs(turned) <= self.phi_within)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return how far the tool is away and in which coordinate, or how far it is turned."""
+        """Return a sentence on the distance of the tool and the wrong coordinate, or on its angle."""
         distance, turned = self._distance(observation), self._turn_missing(observation)
         if distance > self.within:
             mistake = position_mistake(observation.tool_pose[:3, 3], self.position, self.within, words)

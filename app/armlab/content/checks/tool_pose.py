@@ -1,4 +1,4 @@
-"""The tool has a position and an orientation."""
+"""The tool has a given position and orientation."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ class ToolPose:
     goal: PoseGoal
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether position and orientation are within their tolerances."""
+        """Return whether position and orientation are within their tolerances."""
         return self.goal.is_met(observation.tool_pose)
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return which of position and orientation is off, and the mistake if one is seen."""
+        """Return a sentence on the deviation of position or orientation, and a recognised mistake."""
         return self.goal.says("The tool", observation.tool_pose, words)
 
 

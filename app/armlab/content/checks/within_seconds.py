@@ -1,4 +1,4 @@
-"""Not much time has passed since the step was shown; for use in ``all_of``."""
+"""Not more than a given time has passed since the step was shown; for use in ``all_of``."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from armlab.content.robots import Robot
 
 @dataclass(frozen=True)
 class WithinSeconds:
-    """At most so many seconds."""
+    """The largest number of seconds."""
 
     noted: ClassVar[tuple[str, ...]] = ("the time",)
 
     most: float
 
     def is_met(self, observation: Observation) -> bool:
-        """Whether there is time left."""
+        """Return whether there is time left."""
         return observation.seconds <= self.most
 
     def says(self, observation: Observation, words: Words = PLAIN) -> str:
-        """Return how long it took."""
+        """Return a sentence on the time it took."""
         if self.is_met(observation):
             return f"In time: {observation.seconds:.0f} s of {self.most:g} s."
         return f"It took {observation.seconds:.0f} s; at most {self.most:g} s are allowed. Begin the step again."

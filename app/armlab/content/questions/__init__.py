@@ -1,1 +1,1 @@
-"""One file a kind of question; each holds a constant ``QUESTION``."""
+"""Questions, one file for each kind, with a constant ``QUESTION``."""

@@ -1,4 +1,4 @@
-"""Read a matrix as people type or paste it: ``1 0; 0 1``, with commas, lines, NumPy's or MATLAB's brackets."""
+"""Reading of matrices as people type or paste them: ``1 0; 0 1``, with commas, lines, NumPy's or MATLAB's brackets."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armlab.content.symbols import MINUS_SIGNS
 from armlab.errors import InputError
 
 LONGEST = 2000
-"""Characters of a matrix."""
+"""Longest matrix, in characters."""
 
 _SIGNS = str.maketrans({**dict.fromkeys(MINUS_SIGNS, "-"), **dict.fromkeys("\u00a0\u2007\u2009\u202f\u200a\t", " ")})
 _MADE_BY = re.compile(r"\b(?:np\.|numpy\.|sp\.|sympy\.)?(?:array|matrix|Matrix)\s*\(")
@@ -28,7 +28,7 @@ def read_matrix(text: str, shape: tuple[int, int], unit: str = "") -> NDArray[np
     shape : tuple of int
         The shape that is asked: of the ways a row can be split the one that gives it is taken.
     unit : str
-        In which the entries are returned; one may have a unit of its own, ``500mm``.
+        Unit of the entries returned; one may be typed with its own unit, ``500mm``.
 
     Returns
     -------
@@ -55,7 +55,7 @@ def read_matrix(text: str, shape: tuple[int, int], unit: str = "") -> NDArray[np
 
 
 def _lines(text: str) -> list[str]:
-    """Return the rows, without any brackets around them."""
+    """Return the rows without enclosing brackets."""
     source = text.translate(_SIGNS).strip()
     made = _MADE_BY.match(source)
     if made:
@@ -70,13 +70,13 @@ def _lines(text: str) -> list[str]:
 
 
 def _at_commas(line: str) -> list[str]:
-    """Split at the commas outside of brackets; at spaces where there are none."""
+    """Split at commas outside of brackets, or at spaces when there are none."""
     words = _outside(line, ",")
     return [word.strip() for word in words] if len(words) > 1 else _at_spaces(line)
 
 
 def _decimal_commas(line: str) -> list[str]:
-    """Split at spaces, commas being decimal points."""
+    """Split at spaces, with commas as decimal points."""
     return [re.sub(r"(?<=\d),(?=\d)", ".", word.rstrip(",")) for word in _at_spaces(line)]
 
 
@@ -86,7 +86,7 @@ def _at_both(line: str) -> list[str]:
 
 
 def _at_spaces(line: str) -> list[str]:
-    """Split at spaces outside of brackets, but for those around an operator: ``1 - 2`` is one entry, ``1 -2`` two."""
+    """Split at spaces outside of brackets, except around an operator: ``1 - 2`` is one entry, ``1 -2`` two."""
     line = re.sub(r"\s*([*/^·×])\s*", r"\1", line)
     line = re.sub(r"(?<=[\w)])\s+([-+])\s+(?=\S)", r"\1", line)
     line = re.sub(r"([a-z])\s+\(", r"\1(", line)
@@ -119,7 +119,7 @@ def _entry(word: str, i: int, k: int, unit: str) -> float:
 
 
 def _with_unit(word: str, place: str, unit: str) -> float | None:
-    """Return an entry that has a unit of its own, or None when it has none."""
+    """Return an entry that has its own unit, or None when it has none."""
     try:
         number, own = read_quantity(word)
     except InputError:

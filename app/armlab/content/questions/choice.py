@@ -1,4 +1,4 @@
-"""The answer is one of some options, or several of them."""
+"""Questions with options, one or several of which are right."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from armlab.content.question import (
 from armlab.content.reader import Table, shown
 
 FEWEST, MOST = 2, 12
-"""Options."""
+"""Least and largest number of options."""
 
 
 @dataclass(frozen=True)
 class WrongChoice:
-    """What a lesson says (HTML) to a choice.
+    """A wrong choice that a lesson expects, and the lesson's text on it (HTML).
 
     ``exact`` is the whole choice, options from 1; ``option`` is one that is chosen and should not be, or the reverse.
     """
@@ -38,7 +38,7 @@ class WrongChoice:
 
 @dataclass(frozen=True)
 class ChoiceQuestion:
-    """A question; ``answer`` holds the right options, from 1, and ``options`` are HTML."""
+    """A question with options; ``answer`` holds the right ones, from 1, and ``options`` are HTML."""
 
     html: str
     options: tuple[str, ...]
@@ -60,11 +60,11 @@ class ChoiceQuestion:
 
     @property
     def wrong(self) -> tuple[Wrong, ...]:
-        """The wrong choices the lesson names."""
+        """The wrong choices that the lesson names."""
         return tuple(Wrong(_typed(wrong.exact or self.answer ^ {wrong.option}), wrong.says) for wrong in self.mistakes)
 
     def judge(self, text: str) -> Verdict:
-        """Return the verdict on the numbers of options, from 1, such as ``2`` or ``1,3``."""
+        """Return the verdict on numbers of options, from 1, such as ``2`` or ``1,3``."""
         words = re.split(r"[\s,;]+", text.strip().strip(",;"))
         numbers = [int(word) if re.fullmatch(r"\d{1,2}", word, re.ASCII) else 0 for word in words]
         if not all(1 <= number <= len(self.options) for number in numbers):
@@ -92,7 +92,7 @@ def _typed(options: Iterable[int]) -> str:
 
 
 def read(table: Table, asked: Asked, to_html: ToHtml) -> ChoiceQuestion:
-    """Read ``options``, ``answer`` (from 1, or a list where several may be chosen), ``fixed`` and ``wrong``."""
+    """Read ``options``, ``answer`` (from 1, or a list if several may be chosen), ``fixed`` and ``wrong``."""
     written = table.value("options")
     if not isinstance(written, list) or not all(isinstance(option, str) and option.strip() for option in written):
         raise table.fail("options", f"expected a list of texts, got {shown(written)}")

@@ -1,4 +1,4 @@
-"""The answer is a formula; it is right when it has the same values."""
+"""Questions for a formula: an answer is right when it has the same values."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from armlab.content.symbols import plain_symbols
 from armlab.errors import InputError
 
 POINTS = 20
-"""Random points at which two formulas are compared."""
+"""Number of random points at which two formulas are compared."""
 
 TRIES = 400
-"""Random points among which those are sought at which the right answer has a value."""
+"""Number of random points among which those are found at which the right answer has a value."""
 
 RELATIVE = 1e-6
-"""Largest difference of two equal formulas, as a part of their size."""
+"""Largest relative difference of the values of equal formulas."""
 
 SMALLEST, LARGEST = 0.1, 2.5
-"""Size of the random values."""
+"""Least and largest magnitude of the random values."""
 
 EXCHANGED = {"sin": "cos", "cos": "sin"}
 
@@ -40,7 +40,7 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class WrongFormula:
-    """A wrong answer a lesson expects, and what it says to it (HTML)."""
+    """A wrong formula that a lesson expects, and the lesson's text on it (HTML)."""
 
     answer: Expression
     says: str
@@ -55,8 +55,8 @@ class ExpressionQuestion:
     html : str
     answer : Expression
     variables : tuple of str
-        What may stand in an answer. Where q1, q2, ... are among them, ``c12`` is cos(q1+q2), ``s1`` is sin(q1) and
-        ``θ1`` is q1.
+        Names allowed in an answer. With q1, q2, ... among them, ``c12`` is cos(q1+q2), ``s1`` is sin(q1) and ``θ1`` is
+        q1.
     mistakes : tuple of WrongFormula
     hide : tuple of str
     """
@@ -69,17 +69,17 @@ class ExpressionQuestion:
 
     @property
     def form(self) -> Field:
-        """One line."""
+        """The form of the answer: one line."""
         return Field()
 
     @property
     def right_answer(self) -> str:
-        """The formula as the lesson writes it."""
+        """The formula as written in the lesson."""
         return self.answer.text
 
     @property
     def wrong(self) -> tuple[Wrong, ...]:
-        """The wrong answers the lesson names."""
+        """The wrong answers that the lesson names."""
         return tuple(Wrong(wrong.answer.text, wrong.says) for wrong in self.mistakes)
 
     def judge(self, text: str) -> Verdict:
@@ -173,7 +173,7 @@ def points(answer: Expression, variables: tuple[str, ...]) -> list[dict[str, flo
 
 
 def _value(formula: Expression, point: Mapping[str, float]) -> float:
-    """Return nan where a formula has no value."""
+    """Return the value of a formula at a point, nan when it has none."""
     try:
         return formula.value(point)
     except InputError:

@@ -1,4 +1,4 @@
-"""The answer is a matrix; common mistakes are named without giving the entries."""
+"""Questions for a matrix; common mistakes are named without revealing the entries."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ Matrix = NDArray[np.float64]
 
 MOST_ROWS, MOST_COLUMNS = 6, 12
 MOST_PERMUTED = 4
-"""Rows or columns up to which any order is tried, beyond two exchanged ones."""
+"""Largest number of rows or columns for which every order is tried, beyond exchanging two."""
 
 
 @dataclass(frozen=True, eq=False)
 class WrongMatrix:
-    """A wrong answer a lesson expects, of any shape, and what it says to it (HTML)."""
+    """A wrong matrix that a lesson expects, of any shape, and the lesson's text on it (HTML)."""
 
     answer: Matrix
     says: str
@@ -33,7 +33,7 @@ class WrongMatrix:
 
 @dataclass(frozen=True, eq=False)
 class MatrixQuestion:
-    """A question; ``answer`` and ``tolerance``, which holds for every entry, are in ``unit``."""
+    """A question for a matrix; ``answer`` and ``tolerance``, the same for every entry, are in ``unit``."""
 
     html: str
     answer: Matrix
@@ -44,22 +44,22 @@ class MatrixQuestion:
 
     @property
     def form(self) -> Grid:
-        """Rows and columns."""
+        """The form of the answer: rows and columns."""
         rows, columns = self.answer.shape
         return Grid(rows, columns, self.unit)
 
     @property
     def right_answer(self) -> str:
-        """The matrix, such as ``1 0; 0 1``."""
+        """The right matrix, such as ``1 0; 0 1``."""
         return typed(self.answer)
 
     @property
     def wrong(self) -> tuple[Wrong, ...]:
-        """The wrong answers the lesson names."""
+        """The wrong answers that the lesson names."""
         return tuple(Wrong(typed(wrong.answer), wrong.says) for wrong in self.mistakes)
 
     def judge(self, text: str) -> Verdict:
-        """Return the verdict on a matrix as typed; a vector may be written as a row or as a column."""
+        """Return the verdict on a matrix as typed; a vector may be a row or a column."""
         try:
             got = read_matrix(text, (self.answer.shape[0], self.answer.shape[1]), self.unit)
         except InputError as error:
@@ -81,11 +81,11 @@ class MatrixQuestion:
         return got.shape == answer.shape and not self._off(got, answer).any()
 
     def _off(self, got: Matrix, answer: Matrix) -> NDArray[np.bool_]:
-        """Return which entries are wrong."""
+        """Return a mask of the wrong entries."""
         return np.asarray(~(np.abs(got - answer) <= self.tolerance * (1.0 + ROUNDING)))
 
     def _mistakes(self, got: Matrix) -> Iterator[Verdict]:
-        """Yield the common mistakes, the likelier first; the last one always holds."""
+        """Yield the common mistakes, the likelier first; the last one applies always."""
         answer = self.answer
         if self._same(got, answer.T):
             yield Verdict(False, "This is the transposed matrix: rows and columns are exchanged.", "transposed")
@@ -112,7 +112,7 @@ class MatrixQuestion:
                 yield Verdict(False, f"The {what} are right, but not in this order.", f"{what} exchanged")
 
     def _entries(self, got: Matrix) -> Verdict:
-        """Return which entry is wrong, the first of several."""
+        """Return the verdict with the first wrong entry."""
         off = self._off(got, self.answer)
         i, k = np.argwhere(off)[0]
         place, count = f"row {i + 1}, column {k + 1}", int(off.sum())
@@ -126,7 +126,7 @@ class MatrixQuestion:
 
 
 def typed(matrix: Matrix) -> str:
-    """Return a matrix as it is typed: without the crumbs of rounding that computed entries carry.
+    """Return a matrix as a person would type it, without the rounding errors of computed entries.
 
     >>> typed(np.array([[1.0, 0.5], [-2.0, 0.3 - 0.1]]))
     '1 0.5; -2 0.2'
@@ -139,7 +139,7 @@ def _size(rows: int, columns: int) -> str:
 
 
 def read(table: Table, asked: Asked, to_html: ToHtml) -> MatrixQuestion:
-    """Read ``answer`` (rows), ``tolerance``, ``unit`` (none: pure numbers), ``wrong`` with ``answer``, ``says``."""
+    """Read ``answer`` (rows), ``tolerance``, ``unit`` (default none) and ``wrong`` with ``answer`` and ``says``."""
     unit = table.choice("unit", UNITS, "") if table.has("unit") else ""
     answer, tolerance = _matrix(table), table.number("tolerance")
     if tolerance <= 0:

@@ -1,4 +1,4 @@
-"""The answer is a number with a unit; common mistakes are named."""
+"""Questions for a number with a unit; common mistakes are named."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from armlab.content.reader import Table
 from armlab.errors import InputError
 
 PLAIN_FACTOR = 4.0
-"""An answer this many tolerances from zero is told from its double and its half."""
+"""Distance of an answer from zero, in tolerances, from which its double and half can be distinguished from it."""
 
 
 @dataclass(frozen=True)
 class WrongNumber:
-    """A wrong answer a lesson expects, in the question's unit, and what it says to it (HTML)."""
+    """A wrong number that a lesson expects, in the question's unit, and the lesson's text on it (HTML)."""
 
     answer: float
     says: str
@@ -33,11 +33,11 @@ class NumberQuestion:
     ----------
     html : str
     answer : float
-        In ``unit``.
+        The right number, in ``unit``.
     unit : str
         One of `UNITS`; a number without a unit is taken in it.
     tolerance : float
-        In ``unit``.
+        Tolerance in ``unit``.
     mistakes : tuple of WrongNumber
     hide : tuple of str
     """
@@ -51,7 +51,7 @@ class NumberQuestion:
 
     @property
     def form(self) -> Field:
-        """One line."""
+        """The form of the answer: one line."""
         return Field(self.unit)
 
     @property
@@ -61,7 +61,7 @@ class NumberQuestion:
 
     @property
     def wrong(self) -> tuple[Wrong, ...]:
-        """The wrong answers the lesson names."""
+        """The wrong answers that the lesson names."""
         return tuple(Wrong(f"{shortest(wrong.answer)} {self.unit}".strip(), wrong.says) for wrong in self.mistakes)
 
     def judge(self, text: str) -> Verdict:
@@ -120,7 +120,7 @@ class NumberQuestion:
 
     @staticmethod
     def _as_calculator(formula: Expression, factor: float) -> float | None:
-        """Return what the formula gives with angles in degrees, in the question's unit; None without a value."""
+        """Return the formula's value with angles in degrees, in the question's unit; None when it has none."""
         try:
             return formula.with_functions(IN_DEGREES).value({}) * factor
         except InputError:
@@ -131,7 +131,7 @@ class NumberQuestion:
 
 
 def read(table: Table, asked: Asked, to_html: ToHtml) -> NumberQuestion:
-    """Read ``answer``, ``unit`` (none: a pure number), ``tolerance`` and ``wrong`` with ``answer`` and ``says``."""
+    """Read ``answer``, ``unit`` (default none), ``tolerance`` and ``wrong`` with ``answer`` and ``says``."""
     unit = table.choice("unit", UNITS, "") if table.has("unit") else ""
     answer, tolerance = table.number("answer"), table.number("tolerance")
     if tolerance <= 0:

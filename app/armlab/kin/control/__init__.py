@@ -1,4 +1,4 @@
-"""Kinematic control: from a wanted velocity of the tool to joint speeds, and what becomes of them (notes 5.2 and 7).
+"""Kinematic control: from a wanted velocity of the tool to joint speeds and the resulting motion (notes 5.2 and 7).
 
 The arm is a plant that does what joint speeds it is told (notes 7.2). A `Reference` says where the tool or the joints
 are wanted, a control law what to command, a rate inverse how a velocity of the tool becomes joint speeds, and

@@ -1,4 +1,4 @@
-"""What a control law is: from measured joint values and a reference to joint speeds.
+"""Control laws: from measured joint values and a reference to joint speeds.
 
 References
 ----------
@@ -25,7 +25,7 @@ from armlab.plugins import discover
 Floats = NDArray[np.float64]
 
 Command = Callable[[Controller, Floats, Aim, Mapping[str, Any]], Told]
-"""``command(controller, q (n,) as measured, aim, options) -> Told``; the options are complete and checked."""
+"""``command(controller, q (n,) as measured, aim, options) -> Told``; all options are present and checked."""
 
 Prepare = Callable[[ScaledTask, dict[str, Any]], dict[str, Any]]
 
@@ -41,7 +41,7 @@ class ControlLaw:
     command : callable
         See `Command`.
     space : "tool" or "joints"
-        In which the error is taken; a law for joints needs q_d.
+        The space in which the error is taken; a law for joints needs q_d.
     fields : tuple of Field
         Options.
     held : bool
@@ -51,7 +51,7 @@ class ControlLaw:
     feedback : bool
         Whether it looks at the error at all.
     formula : str
-        In LaTeX.
+        The law in LaTeX.
     prepare : callable
         ``prepare(task, options)`` returns the options made fit for the arm, such as one gain for each joint.
     """
@@ -103,14 +103,14 @@ def task_gains(task: ScaledTask, options: dict[str, Any]) -> dict[str, Any]:
 
 
 def joint_gains(task: ScaledTask, options: dict[str, Any]) -> dict[str, Any]:
-    """Return options with one gain for each joint, (n,), under ``"K"``; `InputError` for another number of them."""
+    """Return the options with one gain for each joint, (n,), under ``"K"``; `InputError` when their number is wrong."""
     if len(options["K"]) not in (1, task.n):
         raise InputError(f"K: expected one gain, or {task.n}, one for each joint, got {len(options['K'])}")
     return {**options, "K": np.array(np.broadcast_to(options["K"], (task.n,)))}
 
 
 MOST_GAIN = 1e4
-"""1/s."""
+"""Largest gain, 1/s."""
 
 TASK_GAINS = (
     Field("Kp", "K_p", "gain of the position error", "list", (5.0,), 0.0, MOST_GAIN, unit="1/s"),

@@ -1,4 +1,4 @@
-"""What every control law works with: the arm as the controller knows it, and joint speeds for a task velocity."""
+"""The controller of a simulated arm: the arm as it knows it, and joint speeds for a task velocity."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ class Aim(NamedTuple):
     Attributes
     ----------
     pose, twist : ndarray, shapes (4, 4) and (6,)
-        Of the tool, in the world.
+        Wanted pose and twist of the tool, in the world.
     q, qdot : ndarray, shape (n,)
-        Of the joints; only where the law asked for them.
+        Wanted joint values and rates; only where the law asks for them.
     next_pose : ndarray, shape (4, 4)
-        At the next command.
+        Wanted pose at the next command.
     """
 
     pose: Floats
@@ -36,14 +36,14 @@ class Aim(NamedTuple):
 
 
 class Told(NamedTuple):
-    """A command.
+    """The command of a control law.
 
     Attributes
     ----------
     qdot : ndarray, shape (n,), or None
         rad/s or m/s; None where the law has no answer.
     damping : float
-        As of `RateStep`.
+        Damping, as in `RateStep`.
     says : str
         Why there is no answer.
     """
@@ -54,15 +54,15 @@ class Told(NamedTuple):
 
 
 class Controller:
-    """The tools of a law.
+    """The quantities and functions that a control law uses.
 
     Parameters
     ----------
     task : ScaledTask
-        Of the arm as the controller knows it.
+        The task of the arm as the controller knows it.
     method : RateInverse
     options : mapping
-        Of the method, complete and checked.
+        Options of the method, complete and checked.
     wish : str
         Key of the null-space term.
     gain : float
@@ -89,7 +89,7 @@ class Controller:
         Parameters
         ----------
         q : ndarray, shape (n,)
-            As measured.
+            Measured joint values.
         R : ndarray, shape (3, 3)
             Orientation of the tool there; see `ScaledTask.orientation`.
         v : ndarray, shape (m,)

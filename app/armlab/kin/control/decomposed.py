@@ -1,4 +1,4 @@
-"""The singular value decomposition of one small matrix, by LAPACK without the ceremony around it."""
+"""The singular value decomposition of one small matrix, by a direct call of LAPACK, which is quicker than NumPy's."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Decomposed(NamedTuple):
 
     @property
     def sigma_min(self) -> float:
-        """The smallest of the min(m, n) singular values; 0 without any."""
+        """The smallest of the min(m, n) singular values; 0 when there is none."""
         return float(self.sigma[-1]) if len(self.sigma) else 0.0
 
     @property
@@ -38,7 +38,7 @@ class Decomposed(NamedTuple):
         return not len(self.sigma) or bool(self.sigma[-1] <= SINGULAR * self.sigma[0])
 
     def spread(self, factors: Floats, v: Floats) -> Floats:
-        """Return the sum of factors v u^T v, (n,)."""
+        """Return the sum of the terms factor v (u^T v) over the singular vectors, (n,)."""
         return np.asarray((factors * (v @ self.U)) @ self.Vt)
 
 
@@ -70,7 +70,7 @@ def null_directions(J: Floats, cutoff: float) -> Floats:
 
 @cache
 def _driver() -> Callable[..., Any]:
-    """Return LAPACK's routine; SciPy is imported when it is first needed, to keep the start short."""
+    """Return LAPACK's routine; SciPy is imported at the first call, to keep the start short."""
     from scipy.linalg import lapack  # type: ignore[import-untyped]
 
     found: Callable[..., Any] = lapack.dgesdd

@@ -1,4 +1,4 @@
-"""Encoders: joint values as the controller reads them, in whole counts."""
+"""Encoders: joint values as the controller measures them, rounded to whole counts."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 SHAFTS = {"motor": "motor shaft", "link": "link"}
 
 LEAD = 0.01
-"""Metres a sliding joint moves with one turn of its spindle."""
+"""Lead of the spindle, metres: how far a sliding joint moves in one turn of it."""
 
 MOST_COUNTS = 100_000_000
 
@@ -41,7 +41,7 @@ class Encoder:
     ratio: float = 100.0
 
     def resolution(self, revolute: NDArray[np.bool_]) -> Floats:
-        """Return what one count is at each joint, (n,), rad or m: a turn over counts and, at the motor, the ratio."""
+        """Return the size of one count of each joint, (n,), rad or m: a turn over counts and, at the motor, ratio."""
         turn = np.where(revolute, 2.0 * np.pi, LEAD)
         return np.asarray(turn / (self.counts * (self.ratio if self.shaft == "motor" else 1.0)))
 

@@ -1,4 +1,4 @@
-"""How errors ought to go, in closed form: to lay over a run, and to see where the notes differ.
+"""Theoretical decay of errors, in closed form: to compare with a run, and to see where the notes differ.
 
 References
 ----------
@@ -17,7 +17,7 @@ from armlab.kin.control.scaled_task import ScaledTask
 Floats = NDArray[np.float64]
 
 SMALL = 0.02
-"""Largest entry of M up to which four terms give exp(M) with seven digits, and much faster."""
+"""Largest entry of M for which four terms of the series give exp(M) to seven digits, and much faster."""
 
 
 def error_decay(K: ArrayLike, e0: ArrayLike, t: ArrayLike) -> Floats:

@@ -21,16 +21,16 @@ from armlab.kin.control.scaled_task import ScaledTask
 Floats = NDArray[np.float64]
 
 CLOSE = 1e-10
-"""Scaled error with which a sample is taken as reached."""
+"""Scaled error below which a sample counts as reached."""
 
 FIRST, LATER = 100, 12
-"""Newton iterations for the first sample, which may be far from the start, and for the others."""
+"""Largest numbers of Newton iterations: for the first sample, which may be far from the start, and for the others."""
 
 LONGEST = 0.5
-"""Scaled joint change of one iteration, at most: from far away Newton's method jumps."""
+"""Largest scaled joint change in one iteration: from far away Newton's method jumps."""
 
 PIECE = 200
-"""Samples between two rests: some 20 ms."""
+"""Samples in one piece of work: some 20 ms."""
 
 
 class JointsFound(NamedTuple):
@@ -39,7 +39,7 @@ class JointsFound(NamedTuple):
     Attributes
     ----------
     aims : JointAims
-        Of the N' <= N samples that were reached.
+        The N' <= N samples that were reached.
     reason : str
         Why not all; empty when all were.
     """
@@ -54,11 +54,11 @@ def joints_along(task: ScaledTask, aims: ToolAims, q0: Floats) -> Generator[None
     Parameters
     ----------
     task : ScaledTask
-        Of the arm whose joints they are to be.
+        The task of the arm that is to have these joint values.
     aims : ToolAims
-        At N times.
+        Wanted poses at N times.
     q0 : ndarray, shape (n,)
-        Where Newton's method starts for the first.
+        Start of Newton's method for the first sample.
     """
     count = len(aims.poses)
     q, qdot = np.empty((count, task.n)), np.empty((count, task.n))
@@ -78,7 +78,7 @@ def joints_along(task: ScaledTask, aims: ToolAims, q0: Floats) -> Generator[None
 
 
 def _reached(task: ScaledTask, wanted: Floats, q: Floats, most: int) -> Floats | None:
-    """Return joint values near q with the tool at a pose, as far as the task controls it; None when none are found."""
+    """Return joint values near q that bring the tool to a pose, as far as the task asks; None if none are found."""
     for _ in range(most):
         pose = task.pose(q)
         error = task.error(wanted, pose) * task.row_units
@@ -92,7 +92,7 @@ def _reached(task: ScaledTask, wanted: Floats, q: Floats, most: int) -> Floats |
 
 
 def halfway(aims: JointAims, step: float) -> JointAims:
-    """Return the samples with one more between each two, (2N - 1, n): the cubic with the values and rates of both."""
+    """Return twice as many samples, (2N - 1, n), with those between on the cubic through values and rates."""
     q, qdot = aims
     between = 0.5 * (q[1:] + q[:-1]) + 0.125 * step * (qdot[:-1] - qdot[1:])
     rates = 1.5 * (q[1:] - q[:-1]) / step - 0.25 * (qdot[1:] + qdot[:-1])

@@ -23,25 +23,23 @@ MOST_ROWS = 12
 MOST_TERMS = 400
 
 LARGEST = 300.0
-"""Of the real part of an eigenvalue times t: beyond about 700 the exponential is no number any more."""
+"""Largest real part of an eigenvalue times t: beyond about 700 the exponential is no floating-point number."""
 
 LARGEST_SIZE = 1e9
-"""Of the sum of the moduli in a column of A t: beyond it the rounding of A t alone changes the result's seventh digit,
-also where everything decays."""
+"""Largest sum of the moduli in a column of A t: beyond it the rounding of A t alone changes the seventh digit of the
+result, even where everything decays."""
 
 LARGEST_LOGARITHM = 700.0
-"""Of a term of the series."""
+"""Largest natural logarithm of a term of the series."""
 
 POOR, NONE = 1e3, 1e7
-"""Condition of T above which digits are lost that one would miss, and from which there is no basis of eigenvectors.
-
-A double eigenvalue with one eigenvector is found as two that are sqrt(2e-16) = 1.5e-8 apart, with a condition of about
-its inverse.
-"""
+"""Condition numbers of T: above the first a noticeable number of digits is lost; from the second on there is no basis
+of eigenvectors. A double eigenvalue with one eigenvector is found as two that are sqrt(2e-16) = 1.5e-8 apart, with a
+condition of about the inverse of that."""
 
 DOUBLE = 1e-7
-"""Of the size of A: where there is no basis of eigenvectors, two eigenvalues that are nearer to each other are one if
-their eigenvectors are one, too. Rounding parts a double one by 1.5e-8 of it, into two real or two complex ones."""
+"""Distance, relative to the size of A, below which two eigenvalues without a basis of eigenvectors are one if their
+eigenvectors agree, too. Rounding splits a double eigenvalue by 1.5e-8, into two real or two complex ones."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +55,7 @@ class Diagonalisation:
     condition : float
         Largest over smallest singular value of T; infinite where T has no inverse.
     basis : "good", "poor" or "none"
-        By `POOR` and `NONE`.
+        The quality of T, by the limits `POOR` and `NONE`.
     """
 
     values: Complex
@@ -72,7 +70,7 @@ class Diagonalisation:
 
     @property
     def says(self) -> str:
-        """What there is to know about T, in a sentence."""
+        """A sentence on T: whether it exists, and how well it is conditioned."""
         if self.basis == "none":
             return (
                 "A is not diagonalisable within rounding: it has too few independent eigenvectors, T has no inverse; "
@@ -104,8 +102,8 @@ def by_scipy(A: ArrayLike, t: ArrayLike = 1.0) -> Array:
     ------
     InputError
         Not a square matrix of at most `MOST_ROWS` rows, not finite, or so large that the result may be no number: an
-        eigenvalue whose real part times t is above `LARGEST`, or moduli above `LARGEST_SIZE`. What decays is not too
-        large.
+        eigenvalue whose real part times t is above `LARGEST`, or moduli above `LARGEST_SIZE`. A decaying exponential is
+        not too large.
 
     References
     ----------
@@ -149,7 +147,7 @@ def partial_sums(A: ArrayLike, t: float, terms: int) -> Array:
 
 
 def remainder_bound(A: ArrayLike, t: float, terms: int) -> float:
-    """Return a bound of every entry of what a sum of so many terms leaves out; infinite where none is known yet.
+    """Return a bound of every entry of the remainder after so many terms; infinite where none is known yet.
 
     The terms that are left out are a geometric series at most: with x the largest sum of moduli in a column of A t,
     it is x^N / N! / (1 - x/(N+1)) for N terms, where N + 1 > x. Rounding is not in it.
@@ -166,7 +164,7 @@ def remainder_bound(A: ArrayLike, t: float, terms: int) -> float:
 
 
 def _logarithm_of_largest_term(x: float, terms: int) -> float:
-    """Return the logarithm of the largest x^k / k! of so many terms; they grow up to k = x."""
+    """Return the logarithm of the largest x^k / k! with k up to ``terms``; the terms grow up to k = x."""
     k = min(terms, math.floor(x))
     return k * math.log(x) - math.lgamma(k + 1) if k else 0.0
 
@@ -191,7 +189,7 @@ def diagonalised(A: ArrayLike) -> Diagonalisation:
 
 
 def _doubled(matrix: Array, values: Complex, T: Complex) -> tuple[Complex, Complex]:
-    """Return eigenvalues and eigenvectors with those that only rounding has parted in pairs put together.
+    """Return eigenvalues and eigenvectors, with pairs merged that only rounding has separated.
 
     The mean of such a pair is right to rounding, although each is only half as many digits.
     """
@@ -293,5 +291,5 @@ def _checked(A: ArrayLike, t: ArrayLike) -> tuple[Array, Array]:
 
 
 def _size(matrix: Array) -> float:
-    """Return the largest sum of moduli in a column, a norm that bounds every entry of every power."""
+    """Return the largest sum of moduli in a column (the 1-norm), which bounds every entry of every power."""
     return float(np.abs(matrix).sum(axis=0).max())

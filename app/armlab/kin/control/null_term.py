@@ -1,4 +1,4 @@
-"""What redundant joints do besides the task: qdot = J# v + (I - J# J) xi.
+"""Null-space motion of redundant joints besides the task: qdot = J# v + (I - J# J) xi.
 
 With N an orthonormal basis of the null space I - J# J = N N^T. So of a wish xi that is the slope of an objective only
 the slopes along the columns of N are needed. An arm without joints to spare has none, but for a singular J.
@@ -23,23 +23,23 @@ from armlab.kin.control.scaled_task import ScaledTask
 Floats = NDArray[np.float64]
 
 Slopes = Callable[[ScaledTask, Floats, Floats], Floats]
-"""``slopes(task, q (n,), N (n, k)) -> (k,)``: of an objective along directions of scaled joints."""
+"""``slopes(task, q (n,), N (n, k)) -> (k,)``: derivatives of an objective along k directions of scaled joints."""
 
 DIFFERENCE = 1e-5
-"""Half the step of the central differences of w, in scaled joints; the error is about its square."""
+"""Half the step of the central differences of w, in scaled joints; their error is about its square."""
 
 TITLES = {"none": "none", "middle": "towards mid-range", "manipulability": "up the manipulability"}
 
 
 def middle_slopes(task: ScaledTask, q: Floats, N: Floats) -> Floats:
-    """Return slopes of -(1/2n) sum ((q_i - middle_i) / (q_i,max - q_i,min))^2; a joint without a range stays."""
+    """Return slopes (k,) of -(1/2n) sum ((q_i - middle_i) / (q_i,max - q_i,min))^2; only joints with a range count."""
     low, high = task.arm.limits.T
     ranges = np.where(high > low, high - low, np.inf)
     return np.asarray((-(q - 0.5 * (low + high)) / ranges**2 / task.n * task.joint_units) @ N)
 
 
 def manipulability_slopes(task: ScaledTask, q: Floats, N: Floats) -> Floats:
-    """Return slopes of w, the product of the singular values of the scaled task Jacobian, by central differences."""
+    """Return slopes (k,) of w, the product of the singular values of the scaled task Jacobian, along N (n, k)."""
 
     def w(at: Floats) -> float:
         return float(np.prod(decomposed(task.scaled(task.jacobian(at))).sigma))
@@ -64,7 +64,7 @@ def self_motion(key: str, task: ScaledTask, q: Floats, J: Floats) -> Floats:
     Parameters
     ----------
     key : str
-        Of the wish: ``"middle"`` or ``"manipulability"``.
+        Key of the term: ``"middle"`` or ``"manipulability"``.
     task : ScaledTask
     q : ndarray, shape (n,)
     J : ndarray, shape (m, n)

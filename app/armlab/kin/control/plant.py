@@ -1,4 +1,4 @@
-"""The arm as a plant: it does what joint speeds it is told, but late, limited, and not quite as the controller thinks.
+"""The arm as a plant: it follows commanded joint speeds with a delay, within limits, and with errors of the model.
 
 References
 ----------
@@ -24,7 +24,7 @@ from armlab.kin.field import positive_bounds
 Floats = NDArray[np.float64]
 
 MOST_WRONG = 0.5
-"""Largest part by which links may be longer or shorter than the controller believes."""
+"""Largest relative error of the lengths of the links."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Push:
 
 @dataclass(frozen=True)
 class Plant:
-    """What is not ideal; make one with `plant`.
+    """Deviations of the arm from the ideal; make them with `plant`.
 
     Attributes
     ----------
@@ -58,9 +58,9 @@ class Plant:
     encoder : Encoder or None
         None: the controller knows the joint values exactly.
     wrong : float
-        By which part of its length the link is longer than the controller believes.
+        Relative error of the length that the controller believes: by this part the link is longer.
     link : int
-        Which link, 1-based; 0 for all.
+        The wrong link, 1-based; 0 for all.
     pushes : tuple of Push
     """
 

@@ -1,4 +1,4 @@
-"""What an inverse of the differential kinematics is: from a wanted task velocity to joint speeds.
+"""Inverses of the differential kinematics: from a wanted task velocity to joint speeds.
 
 J is the task Jacobian and v the task velocity, both scaled (`armlab.kin.control.scaled_task`), so that no metre is
 added to a radian. Where a method has no answer it says so in words; no number it returns is nan or infinite.
@@ -24,11 +24,11 @@ from armlab.plugins import discover
 Floats = NDArray[np.float64]
 
 CUTOFF = 1e-6
-"""Singular values below this part of the largest count as zero where a pseudo-inverse is taken, as in `ik.iterate`."""
+"""Singular value, relative to the largest, below which one counts as zero in a pseudo-inverse, as in `ik.iterate`."""
 
 
 class RateStep(NamedTuple):
-    """What a method makes of one velocity.
+    """The result of a method for one velocity.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class RateStep(NamedTuple):
 
 
 Speeds = Callable[[Floats, Floats, Mapping[str, Any]], RateStep]
-"""``speeds(J (m, n), v (m,), options) -> RateStep``; the options are complete and checked."""
+"""``speeds(J (m, n), v (m,), options) -> RateStep``; all options are present and checked."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class RateInverse:
     speeds : callable
         See `Speeds`.
     formula : str
-        In LaTeX.
+        The method in LaTeX.
     """
 
     key: str
@@ -96,18 +96,18 @@ def rate_inverse(key: str) -> RateInverse:
 
 
 def rate_step(key: str, J: ArrayLike, v: ArrayLike, options: Mapping[str, Any] | None = None) -> RateStep:
-    """Return the joint speeds a method answers a task velocity with.
+    """Return the joint speeds of a method for a task velocity.
 
     Parameters
     ----------
     key : str
-        Of a `RateInverse`.
+        Key of a `RateInverse`.
     J : array_like, shape (m, n)
         Task Jacobian, scaled.
     v : array_like, shape (m,)
         Task velocity, scaled.
     options : mapping, optional
-        By key; see ``rate_inverse(key).fields``.
+        Options by key; see ``rate_inverse(key).fields``.
 
     Raises
     ------
@@ -130,7 +130,7 @@ def rate_step(key: str, J: ArrayLike, v: ArrayLike, options: Mapping[str, Any] |
 
 
 def pseudo_inverse_speeds(found: Decomposed, v: Floats, cutoff: float = CUTOFF) -> Floats:
-    """Return J# v (n,), singular values not above ``cutoff`` times the largest taken as zero."""
+    """Return J# v (n,); singular values up to ``cutoff`` times the largest are taken as zero."""
     sigma = found.sigma
     if not len(sigma):
         return np.zeros(found.Vt.shape[1])

@@ -1,4 +1,4 @@
-"""What a simulation gives: arrays over time, and how it ended."""
+"""The record of a simulation: arrays over time, and how it ended."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armlab.kin.arm import Arm
 Floats = NDArray[np.float64]
 
 WITHIN = 1e-9
-"""rad or m beyond its limit at which a joint still counts as within."""
+"""Distance beyond its limit, rad or m, at which a joint still counts as within."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +23,7 @@ class Run:
     Attributes
     ----------
     arm : Arm
-        As it is, not as the controller knows it.
+        The true arm, not the one the controller knows.
     t : ndarray, shape (N + 1,)
         Seconds, from 0 on.
     q : ndarray, shape (N + 1, n)
@@ -35,14 +35,14 @@ class Run:
     error : ndarray, shape (N + 1, m)
         Wanted minus present task, in metres and radians, axes of frame 0.
     error_position, error_rotation : ndarray, shape (N + 1,)
-        How long its parts are, metres and radians.
+        Norms of the parts of the error, metres and radians.
     error_joint : ndarray, shape (N + 1, n), or None
         q_d - q, where the law has a q_d.
     sigma_min : ndarray, shape (N + 1,)
         Smallest singular value of the scaled task Jacobian of the arm.
     damping : ndarray, shape (N + 1,)
     saturated : ndarray of bool, shape (N + 1,)
-        Where the motors could not do what was wanted.
+        Instants at which the motors could not follow the command.
     step : float
         Seconds.
     stopped : str
@@ -50,7 +50,7 @@ class Run:
     pushed : tuple of float
         Times of the pushes that fell into it.
     sigma_unit : str
-        Of sigma_min: ``"m"`` or none.
+        Unit of sigma_min: ``"m"`` or none.
     """
 
     arm: Arm
@@ -74,12 +74,12 @@ class Run:
 
     @property
     def finished(self) -> bool:
-        """Whether it ran to its end."""
+        """Whether the simulation ran to its end."""
         return not self.stopped
 
     @property
     def duration(self) -> float:
-        """Seconds of what was run."""
+        """Duration of what was simulated, seconds."""
         return float(self.t[-1])
 
     @property
@@ -94,7 +94,7 @@ class Run:
 
     @cached_property
     def peak_times(self) -> Floats:
-        """When each joint has its largest speed, (n,), seconds."""
+        """Times at which each joint has its largest speed, (n,), seconds."""
         return np.asarray(self.t[np.abs(self.qdot).argmax(axis=0)])
 
     def left_range(self) -> tuple[int, float] | None:
@@ -114,11 +114,11 @@ class Run:
 
     @property
     def saturated_time(self) -> float:
-        """Seconds in which the motors could not do what was wanted."""
+        """Time in seconds during which the motors could not follow the command."""
         return float(np.count_nonzero(self.saturated[:-1]) * self.step)
 
     def at(self, time: float) -> Floats:
-        """Return the joint values at a time, (n,): between two instants on the straight line, at the ends the ends."""
+        """Return the joint values at a time, (n,), linear between instants and constant before and after the run."""
         i = min(max(int(np.searchsorted(self.t, time, side="right")) - 1, 0), self.steps)
         if i == self.steps or time <= self.t[i]:
             return np.array(self.q[i])
@@ -126,12 +126,12 @@ class Run:
         return np.asarray(self.q[i] + share * (self.q[i + 1] - self.q[i]))
 
     def index(self, time: float) -> int:
-        """Return the instant nearest to a time."""
+        """Return the index of the instant nearest to a time."""
         i = min(int(np.searchsorted(self.t, time)), self.steps)
         return i - 1 if i > 0 and time - self.t[i - 1] < self.t[i] - time else i
 
     def thinned(self, most: int) -> Run:
-        """Return the run with about ``most`` of its instants, the ends and every extreme among them, for drawing."""
+        """Return the run with about ``most`` of its instants, for drawing; both ends and every extreme are kept."""
         if len(self.t) <= most:
             return self
         extremes = [np.abs(self.qdot).argmax(axis=0), np.abs(self.qdot_wanted).argmax(axis=0)]

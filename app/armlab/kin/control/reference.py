@@ -1,4 +1,4 @@
-"""What an arm is to follow: a tool pose and its velocity at each time, or joint values and theirs.
+"""References for an arm: a tool pose and its velocity at each time, or joint values and their rates.
 
 References
 ----------
@@ -24,11 +24,11 @@ from armlab.kin.transforms import as_pose
 Floats = NDArray[np.float64]
 
 LONGEST = 600.0
-"""Seconds of a reference."""
+"""Longest duration of a reference, seconds."""
 
 
 class ToolAims(NamedTuple):
-    """Where the tool is wanted at N times.
+    """Wanted poses and twists of the tool at N times.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class ToolAims(NamedTuple):
 
 
 class JointAims(NamedTuple):
-    """Where the joints are wanted at N times.
+    """Wanted joint values and rates at N times.
 
     Attributes
     ----------
@@ -181,7 +181,7 @@ class JointReference(Reference):
     Parameters
     ----------
     motion : Motion
-        Of n joints; before it begins and after its end it stands still.
+        A motion of n joints; before its start and after its end the joints are at rest.
     """
 
     def __init__(self, motion: Motion) -> None:
@@ -192,7 +192,7 @@ class JointReference(Reference):
         return JointAims(*self.motion.derivatives(t, (0, 1)))
 
     def tool(self, arm: Arm, t: Floats) -> ToolAims:
-        """Return where these joints have the tool of this arm: f(q_d), and J(q_d) qdot_d."""
+        """Return poses and twists of the tool of this arm at these joint values: f(q_d), and J(q_d) qdot_d."""
         q, qdot = self.joints(arm, t)
         twists = np.einsum("kij,kj->ki", arm.jacobian(q), qdot)
         return ToolAims(np.asarray(arm.fk(q), dtype=np.float64), np.asarray(twists, dtype=np.float64))
@@ -221,7 +221,7 @@ class FixedJoints(Reference):
         return JointAims(np.repeat(q[None], len(t), axis=0), np.zeros((len(t), arm.n)))
 
     def tool(self, arm: Arm, t: Floats) -> ToolAims:
-        """Return where it has the tool, at rest."""
+        """Return the pose of the tool in this configuration, at rest."""
         pose = np.asarray(arm.fk(self.q), dtype=np.float64)
         return ToolAims(np.repeat(pose[None], len(t), axis=0), np.zeros((len(t), 6)))
 
@@ -247,7 +247,7 @@ class ToolReference(Reference):
 
 
 def checked_duration(duration: float) -> float:
-    """Return seconds; `InputError` when they are not more than 0 and at most `LONGEST`."""
+    """Return a duration in seconds; `InputError` unless it is positive and at most `LONGEST`."""
     seconds = positive(duration, "duration")
     if seconds > LONGEST:
         raise InputError(f"duration: expected at most {LONGEST:g} s, got {seconds:g}")

@@ -1,4 +1,4 @@
-"""Run a control law on a plant: step by step, in pieces, and never with a number that is none.
+"""Simulation of a control law on a plant, step by step and in pieces; all numbers stay finite.
 
 References
 ----------
@@ -37,34 +37,35 @@ Floats = NDArray[np.float64]
 INTEGRATORS = {"euler": "Euler", "rk4": "Runge–Kutta 4"}
 
 STEP = 1e-3
-"""Seconds of a step, until somebody wants another."""
+"""Default step, seconds."""
 
 MOST_STEPS = 200_000
 
 FASTEST = 1e6
-"""rad/s, or m/s: a law that wants more has no answer; it is beside a singularity, or diverges."""
+"""Largest speed of a joint, rad/s or m/s: a law that wants more has no usable answer, beside a singularity or as it
+diverges."""
 
 FARTHEST = 1.0
-"""rad, or length scales of the arm, that a joint moves in one step: what goes farther only jumps from pose to pose."""
+"""Largest change of a joint in one step, rad or length scales of the arm: a larger one only jumps from pose to pose."""
 
 PIECE = 400
-"""Commands between two rests: some 20 ms."""
+"""Commands in one piece of work: some 20 ms."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How a run is made.
+    """Settings of a run.
 
     Attributes
     ----------
     step : float
         Seconds; the last one is the others' length, too: it is changed a little so that a whole number fits.
     integrator : "rk4" or "euler"
-        Of a law that acts at every instant; held commands are integrated exactly.
+        Method for a law that acts continuously; commands that are held for a period are integrated exactly.
     inverse : str
         Key of the inverse of the differential kinematics.
     inverse_options, law_options : mapping
-        By key.
+        Options by key.
     null : str
         Key of the null-space term.
     null_gain : float
@@ -85,12 +86,12 @@ class Settings:
 def simulate(
     arm: Arm, law: str, reference: Reference, q0: ArrayLike | None = None, settings: Settings | None = None
 ) -> Run:
-    """Return what becomes of an arm under a control law.
+    """Return the motion of an arm under a control law.
 
     Parameters
     ----------
     arm : Arm
-        As it is; the controller knows it as the plant of the settings says.
+        The true arm; the controller knows it with the errors of the plant in the settings.
     law : str
         Key of a `ControlLaw`.
     reference : Reference
@@ -123,7 +124,7 @@ def simulate(
 def simulating(
     arm: Arm, law: str, reference: Reference, q0: ArrayLike | None = None, settings: Settings | None = None
 ) -> Generator[None, None, Run]:
-    """Do what `simulate` does in pieces of some 20 ms, and return the run at the end."""
+    """Do the same as `simulate` in pieces of some 20 ms, and return the run at the end."""
     given = settings or Settings()
     kind, plant = control_law(law), given.plant
     if given.integrator not in INTEGRATORS:
@@ -162,7 +163,7 @@ def _start(arm: Arm, reference: Reference, q0: ArrayLike | None) -> Floats:
 def _joint_aims(
     kind: ControlLaw, task: ScaledTask, reference: Reference, tool: ToolAims, times: Floats, q0: Floats, step: float
 ) -> Generator[None, None, tuple[JointAims | None, str]]:
-    """Return what the joints are wanted at, at all times of the grid, where the law or the reference says so."""
+    """Return the wanted joint values at all times of the grid, where the law or the reference has any, and a reason."""
     own = reference.joints(task.arm, times)
     if own is not None or kind.space == "tool":
         return own, ""
@@ -173,7 +174,7 @@ def _joint_aims(
 
 
 def _still(arm: Arm, q: Floats, tool: ToolAims, reason: str) -> Run:
-    """Return a run of one instant, which says why there are no more."""
+    """Return a run of one instant, with the reason why there are no more."""
     nothing = np.zeros((1, arm.n))
     return _recorded(
         arm, tool, None, np.zeros(1), q[None], (nothing, nothing, np.zeros(1), np.zeros(1, bool)), 1.0, reason, ()
@@ -181,7 +182,7 @@ def _still(arm: Arm, q: Floats, tool: ToolAims, reason: str) -> Run:
 
 
 class _Loop:
-    """One run under way."""
+    """State of one simulation while it runs."""
 
     def __init__(
         self,
@@ -222,7 +223,7 @@ class _Loop:
         self._at = 0
 
     def go(self) -> Generator[None, None, None]:
-        """Take all steps, or as many as there is an answer for."""
+        """Take all steps, or stop at the first that has no answer."""
         held = (self._none, self._none, 0.0, False)
         q, h = self._q[0], self._step
         euler, every = self._given.integrator == "euler" or self._every > 0, self._every
@@ -246,7 +247,7 @@ class _Loop:
             q = after
 
     def _runge_kutta(self, q: Floats, grid: int, first: Floats) -> Floats | None:
-        """Return the joint values after a step of the classical method of fourth order; None where it has no answer."""
+        """Return the joint values after a step of the classical fourth-order method; None if the law has no answer."""
         h, rates = self._step, [first]
         for part, later in ((0.5, 1), (0.5, 1), (1.0, 2)):
             told = self._told(q + part * h * rates[-1], grid + later)
@@ -257,7 +258,7 @@ class _Loop:
         return np.asarray(q + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4))
 
     def _told(self, q: Floats, grid: int) -> tuple[Floats, Floats, float, bool] | None:
-        """Return joint speeds as they are and as they are wanted, damping, and whether the motors saturate."""
+        """Return actual and commanded joint speeds, damping, and whether motors saturate; None without an answer."""
         seen = q if self._resolution is None else read_off(q, self._resolution)
         told = self._kind.command(self._controller, seen, self._aim(grid), self._options)
         if told.qdot is None:
@@ -273,7 +274,7 @@ class _Loop:
         return actual, told.qdot, told.damping, changed
 
     def _jumps(self, qdot: Floats) -> str:
-        """Return why joint speeds cannot be followed."""
+        """Return the reason why joint speeds cannot be followed; empty when they can."""
         joint = _fastest(qdot / np.array(self._bounds))
         least = f"{math.degrees(FARTHEST):.0f}°" if self._arm.revolute[joint - 1] else "half the reach of the arm"
         return (
@@ -288,7 +289,7 @@ class _Loop:
         return Aim(poses[grid], twists[grid], q, qdot, poses[later])
 
     def _displaced(self, q: Floats, k: int) -> Floats:
-        """Return the joint values after the pushes that have come by the instant k."""
+        """Return the joint values after the pushes that are due by instant k."""
         while self._pushes and self._pushes[0].time <= (k + 1e-6) * self._step:
             push = self._pushes.pop(0)
             q = q + pushed_joints(self._arm, q, push)
@@ -296,7 +297,7 @@ class _Loop:
         return q
 
     def run(self, reason: str) -> Run:
-        """Return what has been recorded, up to the instant at which it stopped."""
+        """Return the record up to the instant at which the simulation stopped."""
         last = self._at + 1
         series = (self._qdot[:last], self._wanted[:last], self._damping[:last], self._saturated[:last])
         return _recorded(
@@ -319,7 +320,7 @@ def _fastest(qdot: Floats) -> int:
 
 
 def pushed_joints(arm: Arm, q: Floats, push: Push) -> Floats:
-    """Return the joint changes (n,) of a push: of all that come closest to its displacement the shortest."""
+    """Return the joint changes (n,) of a push: the shortest of those that come closest to its displacement."""
     task = ScaledTask(arm)
     found = decomposed(np.asarray(arm.jacobian(q)[:3] * task.joint_units))
     return task.speeds(pseudo_inverse_speeds(found, np.array(push.by)))
@@ -336,7 +337,7 @@ def _recorded(
     stopped: str,
     pushed: tuple[float, ...],
 ) -> Run:
-    """Return a run with all that follows from its joint values."""
+    """Return a run, with everything that follows from its joint values."""
     task, whole = ScaledTask(arm), slice(0, 2 * len(t) - 1, 2)
     poses, wanted = np.asarray(arm.fk(q), dtype=np.float64), tool.poses[whole]
     error = task.errors(wanted, poses)

@@ -1,4 +1,4 @@
-"""What motors do with joint speeds beyond their limits.
+"""Saturation of motors: joint speeds beyond their limits are cut or scaled.
 
 References
 ----------
@@ -21,7 +21,8 @@ SATURATIONS = {
     "clip": "each joint by itself",
     "scale": "all joints slowed alike",
 }
-"""By key, in words. Each by itself bends the direction of the tool (5.106); all alike keeps it."""
+"""Ways to saturate, by key, in words. ``clip`` changes the direction of the tool's velocity (5.106); ``scale`` keeps
+it."""
 
 
 class Saturated(NamedTuple):

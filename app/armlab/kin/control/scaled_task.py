@@ -1,4 +1,4 @@
-"""The task of one arm at one configuration after the other: its Jacobian, its error, and what metres and radians count.
+"""The task of an arm at successive configurations: its Jacobian, its error, and the scaling of metres and radians.
 
 The components are those of `armlab.kin.ik.iterate.problem`, scaled as there: where metres and radians meet, lengths are
 divided by the arm's length scale; where only one kind occurs, everything stays as it is.
@@ -19,7 +19,7 @@ from armlab.kin.ik.iterate.task_vector import TaskVector
 Floats = NDArray[np.float64]
 
 AT_IDENTITY = 1e-12
-"""Sine below which theta / (2 sin theta) is its limit 1/2."""
+"""Sine of theta below which theta / (2 sin theta) is taken as its limit 1/2."""
 
 
 class ScaledTask:
@@ -34,9 +34,9 @@ class ScaledTask:
     m, n : int
         Components of the task, and joints.
     row_units : ndarray, shape (m,)
-        What a component in metres or radians is multiplied by to give a scaled one.
+        Factors from components in metres or radians to scaled ones.
     joint_units : ndarray, shape (n,)
-        What a scaled joint change is multiplied by to give radians or metres.
+        Factors from scaled joint changes to radians or metres.
     length : float
         Metres that count as 1: 1, or the arm's length scale where metres and radians meet.
     sigma_unit : str
@@ -71,7 +71,7 @@ class ScaledTask:
         return np.asarray(self.arm.fk(q))
 
     def orientation(self, q: Floats) -> Floats:
-        """Return what `rows` and `jacobian` need of the tool's orientation, (3, 3): only some tasks ask for it."""
+        """Return the orientation of the tool, (3, 3), that `rows` and `jacobian` take; only some tasks need it."""
         return self.pose(q)[:3, :3] if self._follows_tool else self._turn
 
     def jacobian(self, q: Floats, R: Floats | None = None) -> Floats:
@@ -84,11 +84,11 @@ class ScaledTask:
         return np.asarray(rows @ self.arm.jacobian(q))
 
     def scaled(self, J: Floats) -> Floats:
-        """Return a task Jacobian (..., m, n) scaled."""
+        """Return a task Jacobian (..., m, n) in scaled, dimensionless form."""
         return J if self._plain else np.asarray(J * self.both)
 
     def speeds(self, scaled: Floats) -> Floats:
-        """Return joint speeds in rad/s and m/s of scaled ones, (..., n)."""
+        """Return joint speeds in rad/s and m/s from scaled ones, (..., n)."""
         return np.asarray(scaled * self.joint_units)
 
     def error(self, wanted: Floats, pose: Floats) -> Floats:
@@ -115,7 +115,7 @@ class ScaledTask:
         return e
 
     def errors(self, wanted: Floats, poses: Floats) -> Floats:
-        """Return `error` for many poses (k, 4, 4), as (k, m)."""
+        """Return the value of `error` for many poses (k, 4, 4), as (k, m)."""
         far = (wanted[:, :3, 3] - poses[:, :3, 3]) @ self._place.T
         R, goal, rotation = poses[:, :3, :3], wanted[:, :3, :3], self.arm.task.rotation
         turn = np.zeros((len(poses), 0))
@@ -128,7 +128,7 @@ class ScaledTask:
         return np.concatenate([far, turn], axis=1)
 
     def jacobians(self, q: Floats, poses: Floats) -> Floats:
-        """Return the scaled task Jacobians (k, m, n) of configurations (k, n) with their tool poses (k, 4, 4)."""
+        """Return the scaled task Jacobians (k, m, n) at configurations (k, n) with tool poses (k, 4, 4)."""
         whole = np.asarray(self.arm.jacobian(q), dtype=np.float64)
         rows: Floats = self._rows[None]
         if self._follows_tool:
@@ -137,13 +137,13 @@ class ScaledTask:
         return self.scaled(np.asarray(rows @ whole))
 
     def kinds(self, components: Floats) -> tuple[Floats, Floats]:
-        """Return how long the parts in metres and in radians of task vectors (..., m) are, (...) each."""
+        """Return the norms of the parts in metres and in radians of task vectors (..., m), shape (...) each."""
         place, turn = components[..., : self._places], components[..., self._places :]
         return np.linalg.norm(place, axis=-1), np.linalg.norm(turn, axis=-1)
 
 
 def turn_vector(R: Floats) -> Floats:
-    """Return theta r (3,) of one rotation (3, 3), theta in [0, pi]."""
+    """Return theta r (3,), angle times axis, of one rotation (3, 3), with theta in [0, pi]."""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R.tolist()
     x, y, z = zy - yz, xz - zx, yx - xy
     sine, cosine = 0.5 * math.sqrt(x * x + y * y + z * z), 0.5 * (xx + yy + zz - 1.0)

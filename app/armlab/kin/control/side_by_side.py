@@ -1,4 +1,4 @@
-"""What several inverses of the differential kinematics make of the same velocity of the tool, side by side."""
+"""Several inverses of the differential kinematics, compared for the same velocity of the tool."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ METHODS = ("transpose", "inverse", "pinv", "dls_constant", "dls_variable")
 """Keys of the methods that are compared unless others are asked for."""
 
 STILL = 1e-12
-"""A velocity reached below this part of the wanted one has no direction."""
+"""Fraction of the wanted velocity: a reached velocity below it has no direction."""
 
 
 class Compared(NamedTuple):
-    """One method's answer and what it makes the tool do. All numbers are of scaled components.
+    """Joint speeds of one method and the velocity of the tool they give, in scaled components.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ def side_by_side(
     options: Mapping[str, Mapping[str, Any]] | None = None,
     methods: Sequence[str] = METHODS,
 ) -> tuple[Compared, ...]:
-    """Return what each method answers to a velocity of the tool.
+    """Return the joint speeds of each method for a velocity of the tool.
 
     Parameters
     ----------

@@ -15,41 +15,41 @@ from armlab.kin.control.scaled_task import ScaledTask
 Floats = NDArray[np.float64]
 
 SINGULAR = 1e-9
-"""Inverse condition at and below which a configuration that was looked for has been found."""
+"""Inverse condition at or below which a singular configuration counts as found."""
 
 STEPS = 12
-"""Of Newton's method on one singular value; it doubles its digits with each."""
+"""Largest number of steps of Newton's method on one singular value; each step doubles the correct digits."""
 
 TRUSTED, HALVES = 2, 0.5
-"""After so many steps every step has to make the singular value at least so small, else there is no zero: one that is
-touched makes it a quarter."""
+"""Number of steps after which each further step must bring the singular value down to at most this fraction, else there
+is no zero: at a zero that is only touched a step leaves a quarter."""
 
 NEAR_ENOUGH = 0.05
 """Inverse condition at a sampled minimum from which Newton's method is tried."""
 
 SAMPLES = 49
 DIFFERENCE = 1e-5
-"""Radians, or length scales: of central differences of the Jacobian."""
+"""Step of the central differences of the Jacobian, radians or length scales."""
 
 FAR = 0.6
-"""Radians, or length scales: a singular configuration farther away is not near."""
+"""Distance, radians or length scales, beyond which a singular configuration is not near."""
 
 BESIDE, PARTS, POINTS = 13, 12, 6
-"""Samples of one joint from -FAR to FAR about where it is; into how many parts the way from one to the next is divided,
-half a degree each; and of how many samples the polynomial is that gives the values between."""
+"""Samples of one joint from -FAR to FAR about its present value; parts into which the interval between two samples is
+divided, half a degree each; and samples per interpolating polynomial."""
 
 NEWTON = 2.0 * FAR / (BESIDE - 1) / PARTS
-"""Radians, or length scales, by which Newton's method corrects a start at most."""
+"""Largest correction of a start by Newton's method, radians or length scales."""
 
 FALLS = 0.5
-"""There may be a zero where a size is below this part of one of the next two: beside a zero it is a third at most, but
-for bends, and at the bottom of what stays above zero it is almost one."""
+"""Ratio of a size to one of the next two below which there may be a zero between: beside a zero the ratio is at most
+about a third, beside a minimum above zero almost one."""
 
 ROUNDING = 1e-12
-"""Of the largest size along a joint: what is smaller is zero."""
+"""Size, relative to the largest along a joint, below which a value counts as zero."""
 
 TRIED = 2.0 * FAR
-"""How far Newton's method may look: where the singular value bends, its first step is too long."""
+"""Largest distance Newton's method may go: where the singular value curves, its first step is too long."""
 
 
 class SingularPose(NamedTuple):
@@ -60,7 +60,7 @@ class SingularPose(NamedTuple):
     q : ndarray, shape (n,)
         rad or m.
     place : int
-        Of the joint in q, from 0: the only one that differs from where it was looked for.
+        Index, from 0, of the only joint in which q differs from the configuration where the search began.
     away : float
         Its value there minus its value before, rad or m.
     """
@@ -71,12 +71,13 @@ class SingularPose(NamedTuple):
 
 
 def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None:
-    """Return the singular configuration that the least motion of one joint leads to; None where none is found near.
+    """Return the nearest singular configuration that one joint reaches; None when none is found near.
 
     The determinant of the task Jacobian (of J J^T where it is not square) is sampled along each joint. From where it
     seems to be zero, the nearest first, Newton's method goes on with the smallest singular value, whose derivative is
-    u^T (dJ/dq_k) v. Distances are angles; one metre of a sliding joint counts as its share of the length scale. What is
-    found lies inside the limits of the joint. Two that are nearer than half a degree to each other may be found as one.
+    u^T (dJ/dq_k) v. Distances are angles; one metre of a sliding joint counts as its share of the length scale. The
+    configurations lie inside the limits of the joint. Two that are nearer than half a degree to each other may be found
+    as one.
 
     Parameters
     ----------
@@ -105,7 +106,7 @@ def nearest_singular_pose(task: ScaledTask, q: ArrayLike) -> SingularPose | None
 
 
 def _starts(task: ScaledTask, q: Floats) -> list[tuple[float, int, float]]:
-    """Return where Newton's method may find a zero near q: how far it is, the joint, and its value there.
+    """Return starts of Newton's method for a zero near q: distance, joint, and its value there.
 
     The nearest first.
     """
@@ -119,7 +120,7 @@ def _starts(task: ScaledTask, q: Floats) -> list[tuple[float, int, float]]:
 
 
 def _volumes(task: ScaledTask, q: Floats) -> Floats:
-    """Return in configurations (k, n) what is smooth and zero at singularities alone, shape (k,).
+    """Return a smooth function of configurations (k, n) that is zero only at singularities, shape (k,).
 
     The determinant of the scaled task Jacobian, or of J J^T or J^T J where it is not square.
     """
@@ -133,7 +134,7 @@ def _volumes(task: ScaledTask, q: Floats) -> Floats:
 
 @cache
 def _between() -> Floats:
-    """Return what takes BESIDE samples to values also between them, by polynomials of the POINTS that are nearest."""
+    """Return the matrix from BESIDE samples to values also between them, by polynomials through the nearest POINTS."""
     at = np.linspace(0.0, BESIDE - 1.0, (BESIDE - 1) * PARTS + 1)
     first = np.clip(np.floor(at).astype(int) - POINTS // 2 + 1, 0, BESIDE - POINTS)
     weights = np.zeros((len(at), BESIDE))
@@ -144,7 +145,7 @@ def _between() -> Floats:
 
 
 def _zeros(volumes: Floats) -> list[tuple[int, float]]:
-    """Return where values (n, s) cross zero or touch it: the row, and the part of the way from its start to its end."""
+    """Return the zeros of values (n, s), crossed or touched, as (row, fraction of the way from start to end)."""
     sizes, cells = np.abs(volumes), volumes.shape[1] - 1
     signed = np.where(sizes <= ROUNDING * sizes.max(axis=1, keepdims=True), 0.0, volumes)
     crossed = np.pad(signed[:, :-1] * signed[:, 1:] < 0.0, ((0, 0), (1, 1)))
@@ -189,7 +190,7 @@ def singular_poses(task: ScaledTask, q: ArrayLike) -> tuple[SingularPose, ...]:
 
 
 def _along(task: ScaledTask, q: Floats, k: int) -> SingularPose | None:
-    """Return where joint k meets a singularity near q, inside its limits; None where it does not."""
+    """Return the singular configuration near q that joint k alone reaches inside its limits; None without one."""
     low, high = task.arm.limits[k]
     at, last = q.copy(), np.inf
     for step in range(STEPS):
@@ -214,7 +215,7 @@ def _along(task: ScaledTask, q: Floats, k: int) -> SingularPose | None:
 
 
 def _slope(task: ScaledTask, q: Floats, k: int, U: Floats, V: Floats) -> float:
-    """Return the derivative of the smallest singular value by the scaled value of joint k."""
+    """Return the derivative of the smallest singular value with respect to the scaled value of joint k."""
     step = DIFFERENCE * float(task.joint_units[k])
     ahead, behind = (task.scaled(task.jacobian(_with(q, k, float(q[k]) + side * step))) for side in (1.0, -1.0))
     return float(U @ (ahead - behind) @ V) / (2.0 * DIFFERENCE)

@@ -96,12 +96,12 @@ class VelocityLoop:
 
     @property
     def cutoff(self) -> float:
-        """K/M in rad/s: there the gain has fallen to 1/sqrt(2) and the phase is -45 degrees."""
+        """Cut-off frequency K/M in rad/s: there the gain is 1/sqrt(2) and the phase -45 degrees."""
         return self.gain / self.mass
 
     @property
     def time_constant(self) -> float:
-        """M/K in seconds: after it 1 - 1/e = 63 % of a step are done."""
+        """Time constant M/K in seconds, after which 1 - 1/e = 63 % of a step is done."""
         return self.mass / self.gain
 
     def plant(self, s: complex) -> complex:
@@ -118,11 +118,11 @@ class VelocityLoop:
         return 1.0 / below
 
     def closed_gain(self, omega: ArrayLike) -> Array:
-        """Return |W(j omega)|: amplitude of v over amplitude of v_d, of a sine that has lasted; omega in rad/s."""
+        """Return |W(j omega)|, the amplitude of v over that of v_d for a sine in steady state; omega in rad/s."""
         return np.asarray(1.0 / np.hypot(1.0, self._ratio(omega)))
 
     def phase(self, omega: ArrayLike) -> Array:
-        """Return the phase of W(j omega) in radians: v lags behind v_d by its negative over omega, in seconds."""
+        """Return the phase of W(j omega) in radians; v lags behind v_d by -phase/omega seconds."""
         return np.asarray(-np.arctan(self._ratio(omega)))
 
     def error_gain(self, omega: ArrayLike) -> Array:
@@ -150,7 +150,7 @@ class VelocityLoop:
         return np.asarray(self.gain * self.error(t, reference, v0))
 
     def position(self, t: ArrayLike, reference: SpeedReference, v0: float = 0.0) -> Array:
-        """Return the way x(t) - x(0) in metres; see `velocity`.
+        """Return the displacement x(t) - x(0) in metres; see `velocity`.
 
         Since M (v - v0) is the integral of F, it is that of v_d less M/K (v - v0).
         """
@@ -163,13 +163,13 @@ class VelocityLoop:
         return np.asarray(wished - self.time_constant * (self.velocity(times, reference, v0) - v0))
 
     def steady_error(self, reference: SpeedReference) -> float:
-        """Return the amplitude in m/s of v_d - v that stays when the start is forgotten; 0 for a step."""
+        """Return the amplitude in m/s of v_d - v in steady state; 0 for a step."""
         if reference.kind == "step":
             return 0.0
         return float(abs(reference.amplitude) * self.error_gain(reference.omega))
 
     def _lasting(self, times: Array, reference: SpeedReference) -> Array:
-        """Return v when the start is forgotten: the step itself, or amplitude |W| sin(omega t + phase)."""
+        """Return v in steady state: the step itself, or amplitude |W| sin(omega t + phase)."""
         if reference.kind == "step":
             return reference.at(times)
         omega = reference.omega

@@ -1,1 +1,1 @@
-"""Scalar expressions of an arm, and the three ways to use them: scalar code, array tape, printed formula."""
+"""Scalar expressions of an arm and their three uses: scalar code, code for arrays, and printed formulas."""

@@ -12,11 +12,11 @@ from armlab.kin.graph.expression import Graph, Number
 from armlab.kin.graph.walker import ORIGIN, Frame, Walker, exact
 
 Constant = Callable[[str, float], Number]
-"""How a named constant of the table, such as ``("a2", 0.4318)``, enters a formula: as a number or as a symbol."""
+"""A function of name and value of a constant of the table, such as ``("a2", 0.4318)``, to a number or a symbol."""
 
 
 def as_number(_name: str, value: float) -> Number:
-    """Let constants be numbers, which fold."""
+    """Return the value of a constant as a number, so that products and sums with it are computed at once."""
     return exact(value)
 
 
@@ -76,13 +76,13 @@ class Chain:
         return found
 
     def axes(self, start: Frame = ORIGIN) -> tuple[list[Frame], Walker]:
-        """Return for each joint a frame on its axis with z along it, and the walker at the end of the chain."""
+        """Return for each joint a frame with z along its axis, and the walker at the end of the chain."""
         walker = Walker.at(start)
         self.link(walker, 0)
         return self._axes_from(walker, 0), walker
 
     def axes_seen_from(self, k: int) -> tuple[list[Frame], Walker]:
-        """Return the same in the axes joint k has before it moves, where joint 0 drops out of all formulas."""
+        """Return `axes` as seen from the axes of joint k before it moves; the first joint drops out of all formulas."""
         forward, backward = Walker(), Walker()
         found = self._axes_from(forward, k)
         for i in reversed(range(k)):

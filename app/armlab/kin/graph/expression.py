@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 Node = tuple[Any, ...]
-"""Operation first, then node indices, then at most one constant (see `OPERATIONS`)."""
+"""An operation, then node indices, then at most one constant (see `OPERATIONS`)."""
 
 OPERATIONS: dict[str, int] = {
     "variable": 0,  # ("variable", index)
@@ -33,11 +33,11 @@ OPERATIONS: dict[str, int] = {
     "sqrt": 1,
     "abs": 1,
 }
-"""How many of a node's arguments are other nodes."""
+"""Operations, each with how many of its arguments are nodes."""
 
 
 def operands(node: Node) -> tuple[int, ...]:
-    """Return the indices of the nodes this node is computed from."""
+    """Return the indices of the nodes from which this node is computed."""
     return node[1 : 1 + OPERATIONS[node[0]]]
 
 
@@ -49,7 +49,7 @@ class Graph:
         self._index: dict[Node, int] = {}
 
     def node(self, *parts: int | float | str) -> int:
-        """Return the index of a node, making it when it is new."""
+        """Return the index of a node, which is made if it is new."""
         key: Node = parts
         index = self._index.get(key)
         if index is None:
@@ -62,7 +62,7 @@ class Graph:
         return Expression(self, 1, self.node("variable", index))
 
     def parameter(self, name: str) -> Expression:
-        """Return a named constant: only for formulas that are printed."""
+        """Return a named constant, for formulas that are printed."""
         return Expression(self, 1, self.node("parameter", name))
 
 
@@ -78,7 +78,7 @@ class Expression:
         return Expression(self.graph, sign, self.graph.node(*parts))
 
     def same_as(self, other: Number) -> bool:
-        """Return whether both are the same signed node: identity, not a comparison of values."""
+        """Return whether both are the same node with the same sign; values are not compared."""
         return isinstance(other, Expression) and (self.sign, self.node) == (other.sign, other.node)
 
     def __neg__(self) -> Expression:
@@ -132,18 +132,18 @@ class Expression:
 
 
 Number = float | Expression
-"""A constant, which folds, or an expression."""
+"""A float, with which operations are computed at once, or an expression."""
 
 
 def sin(x: Number) -> Number:
-    """Return the sine; the sign of the argument comes out."""
+    """Return the sine; a minus sign of the argument is moved in front."""
     if not isinstance(x, Expression):
         return math.sin(x)
     return Expression(x.graph, x.sign, x.graph.node("sin", x.node))
 
 
 def cos(x: Number) -> Number:
-    """Return the cosine; the sign of the argument drops."""
+    """Return the cosine; a minus sign of the argument is dropped."""
     if not isinstance(x, Expression):
         return math.cos(x)
     return Expression(x.graph, 1, x.graph.node("cos", x.node))
@@ -165,7 +165,7 @@ def square_root(x: Number) -> Number:
 
 
 def live_nodes(graph: Graph, outputs: Iterable[Number]) -> list[int]:
-    """Return the nodes the outputs need, in an order of computation with short live ranges (depth first)."""
+    """Return the nodes that the outputs need, depth first, so that each value is needed for a short time only."""
     order: list[int] = []
     seen: set[int] = set()
     for output in outputs:
@@ -187,13 +187,13 @@ def _visit(graph: Graph, root: int, seen: set[int], order: list[int]) -> None:
 
 
 def cost(graph: Graph, outputs: Iterable[Number]) -> float:
-    """Return a measure of the work: one for an operation, eight for a sine or cosine."""
+    """Return a measure of the work: 1 for an operation, 8 for a sine or cosine."""
     work = {"variable": 0.0, "parameter": 0.0, "sin": 8.0, "cos": 8.0}
     return sum(work.get(graph.nodes[i][0], 1.0) for i in live_nodes(graph, outputs))
 
 
 def cheapest(builders: Iterable[Callable[[Graph], list[Number]]]) -> tuple[Graph, list[Number]]:
-    """Build each variant of the same formulas in a graph of its own and return the one with the least work."""
+    """Return the variant with the least work among builders of the same formulas, each run in a graph of its own."""
     variants = []
     for build in builders:
         graph = Graph()

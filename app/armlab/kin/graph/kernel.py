@@ -1,4 +1,4 @@
-"""A set of formulas, compiled on first use as scalar Python or as an array tape."""
+"""A set of formulas, compiled at first use as scalar Python or as code for arrays."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Kernel:
     ----------
     graph : Graph
     outputs : sequence of Number
-        What to compute.
+        The expressions that are computed.
     inputs : int
         Number of variables.
     """
@@ -35,11 +35,11 @@ class Kernel:
         return compile_scalar(self.graph, self.outputs, self.inputs)
 
     def __getstate__(self) -> dict[str, object]:
-        """Leave out what is compiled: functions made here are unknown elsewhere."""
+        """Leave out compiled functions, which cannot be pickled."""
         return {name: value for name, value in vars(self).items() if name != "scalar"} | {"_tapes": {}}
 
     def batch(self, x: NDArray[np.floating], out: NDArray[np.floating]) -> None:
-        """Evaluate rows: ``x`` (N, inputs) to ``out`` (N, outputs), in the precision of ``out``."""
+        """Evaluate rows ``x`` (N, inputs) into ``out`` (N, outputs), in the precision of ``out``."""
         tape = self._tapes.get(out.dtype)
         if tape is None:
             tape = self._tapes[out.dtype] = Tape(self.graph, self.outputs, self.inputs, out.dtype)

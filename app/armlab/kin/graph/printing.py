@@ -1,4 +1,4 @@
-"""Print formulas for people: as text that Python can evaluate, or as LaTeX with the short forms of the books."""
+"""Formulas printed for people: as text that Python can evaluate, or as LaTeX with the short forms of the books."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _SUM, _PRODUCT, _ATOM = 0, 1, 2
 
 @dataclass(frozen=True)
 class _Text:
-    """A printed node: its terms or factors, and how tightly it binds."""
+    """A printed node: its terms or factors, and the precedence of its operator."""
 
     parts: tuple[tuple[int, str], ...]  # of a sum: (sign, term); of a product: (rank, factor)
     binding: int
@@ -83,7 +83,7 @@ class Printer:
         return factors
 
     def _rank(self, node: Node) -> int:
-        """Order of factors: numbers, lengths, functions, sums."""
+        """Return the place of a factor in a product: numbers, lengths, functions, sums."""
         return {"parameter": 1, "variable": 2}.get(node[0], 3)
 
     def _product(self, printed: _Text) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 from armlab.kin.graph.expression import Expression, Graph, Node, Number, live_nodes, operands
 
 MAX_INLINE = 160
-"""Longest sub-expression written in place; CPython's parser limits the nesting of parentheses."""
+"""Longest sub-expression, in characters, written in place; CPython's parser limits the nesting of parentheses."""
 
 _INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 _BUILTINS = {"sin": math.sin, "cos": math.cos, "tan": math.tan, "sqrt": math.sqrt, "abs": abs}

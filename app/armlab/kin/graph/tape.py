@@ -1,7 +1,8 @@
 """Run formulas for many configurations: a tape of in-place NumPy ufuncs on columns that stay in the cache.
 
 Work goes through the batch in chunks; each node of the graph is one ufunc call on a whole chunk, its result lies in a
-register (a row of a small scratch array) that is reused as soon as nobody needs it. Nothing else is allocated.
+register (a row of a small scratch array) that is reused as soon as nobody needs it. The memory of that array is kept
+for the next call: the system takes longer to hand out fresh pages than a short batch takes to compute.
 
 In double precision NumPy's tangent is vectorised on common processors and its sine and cosine are not, so both come
 from one tangent of the half angle: t = tan(x/2), r = 2 / (1 + t t), sin x = t r, cos x = r - 1. The absolute error
@@ -19,9 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.graph.expression import Expression, Graph, Node, Number, absolute, live_nodes, operands, square_root
+from armlab.kin.graph.scratch import KEPT
 
 CHUNK = 4096
-"""Configurations at a time: with some thirty registers of doubles this fills about 1 MiB, the second-level cache."""
+"""Configurations in one chunk: with some thirty registers of doubles they fill about 1 MiB, the second-level cache."""
 
 _UFUNCS: dict[str, np.ufunc] = {
     "add": np.add,
@@ -41,25 +43,22 @@ _UFUNCS: dict[str, np.ufunc] = {
 
 
 PAD = 8
-"""Doubles between the rows of the scratch array: rows a power of two apart would all meet in the same few sets of the
-cache, and turning columns into rows would take four times as long."""
-
-LARGE = 4 << 20
-"""Bytes from which on NumPy asks the system for large pages, whose addresses are translated faster."""
+"""Padding, in doubles, of the rows of the scratch array: rows a power of two apart would share a few sets of the cache,
+and transposing would take four times as long."""
 
 FILLED = 3 << 20
-"""Bytes of scratch memory that a chunk fills at most: many columns take fewer configurations at a time."""
+"""Largest scratch memory of a chunk, in bytes: with many columns fewer configurations are evaluated at a time."""
 
 
 class Place(NamedTuple):
-    """Where a value lies: an input column, a register, an output column, or a constant."""
+    """The place of a value: an input column, a register, an output column, or a constant."""
 
     where: str
     at: float
 
 
 class Step(NamedTuple):
-    """One ufunc call."""
+    """One call of a NumPy ufunc."""
 
     ufunc: Callable[..., object]
     sources: tuple[Place, ...]
@@ -67,7 +66,7 @@ class Step(NamedTuple):
 
 
 def half_angle(graph: Graph, outputs: Sequence[Number]) -> tuple[Graph, list[Number]]:
-    """Return the same formulas in a new graph with sine and cosine written by the tangent of the half angle."""
+    """Return the same formulas in a new graph, with sine and cosine expressed by the tangent of the half angle."""
     new = Graph()
     moved: dict[int, Number] = {}
     build: dict[str, Callable[..., Number]] = {
@@ -107,7 +106,7 @@ def _reciprocal(angle: Expression) -> Number:
 
 @dataclass
 class _Registers:
-    """Hands out scratch rows and takes them back."""
+    """Free rows of the scratch array: they are taken and given back."""
 
     count: int = 0
 
@@ -122,20 +121,21 @@ class _Registers:
 
 
 class Tape:
-    """Formulas compiled for arrays of one precision."""
+    """Formulas compiled for arrays of one precision: a list of NumPy calls."""
 
     def __init__(self, graph: Graph, outputs: Sequence[Number], inputs: int, dtype: np.dtype[np.floating]) -> None:
         if dtype == np.float64:
             graph, outputs = half_angle(graph, outputs)
         self.dtype = dtype
-        self.constants = [(k, float(o)) for k, o in enumerate(outputs) if not isinstance(o, Expression)]
+        constants = {k: float(o) for k, o in enumerate(outputs) if not isinstance(o, Expression)}
+        self.constants = np.array(list(constants), dtype=np.intp), np.array(list(constants.values()), dtype)
         self.inputs, self.width = inputs, len(outputs)
         self.steps: list[Step] = []
         self.registers = self._schedule(*_signs_turned(graph, outputs))
         self.literals, self._evaluate = self._compiled()
 
     def _schedule(self, nodes: Sequence[Node], order: Sequence[int], outputs: Sequence[Number]) -> int:
-        """Fill the tape; return how many registers it needs (linear scan over last uses)."""
+        """Fill the tape and return how many registers it needs, by a scan over the last uses of values."""
         last_use = {i: at for at, index in enumerate(order) for i in operands(nodes[index])}
         wanted: dict[int, list[tuple[int, int]]] = {}
         for k, output in enumerate(outputs):
@@ -160,30 +160,35 @@ class Tape:
         return pool.count
 
     def _deliver(self, source: Place, wanted: Sequence[tuple[int, int]]) -> None:
-        """Copy a value to the further outputs that want it, with their signs."""
+        """Copy a value, with their signs, to the further outputs that need it."""
         for k, sign in wanted:
             if source != Place("output", k):
                 self.steps.append(Step(_copy if sign > 0 else np.negative, (source,), Place("output", k)))
 
     def run(self, x: NDArray[np.floating], out: NDArray[np.floating]) -> None:
-        """Evaluate ``x`` (N, inputs) into ``out`` (N, outputs); a row of x that is not finite gives nan."""
+        """Evaluate ``x`` (N, inputs) into ``out`` (N, outputs); rows of x that are not finite give nan."""
         total, first, count = len(x), len(self.literals), self.inputs
         columns = first + count + self.registers + self.width
         size = min(CHUNK, FILLED // (columns * self.dtype.itemsize), max(total, 1))
-        scratch = _scratch((columns, size + PAD), self.dtype)
+        filled = columns * (size + PAD) * self.dtype.itemsize
+        memory = KEPT.take(filled)
+        scratch = memory[:filled].view(self.dtype).reshape(columns, size + PAD)
         inputs, outputs = scratch[first : first + count], scratch[first + count + self.registers :]
         scratch[:first] = self.literals[:, None]
-        for k, value in self.constants:
-            outputs[k] = value
+        places, values = self.constants
+        outputs[places] = values[:, None]
         for start in range(0, total, size):
             stop = min(start + size, total)
             used = stop - start
+            if start == 0 or used < size:
+                rows = list(scratch[:, :used])
             inputs[:, :used] = x[start:stop].T
             spoilt = _not_finite(inputs[:, :used])
-            self._evaluate(*scratch[:, :used])
+            self._evaluate(*rows)
             out[start:stop] = outputs[:, :used].T
             if spoilt is not None:
                 out[start:stop][spoilt] = np.nan
+        KEPT.give_back(memory)
 
     def _compiled(self) -> tuple[NDArray[np.floating], Callable[..., None]]:
         """Return the constants, and the steps as a function of the rows of the scratch array.
@@ -206,20 +211,13 @@ class Tape:
         return np.array(list(values), self.dtype), namespace["evaluate"]
 
 
-def _scratch(shape: tuple[int, int], dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
-    """Return an array with anything in it, in large pages where it fills half of one."""
-    size = shape[0] * shape[1]
-    least = LARGE if size * dtype.itemsize >= LARGE // 4 else 0
-    return np.empty(max(size, least // dtype.itemsize), dtype)[:size].reshape(shape)
-
-
 def _copy(source: NDArray[np.floating], target: NDArray[np.floating]) -> None:
-    """Copy, in half the time of `numpy.positive`."""
+    """Copy an array, in half the time of `numpy.positive`."""
     target[...] = source
 
 
 def _not_finite(inputs: NDArray[np.floating]) -> NDArray[np.bool_] | None:
-    """Return which columns are not finite, or None for none, and put zeros there, which raise no warning."""
+    """Return a mask of the columns that are not finite, set to zero to avoid warnings; None when all are finite."""
     with np.errstate(over="ignore", invalid="ignore"):
         if np.isfinite(inputs.sum()):
             return None
@@ -229,7 +227,7 @@ def _not_finite(inputs: NDArray[np.floating]) -> NDArray[np.bool_] | None:
 
 
 def _signs_turned(graph: Graph, outputs: Sequence[Number]) -> tuple[list[Node], list[int], list[Number]]:
-    """Return nodes, their order and outputs, with differences that are only wanted negated written the other way."""
+    """Return nodes, order and outputs; differences that are only needed negated are written the other way round."""
     nodes, order, turned = list(graph.nodes), live_nodes(graph, outputs), list(outputs)
     shared = {i for index in order for i in operands(nodes[index])}
     shared |= {o.node for o in outputs if isinstance(o, Expression) and o.sign > 0}

@@ -15,11 +15,11 @@ from armlab.kin.graph.expression import Number, cos, sin
 from armlab.kin.graph.vector import Vector
 
 SNAP = 1e-12
-"""Cosines and sines of constant angles this close to 0 or ±1 are meant to be exact: tables say 90 degrees."""
+"""Distance of a constant cosine or sine from 0, 1 or -1 below which it is taken as exact: tables say 90 degrees."""
 
 
 class Frame(NamedTuple):
-    """Axes and origin of a frame, in the frame the walk began in."""
+    """Axes and origin of a frame, in the frame in which the walk began."""
 
     x: Vector
     y: Vector
@@ -38,7 +38,7 @@ def exact(value: float) -> float:
 
 @dataclass
 class Walker:
-    """The moving frame: axes ``u, v, w`` before the pending turn ``angle`` about ``w``, and the origin ``p``."""
+    """A moving frame: axes ``u, v, w`` before the pending turn ``angle`` about ``w``, and the origin ``p``."""
 
     u: Vector = ORIGIN.x
     v: Vector = ORIGIN.y
@@ -59,7 +59,7 @@ class Walker:
         return Frame(x, y, self.w, self.p)
 
     def turn_z(self, angle: Number) -> None:
-        """Turn about z. Constants turn the axes at once, so that offsets of 90 degrees stay exact."""
+        """Turn about z. Constant angles turn the axes at once, so that offsets of 90 degrees stay exact."""
         if isinstance(angle, float):
             c, s = exact(math.cos(angle)), exact(math.sin(angle))
             self.u, self.v = vec.combine(c, self.u, s, self.v), vec.combine(c, self.v, -s, self.u)
@@ -88,7 +88,7 @@ class Walker:
         self.v, self.w = vec.combine(c, y, s, z), vec.combine(c, z, -s, y)
 
     def place(self, matrix: list[list[float]]) -> None:
-        """Multiply by a constant 4 x 4 pose from the right."""
+        """Multiply by a constant 4 x 4 pose on the right."""
         x, y, z, p = self.frame()
         rotation = [[exact(value) for value in row[:3]] for row in matrix[:3]]
         columns = [_in_axes((x, y, z), [row[j] for row in rotation]) for j in range(3)]

@@ -1,4 +1,4 @@
-"""From a configuration where descents creep to a solution along the valley it is in.
+"""The search along a valley, from a configuration where descents creep to a solution.
 
 An arm with joints to spare that is stretched lies in a valley: the joints move far, as two turns about one line against
 each other, and the error hardly changes. A descent goes down into the valley and creeps along its bottom, in steps that
@@ -23,26 +23,26 @@ from armlab.kin.transforms import inverse
 Vector = NDArray[np.float64]
 
 WEAK = 3e-2
-"""Of the largest singular value: directions in which the tool hardly moves."""
+"""Singular value, relative to the largest, below which the tool hardly moves along a direction."""
 
 FAR, POINTS = 3.0, 24
-"""Radians, or length scales, to which starts go both ways, and how many there are in each direction."""
+"""Distance, radians or length scales, to which starts go either way, and number of starts in each direction."""
 
 SAMPLES, OTHERS, CREPT, APART = 64, 4, 1e-2, 0.5
-"""Samples from which other valleys are looked for, and how many of these at most; the scaled error of a descent in one,
-and how far apart they are in radians, or length scales."""
+"""Samples from which other valleys are looked for, and the most of these that are used; the scaled error of a descent
+that ended in one, and their least distance, radians or length scales."""
 
 BEST = 8
-"""Descents that go on."""
+"""Number of descents that are continued."""
 
 STEPS = (15, 60)
-"""Of all descents, and of the best."""
+"""Steps of all descents, and of the best."""
 
 DAMPING, FLOOR, LONGEST = 1e-3, 1e-14, 1.0
-"""Of damped least squares: times the squared error, and at least; and the largest change of a joint in a step."""
+"""Damping of least squares as a factor of the squared error, its smallest value, and the largest change of a joint."""
 
 NEAR = 1e-5
-"""Scaled error of a descent that is worth polishing."""
+"""Scaled error below which a descent is worth polishing."""
 
 
 def solutions_along(arm: Arm, q: Vector, T: Vector) -> Iterator[Vector]:
@@ -52,7 +52,7 @@ def solutions_along(arm: Arm, q: Vector, T: Vector) -> Iterator[Vector]:
     ----------
     arm : Arm
     q : ndarray, shape (n,)
-        Where it crept, near a target T (4, 4) in the world.
+        Configuration in which it crept, near a target T (4, 4) in the world.
     T : ndarray, shape (4, 4)
     """
     G, target = np.asarray(inverse(arm.base) @ T, dtype=np.float64), task_error_of(arm).target(T)
@@ -61,7 +61,7 @@ def solutions_along(arm: Arm, q: Vector, T: Vector) -> Iterator[Vector]:
 
 
 def _others(arm: Arm, q: Vector, G: Vector, target: list[float]) -> Iterator[Vector]:
-    """Yield where other descents crept, from samples near the target, in valleys of their own."""
+    """Yield end points of descents in other valleys, begun at samples near the target."""
     some, sizes = _descended(arm, samples_of(arm, 0).near(target, SAMPLES), G, STEPS[0])
     known = [q]
     for k in np.argsort(sizes, kind="stable"):
@@ -71,7 +71,7 @@ def _others(arm: Arm, q: Vector, G: Vector, target: list[float]) -> Iterator[Vec
 
 
 def _along(arm: Arm, q: Vector, G: Vector, target: list[float]) -> Iterator[Vector]:
-    """Yield what descents from starts along the valley through a configuration find."""
+    """Yield the ends of descents begun along the valley through a configuration."""
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
     J = many_at_once(arm).linearised(q[None], G)[0][0]
     _, values, ways = np.linalg.svd(J)
@@ -90,7 +90,7 @@ def _along(arm: Arm, q: Vector, G: Vector, target: list[float]) -> Iterator[Vect
 
 
 def _descended(arm: Arm, q: Vector, G: Vector, steps: int) -> tuple[Vector, Vector]:
-    """Return where damped steps inside the limits lead from (k, n), and the scaled errors there, shape (k,)."""
+    """Return the ends of damped steps inside the limits from (k, n), and the scaled errors there, shape (k,)."""
     many, scales, (low, high) = many_at_once(arm), np.where(arm.revolute, 1.0, arm.length_scale), arm.limits.T
     q = np.clip(q, low, high)
     for _ in range(steps):
@@ -99,7 +99,7 @@ def _descended(arm: Arm, q: Vector, G: Vector, steps: int) -> tuple[Vector, Vect
         step = damped_steps(J, e, damping)
         stopped = ((q <= low) & (step < 0.0)) | ((q >= high) & (step > 0.0))
         if stopped.any():
-            # What pushes against a limit stays there, and the others make up for it.
+            # Joints that push against a limit stay there, and the others compensate.
             step = damped_steps(np.where(stopped[:, None], 0.0, J), e, damping)
         q = np.clip(q + np.clip(step, -LONGEST, LONGEST) * scales, low, high)
     e = many.linearised(q, G)[1]

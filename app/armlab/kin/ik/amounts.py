@@ -1,11 +1,11 @@
-"""How far a configuration is from a target, in the units in which that is a readable number."""
+"""The distance of a configuration from a target, as text in units in which the number is readable."""
 
 from __future__ import annotations
 
 import math
 
 LEAST_M, LEAST_RAD = 5e-12, 5e-12
-"""Less is rounding, and not said."""
+"""Errors, in metres and radians, up to which nothing is said: they are rounding."""
 
 
 def missed_in_words(position: float, rotation: float) -> str:

@@ -1,4 +1,4 @@
-"""What every way of finding all solutions hands on: verified configurations and what is known about them."""
+"""The common result of the solvers that find all solutions: verified configurations and what is known of them."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from armlab.kin.transforms import inverse
 Vector = NDArray[np.float64]
 
 SURFACE = 16
-"""Configurations that stand for a family of more than one dimension."""
+"""Number of configurations that represent a family of more than one dimension."""
 
 NEAR = 1e-2
 """Scaled error below which a candidate that is no solution casts doubt on the others."""
 
 SINGULAR = 1e-4
-"""Of the largest singular value of a Jacobian: below, a closed form is not believed without a second look."""
+"""Singular value of a Jacobian, relative to the largest, below which a closed form is checked by other means."""
 
 BEYOND = "The target is farther away than all links in a line."
 
@@ -50,14 +50,14 @@ class Answer:
 
 
 class Verified(NamedTuple):
-    """What became of candidates.
+    """Candidates after verification.
 
     Attributes
     ----------
     rows : list of ndarray, shape (n,)
         Solutions, wrapped, each once, in canonical order.
     loose : int
-        How many of them are not exact, but as near as can be and within what counts as reached.
+        Number of solutions that are not exact, but as near as possible and within what counts as reached.
     missed : tuple of float, or None
         Errors in m and rad of the worst of those; without solutions, of the nearest candidate.
     dropped : bool
@@ -74,7 +74,7 @@ class Verified(NamedTuple):
 
     @property
     def doubtful(self) -> bool:
-        """Whether there may be others, or a family."""
+        """Whether there may be further solutions, or a family."""
         return self.dropped or self.singular
 
 
@@ -96,7 +96,7 @@ def verified(arm: Arm, T: Vector, candidates: Sequence[Vector], held: Mapping[in
 
 
 def verified_rows(arm: Arm, T: Vector, candidates: Sequence[Vector]) -> list[Vector]:
-    """Return only the solutions of `verified`."""
+    """Return only the solutions of `verified`, (n,) each."""
     return verified(arm, T, candidates).rows
 
 
@@ -117,19 +117,19 @@ def _size(errors: Errors) -> float:
 
 
 def in_order(arm: Arm, solutions: Sequence[Vector] | Vector, held: NDArray[np.bool_] | None = None) -> list[Vector]:
-    """Return solutions inside the limits by whole turns, where that can be, in canonical order; held joints as are."""
+    """Return solutions (n,) in canonical order, by whole turns inside the limits if possible; held joints stay."""
     q = np.array(solutions).reshape(-1, arm.n)
     rows = wrapped_rows(arm, q) if held is None else np.where(held, q, wrapped_rows(arm, q))
     return list(rows[sorted_rows(rows)])
 
 
 def held_mask(arm: Arm, held: Mapping[int, float]) -> NDArray[np.bool_]:
-    """Return which joints are held, (n,), from 0-based joints and their values."""
+    """Return a mask (n,) of the held joints, from values by 0-based joint."""
     return np.array([i in held for i in range(arm.n)])
 
 
 def is_beyond(arm: Arm, T: Vector) -> bool:
-    """Return whether the controlled coordinates alone are out of reach; slides are not held to their limits."""
+    """Return whether the controlled coordinates alone are out of reach; sliding joints count without limits."""
     if not bool(arm.revolute.all()) or not arm.task.position:
         return False
     G = inverse(arm.base) @ T

@@ -28,7 +28,7 @@ from armlab.kin.lines import Line, common_normal
 from armlab.kin.transforms import inverse, transform
 
 RIGHT = 1e-9
-"""Cosine between axes below which they are at a right angle."""
+"""Cosine of the angle of two axes below which it counts as a right angle."""
 
 Three = tuple[float, float, float]
 
@@ -68,7 +68,7 @@ class AtOnce:
         return abs(self._upper) > RIGHT * self._scale and abs(self._lower) > RIGHT * self._scale
 
     def solutions(self, T: Vector, near: Sequence[float]) -> Iterator[list[float]]:
-        """Yield candidates q (6) for a pose (4, 4) in frame 0, of two branches the one nearer to ``near`` first."""
+        """Yield candidates q (6) for a pose (4, 4) in frame 0; of two branches, the one nearer to ``near`` first."""
         rows = (self._before @ T @ self._after).tolist()[:3]
         (*x_row, px), (*y_row, py), (*z_row, pz) = rows
         square = px * px + py * py - self._height * self._height
@@ -109,7 +109,7 @@ class AtOnce:
     def _wrist(
         self, x: Sequence[float], y: Sequence[float], z: Sequence[float], near0: float, near1: float
     ) -> Iterator[Three]:
-        """Yield the three angles of a rotation given by its rows, whose columns are those of the hand."""
+        """Yield the three wrist angles of a rotation given by its rows, whose columns are those of the hand."""
         (a, b, c), (d, e, f), (g, h, i) = self._e1, self._e2, self._e3
         k0, k1, k2 = x[2], y[2], z[2]
         along0, along1 = a * k0 + b * k1 + c * k2, d * k0 + e * k1 + f * k2
@@ -132,7 +132,7 @@ def _nearer_first(pair: list[tuple[float, float]], near: float) -> list[tuple[fl
 
 @lru_cache(maxsize=64)
 def at_once(arm: Arm) -> AtOnce | None:
-    """Return the arm's quick solver (arms are compared by identity); None where it has none."""
+    """Return the arm's fast solver (arms are compared by identity); None when it has none."""
     known = closed_form_of(arm)
     if known is None or known[0].key not in ("spherical_wrist", "three_parallel") or "P" in screws_of(arm).kinds:
         return None

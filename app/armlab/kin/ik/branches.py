@@ -26,7 +26,7 @@ Vector = NDArray[np.float64]
 Tell = Callable[["Pose"], str]
 
 BESIDE = 1e-6
-"""Of the length scale, or the sine of an angle: nearer than this to a border an arm is on neither side."""
+"""Distance from a border, in length scales or as the sine of an angle, below which an arm is on neither side."""
 
 
 class Pose:
@@ -42,7 +42,7 @@ class Pose:
         self.fourth = frames[4, :3, 3] if arm.n > 3 else self.tool
 
     def side(self, value: float, words: tuple[str, str, str]) -> str:
-        """Return the first word for a positive length, the second for a negative, the third on the border."""
+        """Return the first word for a positive length, the second for a negative one, the third for zero."""
         least = BESIDE * self.arm.length_scale
         return words[0] if value > least else words[1] if value < -least else words[2]
 
@@ -73,7 +73,7 @@ def branch_names(arm: Arm, q: NDArray[np.floating]) -> tuple[str, ...]:
 
 @lru_cache(maxsize=64)
 def features(arm: Arm) -> tuple[Tell, ...]:
-    """Return what tells the branches of an arm, the shoulder first."""
+    """Return the features that distinguish the branches of an arm, the shoulder first."""
     axes, structure = Axes(arm), known_structure(arm)
     if structure.key in ("planar", "scara", "cylindrical"):
         return _of_plane(axes)
@@ -130,14 +130,14 @@ def _fourth_axis(pose: Pose) -> Vector:
 
 
 def _fifth(pose: Pose) -> Vector:
-    """Return the point where axes 5 and 6 meet: origin of axis 6, or of axis 5 when that is off it."""
+    """Return the point where axes 5 and 6 meet: the origin of axis 6, or of axis 5 when that lies off axis 6."""
     o5, z5, o6, z6 = pose.points[4], pose.directions[4], pose.points[5], pose.directions[5]
     # Perpendicular axes: the foot on axis 5 of the point of axis 6.
     return np.asarray(o5 + ((o6 - o5) @ z5) * z5 if abs(z5 @ z6) < 1e-9 else o6)
 
 
 def _end(arm: Arm, spherical: bool, runs_on: bool) -> Point:
-    """Return where the forearm ends."""
+    """Return the end of the forearm."""
     if spherical:
         return _fourth
     return _fourth_axis if runs_on else _tool
@@ -186,7 +186,7 @@ def _elbow(joints: tuple[int, int], hand: Point, turned: bool) -> Tell:
 
 
 def _slide(slide: int, turn: int, end: Point) -> Tell:
-    """Tell on which side of a turn's axis the end of a slide is."""
+    """Return the feature that says on which side of a revolute axis the end of a slide is."""
 
     def tell(pose: Pose) -> str:
         reach = float((end(pose) - pose.points[turn]) @ pose.directions[slide])

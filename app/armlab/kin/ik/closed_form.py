@@ -1,4 +1,4 @@
-"""What a closed form is: a reason why an arm has one, and all joint values it leads to for a pose."""
+"""Closed forms: the reason why one applies to an arm, and all joint values it gives for a pose."""
 
 from __future__ import annotations
 
@@ -17,21 +17,22 @@ from armlab.plugins import discover
 Vector = NDArray[np.float64]
 
 SAMPLES = 8
-"""Representatives of an angle that may be chosen freely: every 45 degrees."""
+"""Number of representatives of an angle that may be chosen freely: every 45 degrees."""
 
 FREE_ANGLES = tuple((k - SAMPLES // 2 + 1) * 2.0 * np.pi / SAMPLES for k in range(SAMPLES))
 
 
 @dataclass(frozen=True)
 class Found:
-    """What a closed form gives.
+    """The result of a closed form.
 
     Attributes
     ----------
     q : list of ndarray, shape (n,)
-        Candidates; each is verified on the true arm by `armlab.kin.ik.solve_all`. Of a family some representatives.
+        Candidates; each is verified on the true arm by `armlab.kin.ik.solve_all`. A family is given by some
+        representatives.
     families : tuple of str
-        For each family of solutions the sentence why there are infinitely many; empty where all are isolated.
+        For each family of solutions a sentence why there are infinitely many; empty when all are isolated.
     none : str
         Why there is no solution, where there is none and the reason is known.
     sampled : bool
@@ -51,7 +52,7 @@ class DerivationStep:
     Attributes
     ----------
     title : str
-        What is done, in words.
+        Description of the step.
     latex : str
         The formula.
     numbers : mapping of str to tuple of float
@@ -97,13 +98,13 @@ class ClosedForm:
 
 @cache
 def closed_forms() -> dict[str, ClosedForm]:
-    """Return all closed forms by key, the special before the general."""
+    """Return all closed forms by key, special ones before general ones."""
     return discover(_folder, "CLOSED", ClosedForm)
 
 
 @lru_cache(maxsize=64)
 def closed_form_of(arm: Arm) -> tuple[ClosedForm, str] | None:
-    """Return the closed form of an arm and the sentence why it has it; None when it has none that is known here."""
+    """Return the closed form of an arm and the sentence why it applies; None when none is known here."""
     for form in closed_forms().values():
         reason = form.fits(arm)
         if reason is not None:

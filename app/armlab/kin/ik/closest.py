@@ -34,7 +34,7 @@ NONE: Vector = (0.0, 0.0, 0.0)
 
 
 class Closest(TaskError):
-    """Newton steps towards the closest configuration of an arm, damped until they lead downhill."""
+    """Newton steps towards the closest configuration of an arm, damped until they reduce the distance."""
 
     gain = 1e-3
     damped = True
@@ -42,7 +42,7 @@ class Closest(TaskError):
     def linearise(
         self, q: Sequence[float], target: Sequence[float], gain: float, free: Sequence[float] | None
     ) -> Linearised:
-        """Return one step at ``q`` and the errors there."""
+        """Return one step from ``q`` and the errors there."""
         numbers = self._compiled(*q, *target, *([1.0] * self.arm.n if free is None else free), gain)
         return Linearised(numbers[: self._n], self.errors(numbers[self._n :]))
 
@@ -76,7 +76,7 @@ class Closest(TaskError):
 
 
 def _scaled_curvature(arm: Arm, posed: Posed) -> list[list[Number]]:
-    """Return the same as `_curvature` in scaled joint variables, zero for joints that are not free."""
+    """Return `_curvature` in scaled joint variables, with zeros for joints that are not free."""
     curvature = _curvature(arm, posed)
     weights = [free * scale for free, scale in zip(posed.free, posed.scales, strict=True)]
     return [[weights[i] * weights[j] * curvature[i][j] for j in range(arm.n)] for i in range(arm.n)]

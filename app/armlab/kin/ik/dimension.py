@@ -1,4 +1,4 @@
-"""Of how many dimensions the solutions around one are.
+"""The dimension of the set of solutions around a solution.
 
 Where the task Jacobian has full rank they are n - m, by the implicit function theorem. At a singular solution they may
 be more, or fewer than its null space has: an arm may be stretched, and what seems free to the first order is not. There
@@ -18,20 +18,21 @@ from armlab.kin.transforms import inverse
 Vector = NDArray[np.float64]
 
 LOOSE = 1e-4
-"""Singular values of the scaled task Jacobian below this, relative to the largest, may be zero: a singular solution is
-known only to the root of the rounding where roots merge."""
+"""Singular value of the scaled task Jacobian, relative to the largest, below which it may be zero: where roots merge, a
+singular solution is known only to the square root of the rounding."""
 
 AHEAD = 0.05
-"""Length of a step, radians or length scales."""
+"""Length of a step, in radians or length scales."""
 
 MOVED = (0.3, 3.0)
-"""Times that length: how far the solution at its end may be."""
+"""Least and largest distance of the solution at the end of a step, as factors of the length of the step."""
 
 STEPS, NEAR = 40, 1e-10
-"""Newton steps back to the task at most, which halve an error where roots merge, and its scaled error in the end."""
+"""Largest number of Newton steps back to the task (they halve the error where roots merge), and their final scaled
+error."""
 
 FLAT = 0.25
-"""Relative singular values of the ends of the steps below this are curvature."""
+"""Singular value of the end points of the steps, relative to the largest, below which it comes from curvature."""
 
 NEIGHBOURS = 3
 
@@ -47,12 +48,12 @@ def local_dimension(arm: Arm, q: Vector, T: NDArray[np.floating]) -> int:
 
 
 def null_dimension(arm: Arm, q: Vector, T: NDArray[np.floating]) -> int:
-    """Return the dimension of the null space of the task Jacobian at q (n,), which no family of solutions exceeds."""
+    """Return the dimension of the null space of the task Jacobian at q (n,), an upper bound of that of a family."""
     return int(_null_space(arm, q, np.asarray(inverse(arm.base) @ T, dtype=np.float64)).shape[1])
 
 
 def _dimension(arm: Arm, q: Vector, G: Vector) -> tuple[int, Vector]:
-    """Return the number of independent directions in which there are solutions, and these (k, n)."""
+    """Return the number of independent directions in which there are solutions, and solutions there (k, n)."""
     null = _null_space(arm, q, G)
     n, m, d = arm.n, arm.task.m, null.shape[1]
     if d <= n - m:
@@ -77,7 +78,7 @@ def _null_space(arm: Arm, q: Vector, G: Vector) -> Vector:
 
 
 def _back(arm: Arm, q: Vector, G: Vector) -> tuple[Vector, NDArray[np.bool_]]:
-    """Return the solutions that Newton steps lead to from q (k, n), and whether they arrived."""
+    """Return the solutions reached by Newton steps from q (k, n), and whether each arrived."""
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
     for _ in range(STEPS):
         J, e = many_at_once(arm).linearised(q, G)

@@ -1,4 +1,4 @@
-"""Every solution of the inverse kinematics of any arm with six revolute joints."""
+"""All solutions of the inverse kinematics of any arm with six revolute joints."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from armlab.kin.transforms import as_pose
 Completeness = Literal["complete", "infinite", "at least"]
 
 TOLERANCE = REACHED_M
-"""Metres and radians within which a pose is reached. Solutions are polished to rounding; only where two branches would
-merge just beyond the pose, the configuration between them is no better than this."""
+"""Tolerance, in metres and radians, within which a pose is reached. Solutions are polished to rounding; only where two
+branches would merge just beyond the pose, the configuration between them is no better than this."""
 
 STILL = 1e-9
-"""Metres, or units of length of large arms, and radians by which the tool may leave the pose along a family while it is
-said to stand still."""
+"""Largest motion of the tool along a family for which it is said to stand still: metres (units of length for large
+arms) and radians."""
 
 ROUNDING = 1e-14
-"""Of a distance: no configuration comes nearer."""
+"""Rounding error, relative to the distance of the target: no configuration comes nearer."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,23 +42,24 @@ class GeneralSolutions:
     Attributes
     ----------
     q : ndarray, shape (k, 6)
-        In (-pi, pi], sorted by joint 1, then 2 and so on, each rounded to 1e-6. Of families only representatives.
+        Solutions in (-pi, pi], sorted by joint 1, then 2 and so on, each rounded to 1e-6; of families only
+        representatives.
     completeness : str
         ``"complete"``: these are all; ``"infinite"``: there are families of solutions besides the isolated ones;
         ``"at least"``: these are solutions, but not all roots of the equations could be accounted for.
     singular : ndarray of bool, shape (k,)
-        Where the Jacobian is singular: branches merge there, or it is a member of a family.
+        Solutions with a singular Jacobian: branches merge there, or it is a member of a family.
     families : tuple of ndarray, shape (s, 6)
         Points along each curve of solutions, in order; angles go on over half a turn.
     position_error, rotation_error : ndarray, shape (k,)
-        Of the arm's own forward kinematics, in m and rad.
+        Errors of the arm's own forward kinematics, in m and rad.
     reason : str
-        In words how that is known.
+        Sentence on how that is known.
     passes : int
-        How many eliminations it took at the pose itself.
+        Number of eliminations at the pose itself.
     missed : tuple of float, or None
-        By how much the best configuration misses the pose, in m and rad: rounding where there are solutions, the way
-        that is missing where one nearly reaches it, None where nothing came near.
+        Errors of the best configuration, in m and rad: rounding when there are solutions, the remaining distance when
+        one nearly reaches the pose, None when nothing came near.
     """
 
     q: Floats
@@ -152,7 +153,7 @@ def solve_general_batch(
 
 
 def _solved(arm: Arm, checked: list[Floats], tolerance: float, known: Floats) -> list[GeneralSolutions]:
-    """Return the solutions for checked poses, with known ones of all of them."""
+    """Return the solutions for checked poses; ``known`` are solutions of all of them."""
     if not isinstance(tolerance, (int, float)) or not 0.0 < tolerance < np.inf:
         raise wrong("tolerance", "a positive number of metres and radians", tolerance)
     search = search_of(arm)
@@ -174,9 +175,9 @@ def _solved(arm: Arm, checked: list[Floats], tolerance: float, known: Floats) ->
 def _solve(
     arm: Arm, search: Search, T: Floats, hand: Floats, roots: Roots, tolerance: float, known: Floats
 ) -> GeneralSolutions:
-    """Look on until all roots are accounted for; then judge and sort."""
+    """Continue until all roots are accounted for; then verify and sort them."""
     links, passes = search.loop.links, 0 if search.deficient else 1
-    # Of a nearly special arm roots may have come back from infinity: there a second look is taken.
+    # Roots of a nearly special arm may have come back from infinity: a second pass looks for them.
     least = 2 if search.nearly_special else 1
     while 0 < passes < len(PASSES) and (passes < least or not search.is_whole(roots)):
         roots = joined(roots, search.roots(hand[None], passes)[0])
@@ -218,7 +219,7 @@ def _solve(
 
 
 def _missed(position: Floats, rotation: Floats) -> tuple[float, float] | None:
-    """Return by how much the best of some configurations misses, in m and rad; None without any."""
+    """Return the errors in m and rad of the best of some configurations; None when there are none."""
     if not len(position):
         return None
     best = int(np.argmin(position + rotation))
@@ -269,6 +270,6 @@ def _reason(search: Search, completeness: Completeness, isolated: int, folds: in
 
 
 def _number(search: Search) -> str:
-    """Return how many roots an arm has; of nearly special ones some are nearly at infinity, and counted or not."""
+    """Return the number of roots of an arm in words; of nearly special arms some lie near infinity."""
     least = min(number for _, number in search.counts)
     return f"{least}" if least == search.number else f"{least} to {search.number}"

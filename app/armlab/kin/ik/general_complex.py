@@ -1,4 +1,4 @@
-"""Roots of the loop, real and complex: Newton's method on the true arm, and how far each is to be trusted.
+"""Roots of the loop, real and complex: Newton's method on the true arm, and the accuracy of each.
 
 The equations of the loop are analytic in its angles, so Newton's method works for complex angles as it stands. An arm
 has the same number of roots at every pose but special ones, at most 16; what is missing at a special pose has merged
@@ -24,35 +24,35 @@ from armlab.kin.ik.general_polish import errors_and_columns
 STEPS = 9
 
 STILL = 1e-10
-"""Radians: a Newton step below it ends the polishing; what is left is its square, or rounding."""
+"""Step of Newton's method, in radians, below which polishing ends: the remaining error is its square, or rounding."""
 
 FAR, PATIENCE = 0.3, 2
-"""A candidate with an error not below this after so many steps comes from no root."""
+"""Error from which, after this many steps, a candidate belongs to no root; and the number of steps."""
 
 ACCURATE = 1e-8
-"""Error of a root, in radians and units of length."""
+"""Largest error of a root, in radians and units of length."""
 
 OUTERMOST = 12.0
-"""Largest imaginary part of an angle: beyond, sines are larger than 1e5 and their products cancel to nothing."""
+"""Largest imaginary part of an angle: beyond it sines exceed 1e5 and all digits cancel in their products."""
 
 MOST_BLURRED = 11.0
-"""The logarithm of what rounding is taken to grow by at most."""
+"""Largest logarithm of the factor by which rounding is taken to grow."""
 
 LONGEST = 0.7
-"""Radians an angle moves in a step at most."""
+"""Largest change of an angle in one step, radians."""
 
 REGULAR = 3e5
-"""Norm of the inverse Jacobian below which a root is regular: Newton's method then has it to better than 1e-9."""
+"""Norm of the inverse Jacobian below which a root is regular: Newton's method then finds it to better than 1e-9."""
 
 SAME = 1e-7
-"""Radians: regular roots closer than this in all joints are one."""
+"""Distance in all joints, radians, below which two regular roots are one."""
 
 BESIDE = 1.0
-"""Imaginary part of what is nearly real, widely."""
+"""Imaginary part up to which a root counts as nearly real, in a wide sense."""
 
 REAL = 1e-8
-"""Largest imaginary part of a regular root that is real. One that is not has its conjugate at twice this distance,
-which no regular root has."""
+"""Largest imaginary part of a regular real root. A root with a larger one has its conjugate at twice this distance,
+which a regular root never has."""
 
 
 class Roots(NamedTuple):
@@ -70,7 +70,7 @@ class Roots(NamedTuple):
     regular: NDArray[np.bool_]
 
     def counted(self, border: float) -> int:
-        """Return how many regular roots have no imaginary part above a border."""
+        """Return the number of regular roots whose imaginary parts are within a bound."""
         return int((self.regular & (np.abs(self.q.imag).max(axis=1, initial=0.0) <= border)).sum())
 
     @property
@@ -80,7 +80,7 @@ class Roots(NamedTuple):
 
     @property
     def real(self) -> NDArray[np.bool_]:
-        """Which are regular and real, shape (m,)."""
+        """Mask of the roots that are regular and real, shape (m,)."""
         return np.asarray(self.regular & (np.abs(self.q.imag).max(axis=1, initial=0.0) < REAL))
 
 
@@ -88,7 +88,7 @@ NO_ROOTS = Roots(np.empty((0, 6), dtype=np.complex128), np.empty(0, dtype=bool))
 
 
 def newton(links: Floats, q: Complex, hands: Numbers, steps: int = STEPS) -> tuple[Complex, Floats, Floats]:
-    """Return where Newton's method leads, the errors there, and the norms of the inverse Jacobians.
+    """Return the results of Newton's method, the errors there, and the norms of the inverse Jacobians.
 
     Parameters
     ----------
@@ -130,7 +130,7 @@ def newton(links: Floats, q: Complex, hands: Numbers, steps: int = STEPS) -> tup
 
 
 def distinct(q: Complex, sizes: Floats, norms: Floats) -> Roots:
-    """Return polished candidates without repetition, of each the most regular, and their conjugates."""
+    """Return polished candidates and their conjugates without repetitions; the most regular of each is kept."""
     good = np.flatnonzero(sizes < ACCURATE * blurred(q))
     good = good[np.argsort(norms[good], kind="stable")]
     both = np.repeat(q[good], 2, axis=0)
@@ -140,7 +140,7 @@ def distinct(q: Complex, sizes: Floats, norms: Floats) -> Roots:
 
 
 def joined(one: Roots, other: Roots) -> Roots:
-    """Return the roots of both, each once."""
+    """Return the roots of both, without repetitions."""
     q, regular = np.concatenate([one.q, other.q]), np.concatenate([one.regular, other.regular])
     order = np.argsort(~regular, kind="stable")
     kept = order[~np.tril(near(q[order], SAME), -1).any(axis=1)]
@@ -148,19 +148,19 @@ def joined(one: Roots, other: Roots) -> Roots:
 
 
 def near(q: Complex, tolerance: float) -> NDArray[np.bool_]:
-    """Return which rows (m, 6) are the same up to whole turns and a tolerance in radians, shape (m, m)."""
+    """Return which of the rows (m, 6) agree up to whole turns and a tolerance in radians, shape (m, m)."""
     apart = q[:, None] - q
     turned = apart.real - 2.0 * np.pi * np.round(apart.real / (2.0 * np.pi))
     return np.asarray(np.maximum(np.abs(turned), np.abs(apart.imag)).max(axis=2, initial=0.0) < tolerance * blurred(q))
 
 
 def blurred(q: Complex) -> Floats:
-    """Return by how much rounding is larger at complex angles (m, 6) than at real ones: sines grow with exp |Im|."""
+    """Return the factor by which rounding is larger at complex angles (m, 6): sines grow as exp |Im|."""
     return np.asarray(np.exp(np.minimum(2.0 * np.abs(q.imag).max(axis=1, initial=0.0), MOST_BLURRED)))
 
 
 def inverted(columns: Complex) -> Complex:
-    """Return the inverses of Jacobians (m, 6, 6); not numbers where one is exactly singular."""
+    """Return the inverses of Jacobians (m, 6, 6); nan when one is exactly singular."""
     try:
         return np.asarray(np.linalg.inv(columns))
     except np.linalg.LinAlgError:

@@ -5,7 +5,8 @@ the factors is an equally good loop. Isolate joints 1 and 2:
 
     T_2 Rz(t_3) T_3 Rz(t_4) T_4 Rz(t_5) T_5 = Rz(-t_2) T_1^-1 Rz(-t_1) T_6^-1 Rz(-t_6).
 
-Of both sides compare what the turn t_6 leaves alone: the direction l of the z axis and the origin p. The 14 numbers
+On both sides compare the quantities that the turn t_6 leaves alone: the direction l of the z axis and the origin p. The
+14 numbers
 
     p,  l,  p.p,  p.l,  p x l,  e = (p.p) l - 2 (p.l) p
 
@@ -30,23 +31,23 @@ from numpy.typing import NDArray
 from armlab.kin.ik.general_loop import Complex, Floats, Numbers, angle_of, inverses, turns
 
 THIRDS: Floats = 2.0 * np.pi / 3.0 * np.arange(3, dtype=np.float64)
-"""Where functions of degree one in (cos, sin) are sampled; three equal steps make the coefficients well conditioned."""
+"""Angles at which functions linear in (cos, sin) are sampled; equal steps make the coefficients well conditioned."""
 
 SAMPLES = turns(THIRDS)
 SAMPLES_BACK = turns(-THIRDS)
 
 TO_COEFFICIENTS = np.array([np.full(3, 0.5), np.cos(THIRDS), np.sin(THIRDS)]) * (2.0 / 3.0)
-"""From three samples to the coefficients of 1, cos and sin."""
+"""Matrix from three samples to the coefficients of 1, cos and sin."""
 
 TO_TRILINEAR = np.kron(np.kron(TO_COEFFICIENTS, TO_COEFFICIENTS), TO_COEFFICIENTS)
 
 FIXED = 6
-"""So many of the 14 numbers, which come first, are not changed by a turn about z; the others are 4 pairs (x, y)."""
+"""Number of the 14 functions, which come first, that a rotation about z leaves alone; the others are 4 pairs (x, y)."""
 
 
 @dataclass(frozen=True, eq=False)
 class Equations:
-    """Six trilinear equations for each of B loops, and what leads back to joints 1 and 2.
+    """Six trilinear equations for each of B loops, and the data from which joints 1 and 2 follow.
 
     Attributes
     ----------
@@ -68,7 +69,7 @@ class Equations:
 
     @property
     def evenness(self) -> Floats:
-        """How far the eliminated blocks are from losing rank, (B,): 1 at best, 0 where joints 1 and 2 are entangled."""
+        """Regularity of the eliminated blocks, (B,): 1 at best, 0 where joints 1 and 2 cannot be eliminated."""
         return _evenness(self.triangle) * _evenness(self.pairs)
 
 
@@ -92,7 +93,7 @@ def equations(T: Floats) -> Equations:
 
 
 def _evenness(R: Floats) -> Floats:
-    """Return the smallest over the largest diagonal entry of triangles, a cheap measure of how singular they are."""
+    """Return the ratio of smallest to largest diagonal entry of triangles, a cheap measure of how singular they are."""
     sizes = np.abs(np.diagonal(R, axis1=1, axis2=2))
     return np.asarray(sizes.min(axis=1) / np.maximum(sizes.max(axis=1), 1e-300))
 
@@ -149,9 +150,9 @@ def all_angles(T: Floats, found: Equations, owner: NDArray[np.intp], middle: Com
     ----------
     T : ndarray, shape (B, 6, 4, 4)
     found : Equations
-        Of these loops.
+        Equations of these loops.
     owner : ndarray of int, shape (m,)
-        Which loop each row belongs to.
+        Index of the loop to which each row belongs.
     middle : ndarray of complex, shape (m, 3)
 
     Returns
@@ -181,6 +182,6 @@ def all_angles(T: Floats, found: Equations, owner: NDArray[np.intp], middle: Com
 
 
 def _ratio(values: Complex, by: Complex) -> Complex:
-    """Return the factors (m,) that lead from rows (m, 4) to others, by least squares."""
+    """Return the factors (m,) from rows (m, 4) to other rows, by least squares."""
     sizes = (by * by.conj()).real.sum(axis=1)
     return np.asarray((values * by.conj()).sum(axis=1) / np.maximum(sizes, 1e-300))

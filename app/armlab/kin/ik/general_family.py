@@ -17,29 +17,32 @@ from armlab.kin.ik.general_loop import Floats
 from armlab.kin.ik.nearly_still import DEPENDENT, is_dependent, slack_ways
 
 SINGULAR = 1e-5
-"""A singular value of the Jacobian, in radians and units of length, below which it is singular. Newton stops about 1e-6
-from a fold."""
+"""Singular value of the Jacobian, in radians and units of length, below which it is singular. Newton's method stops
+about 1e-6 from a fold."""
 
 SLACK = 3e-3
-"""The same, of directions in which the tool hardly moves, see `armlab.kin.ik.nearly_still`."""
+"""Singular value, likewise, below which the tool hardly moves along a direction; see `armlab.kin.ik.nearly_still`."""
 
 STEP = 0.35
-"""Radians along a curve, in all six joints together."""
+"""Step along a curve, in radians over all six joints together."""
 
 WEAK, MOST_CORRECTIONS = 1e-4, 7
-"""Of the largest singular value: directions in which nothing is corrected on a curve; and how often."""
+"""Singular value, relative to the largest, below which a direction is not corrected on a curve; number of
+corrections."""
 
 MOST_STEPS = 60
-"""A curve that has not closed by then, 21 rad, is left open."""
+"""Largest number of steps in each direction: a curve that is not closed after them, 42 rad, is left open. Closed curves
+on which four joints turn are up to some 27 rad long."""
 
 MOST_CURVES, MOST_TRIED = 8, 12
-"""So many curves are followed and so many other members tried; that there are infinitely many is known long before."""
+"""Largest numbers of curves that are followed and of other members that are tried: by then there are known to be
+infinitely many."""
 
 MOST_POINTS = 200
-"""Of all curves together, after which no other is followed."""
+"""Number of points of all curves together after which no further curve is followed."""
 
 REPRESENTATIVES = 4
-"""Of a curve, or of the members of families that are more than curves."""
+"""Number of representatives of a curve, or of families of higher dimension."""
 
 Reached = tuple[float, float]
 
@@ -98,19 +101,19 @@ def split(links: Floats, q: Floats, hand: Floats, reached: Reached) -> Split:
         isolated=isolated,
         singular=losses > 0,
         curves=tuple(curves),
-        # What only nearly stands still is singular nowhere, and a curve.
+        # A family along which the tool nearly stands still is nowhere singular, and a curve.
         freedom=int(np.maximum(losses[~isolated], 1).max(initial=0)),
         members=np.vstack(members) if members else np.empty((0, 6)),
     )
 
 
 def rank_losses(links: Floats, q: Floats, hand: Floats) -> NDArray[np.intp]:
-    """Return by how much the Jacobians of configurations (m, 6) lose rank, shape (m,)."""
+    """Return the rank deficiency of the Jacobians at configurations (m, 6), shape (m,)."""
     return _losses(links, q, hand)[0]
 
 
 def _losses(links: Floats, q: Floats, hand: Floats) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
-    """Return by how much Jacobians at q (m, 6) lose rank, and which q may lead on at least nearly, shape (m,) each."""
+    """Return the rank deficiency of the Jacobians at q (m, 6), and at which q the arm may move on, shape (m,) each."""
     columns = newton.errors_and_columns(links, q, np.broadcast_to(hand, (len(q), 4, 4)))[1]
     # The other four singular values multiply to no more than (sum of squares / 4)^2, and a determinant costs a tenth
     # of a decomposition.
@@ -141,11 +144,11 @@ def self_motion(links: Floats, q: Floats, along: Floats, hand: Floats, reached: 
     ndarray, shape (s, 6)
         From ``q`` on, all around, when the curve closes; else both ways from it.
     """
-    ahead, closed = _walk(links, q, hand, along, reached)
+    ahead, closed = _walk(links, q, hand, along, reached, q)
     if closed:
         return ahead
-    back, _ = _walk(links, q, hand, -along, reached)
-    return np.concatenate([back[:0:-1], ahead])
+    back, closed = _walk(links, q, hand, -along, reached, ahead[-1])
+    return np.concatenate([ahead, back[:0:-1]] if closed else [back[:0:-1], ahead])
 
 
 def _on(links: Floats, q: Floats, hand: Floats, reached: Reached) -> tuple[Floats, Floats] | None:
@@ -160,15 +163,17 @@ def _on(links: Floats, q: Floats, hand: Floats, reached: Reached) -> tuple[Float
     return None if on is None else (q, on.way) if _is_reached(errors, reached)[0] else (on.q, on.along)
 
 
-def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: Reached) -> tuple[Floats, bool]:
-    """Go along a curve; return its points (s, 6) and whether it closed."""
+def _walk(
+    links: Floats, start: Floats, hand: Floats, along: Floats, reached: Reached, end: Floats
+) -> tuple[Floats, bool]:
+    """Follow a curve; return its points (s, 6) and whether it came to the point ``end`` (6,), where it closes."""
     points, bend = [start], np.zeros(6)
     for _ in range(MOST_STEPS):
         step = _next(links, points[-1], hand, along[None], bend, reached)
         if step is None:
             break
         found, turn = step.q, step.along
-        if len(points) > 2 and _distances(start[None], found)[0] < 0.75 * STEP:
+        if len(points) > 2 and _distances(end[None], found)[0] < 0.75 * STEP:
             return np.array(points), True
         points.append(found)
         before, along = along, turn if turn @ (points[-1] - points[-2]) > 0.0 else -turn
@@ -177,7 +182,7 @@ def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: Re
 
 
 class _Step(NamedTuple):
-    """A step that leads on: the direction (6,) it set out in, the solution there, and the null vector there."""
+    """A step along a curve: its initial direction (6,), the solution at its end, and the null vector there."""
 
     way: Floats
     q: Floats
@@ -193,29 +198,27 @@ def _next(links: Floats, q: Floats, hand: Floats, ways: Floats, bend: Floats, re
     parts = np.tile([1.0, 0.5], len(ways))[:, None]
     across, hands = np.repeat(ways, 2, axis=0), np.broadcast_to(hand, (2 * len(ways), 4, 4))
     straight = q + STEP * parts * across
-    found, _, columns = newton.nearest(
-        links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across
-    )
-    aside = np.linalg.norm(found - straight, axis=1) < STEP / 2.0 * parts[:, 0]
-    good = aside & _is_reached(newton.errors_and_columns(links, found, hands)[0], reached)
+    found = newton.nearest(links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across)
+    aside = np.linalg.norm(found.q - straight, axis=1) < STEP / 2.0 * parts[:, 0]
+    good = aside & _is_reached(found.errors, reached)
     for k in np.flatnonzero(good[::2] & good[1::2]):
-        return _Step(ways[k], found[2 * k], _weakest(columns[2 * k]))
+        return _Step(ways[k], found.q[2 * k], _weakest(found.columns[2 * k]))
     return None
 
 
 def _is_reached(errors: Floats, reached: Reached) -> NDArray[np.bool_]:
-    """Return whether errors (k, 6) of configurations near the pose are as small as ``reached``, shape (k,)."""
+    """Return which errors (k, 6) of configurations near the pose are as small as ``reached``, shape (k,)."""
     place, turn = np.linalg.norm(errors.reshape(-1, 2, 3), axis=2).T
     return np.asarray((place < reached[0]) & (turn < reached[1]))
 
 
 def _weakest(columns: Floats) -> Floats:
-    """Return the direction (6,) of the joints that moves the tool least, of a Jacobian by columns (6, 6)."""
+    """Return the joint direction (6,) that moves the tool least, from a Jacobian given by columns (6, 6)."""
     return np.asarray(np.linalg.svd(columns)[0][:, -1])
 
 
 def _distances(points: Floats, q: Floats) -> Floats:
-    """Return the distances (s,) of points (s, 6) from one, on the torus of angles."""
+    """Return the distances (s,) of points (s, 6) from one configuration, with angles modulo whole turns."""
     apart = (points - q + np.pi) % (2.0 * np.pi) - np.pi
     return np.asarray(np.linalg.norm(apart, axis=1))
 

@@ -1,7 +1,7 @@
 """A 6R arm as a closed loop of six turns and five constant links, without units.
 
 An arm with six revolute joints has the pose ``T = base E_0 Rz(th_1) E_1 Rz(th_2) ... Rz(th_6) E_6 tool`` with constant
-E_i in either convention. What stands before the first and behind the last turn goes into the target:
+E_i in either convention. The constant motions before the first and behind the last turn are moved into the target:
 
     Rz(th_1) E_1 Rz(th_2) E_2 Rz(th_3) E_3 Rz(th_4) E_4 Rz(th_5) E_5 Rz(th_6) = H,    th_i = q_i + offset_i.
 
@@ -27,12 +27,12 @@ from armlab.kin.transforms import inverse, transform
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Numbers = NDArray[Any]
-"""Real or complex: the equations of the loop are analytic in its angles."""
+"""Arrays of real or complex numbers: the equations of the loop are analytic in its angles."""
 
 JOINTS = 6
 
 LOOSEST = 1e-5
-"""Units of length: what counts as reached is more than the whole of a tiny arm, of which nothing would follow."""
+"""Largest tolerance, in units of length: for a tiny arm the usual one is more than the whole arm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,16 +84,16 @@ class Loop:
 
     @property
     def reached(self) -> float:
-        """Error in radians and units of length below which a pose counts as reached."""
+        """Error, in radians and units of length, below which a pose counts as reached."""
         return min(REACHED_RAD, REACHED_M / self.scale)
 
     @property
     def allowed(self) -> tuple[float, float]:
-        """Errors in units of length and radians below which a pose counts as reached; of tiny arms less than that."""
+        """Errors, in units of length and radians, below which a pose counts as reached; smaller for tiny arms."""
         return min(LOOSEST, REACHED_M / self.scale), REACHED_RAD
 
     def hands(self, poses: Floats) -> Floats:
-        """Return H for tool poses in the world, both of shape (..., 4, 4), H with scaled lengths."""
+        """Return H for tool poses in the world, both of shape (..., 4, 4), H in scaled lengths."""
         H: Floats = self._before @ orthonormal(poses) @ self._after
         H[..., :3, 3] /= self.scale
         return H
@@ -123,7 +123,7 @@ def turns(angles: Numbers) -> Numbers:
 
 
 def inverses(T: Floats) -> Floats:
-    """Return the inverses of rigid transforms (..., 4, 4), without the checks and conversions of `transforms`."""
+    """Return the inverses of rigid transforms (..., 4, 4) without the checks and conversions in `transforms`."""
     found = np.zeros_like(T)
     R = np.swapaxes(T[..., :3, :3], -1, -2)
     found[..., :3, :3] = R
@@ -133,13 +133,13 @@ def inverses(T: Floats) -> Floats:
 
 
 def principal(angles: Floats) -> Floats:
-    """Return angles in (-pi, pi]; what is within 1e-12 of -pi becomes pi, so that rounding does not choose the side."""
+    """Return angles in (-pi, pi]; values within 1e-12 of -pi become pi, so that rounding does not decide."""
     wrapped = (angles + math.pi) % (2.0 * math.pi) - math.pi
     return np.where(wrapped <= -math.pi + 1e-12, math.pi, wrapped)
 
 
 def angle_of(ahead: Complex, back: Complex) -> Complex:
-    """Return complex angles t (...) from exp(i t) and exp(-i t), which may have a positive factor in common."""
+    """Return complex angles t (...) from exp(i t) and exp(-i t), up to a common positive factor."""
     with np.errstate(all="ignore"):  # what is at infinity is no root
         angles = -0.5j * np.log(ahead / back)
         turned = np.exp(1j * angles)

@@ -1,4 +1,4 @@
-"""Solutions from many ways of looking, each once.
+"""Solutions found in several ways, without repetitions.
 
 Newton's method leaves simple solutions exact and scatters where k of them merge: an error e of the pose is one of
 e^(1/k) of the angles, 1e-8 to 1e-3 rad. So no distance in angles tells two solutions from one. The pose does: between
@@ -14,43 +14,46 @@ from armlab.kin.ik.general_loop import Floats
 from armlab.kin.ik.general_polish import errors_and_columns, nearest, polish
 
 ROUNDING = 3e-14
-"""Error of the pose, in radians and units of length, that some ten products of matrices may make."""
+"""Error of the pose, in radians and units of length, that some ten products of matrices may cause."""
 
 REFINED = 1e-15
 STEPS = 40
-"""Of the last polishing: at a double root every step halves the distance, from 1e-4 to 1e-8 in some fifteen."""
+"""Largest number of steps of the last polishing: at a double root each halves the distance, from 1e-4 to 1e-8 in
+fifteen."""
 
 CUTOFF = 1e-11
-"""Relative singular values below it are those of a family, along which nothing is to be polished."""
+"""Singular value, relative to the largest, below which a direction belongs to a family and is not polished."""
 
 WORTH = 1e-6
-"""Error of a candidate that is worth it."""
+"""Error of a candidate below which it is polished."""
 
 EXACT = 1e-12
-"""Error of a solution; what stays above it only comes near the pose."""
+"""Error of an exact solution; one with a larger error only comes near the pose."""
 
 BETWEEN = 5e-14
-"""Error at the bottom of the valley between two candidates, up to which they are one: some hundred roundings, for the
-numbers of another formula of the same arm differ by some ten."""
+"""Error at the bottom of the valley between two candidates up to which they are one: some hundred roundings, since
+another formula for the same arm differs by some ten."""
 
 IDENTICAL = 1e-9
-"""Radians: what is closer is one without asking the pose."""
+"""Distance, in radians, below which two solutions are one without further test."""
 
 WEAK, STAYED = 1e-4, 0.1
-"""Of the largest singular value: directions along the valley; and of the distance: how far its bottom is at most."""
+"""Singular value, relative to the largest, of the directions along the valley; and the greatest distance to its bottom,
+relative to that of the candidates."""
 
 WEAKER, ASIDE = (1e-4, 1e-6, 1e-8), 0.5
-"""The same, tried one after the other, for candidates nearer to one another than they are known."""
+"""Singular values, tried in turn, and distance likewise, for candidates nearer to one another than their accuracy."""
 
 HALF_WAY, BESIDE = (0.5,), (0.25, 0.75)
-"""Where between two candidates the pose is asked: half-way alone there may be a third solution."""
+"""Fractions of the way between two candidates at which the pose is tested: at the middle there may be a third
+solution."""
 
 CLOSE = 0.3
-"""Radians in all joints together: farther apart two candidates are not one."""
+"""Distance, in radians over all joints, from which two candidates are not one."""
 
 
 def merged(links: Floats, q: Floats, hand: Floats) -> Floats:
-    """Return exact solutions (k, 6) from candidates (m, 6) near them, each once, the most exact of each."""
+    """Return exact solutions (k, 6) from candidates (m, 6) near them, each once: the most exact of its copies."""
     if not len(q):
         return np.empty((0, 6))
     q, sizes = _refined(links, *polish(links, q, np.broadcast_to(hand, (len(q), 4, 4))), hand)
@@ -98,7 +101,7 @@ def _refined(links: Floats, q: Floats, sizes: Floats, hand: Floats) -> tuple[Flo
 
 
 class _Pairs:
-    """Candidates (m, 6), of which two are one where nowhere between them the error is larger than theirs or rounding.
+    """Candidates (m, 6): two of them are one when the error between them nowhere exceeds theirs or rounding.
 
     A candidate is known up to twice its error over its least singular value: a Newton step, which is half the way to a
     double root, is about as long, and rounding is an error, too.
@@ -111,7 +114,7 @@ class _Pairs:
         self.blurs = 2.0 * np.maximum(sizes, REFINED) / np.maximum(least, CUTOFF)
 
     def joined(self, one: NDArray[np.intp], other: NDArray[np.intp], parts: tuple[float, ...]) -> NDArray[np.bool_]:
-        """Return which pairs, by their rows (k,), are one as far as some parts of the way between them tell."""
+        """Return which pairs, by their rows (k,), are one solution, judged at some points between them."""
         ways = wrapped(self.q[other] - self.q[one])
         apart = np.linalg.norm(ways, axis=1)
         enough = np.maximum(4.0 * np.maximum(self.sizes[one], self.sizes[other]), BETWEEN)
@@ -138,11 +141,11 @@ def _is_bottom(
         rest = np.flatnonzero(~found)
         if not len(rest):
             break
-        bottom, left, _ = nearest(links, q[rest], np.broadcast_to(hand, (len(rest), 4, 4)), cutoff, exact=REFINED)
-        found[rest] = (np.linalg.norm(bottom - q[rest], axis=1) < aside[rest]) & (left <= enough[rest])
+        bottom = nearest(links, q[rest], np.broadcast_to(hand, (len(rest), 4, 4)), cutoff, exact=REFINED)
+        found[rest] = (np.linalg.norm(bottom.q - q[rest], axis=1) < aside[rest]) & (bottom.sizes <= enough[rest])
     return found
 
 
 def wrapped(angles: Floats) -> Floats:
-    """Return angles without their whole turns, between half a turn back and half a turn ahead."""
+    """Return angles without whole turns, of any shape, between half a turn back and half a turn ahead."""
     return np.asarray(angles - 2.0 * np.pi * np.round(angles / (2.0 * np.pi)))

@@ -1,41 +1,43 @@
-"""Newton's method on the loop of the arm itself, for many candidates at once."""
+"""Newton's method on the closed loop of the arm, for many candidates at once."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 
 from armlab.kin.ik.general_loop import Floats, Numbers, turns
 
 STEPS = 20
-"""At most. Most candidates need two; at a double root every step halves the distance."""
+"""Largest number of steps. Most candidates need two; at a double root every step halves the distance."""
 
 EXACT = 1e-13
-"""Errors below this, in radians and units of length, are rounding."""
+"""Error, in radians and units of length, below which only rounding is left."""
 
 FAR = 0.3
-"""A candidate that is not nearer than this after `PATIENCE` steps, or gets no nearer, comes from no root."""
+"""Error of a candidate that belongs to no root, if it is larger after `PATIENCE` steps or does not fall."""
 
 PATIENCE = 4
 
 NEAREST = 4
-"""Steps to the nearest configuration: what is near is there after two."""
+"""Steps to the nearest configuration: two are enough for what is near."""
 
 SETTLED = 2
-"""Steps after which one that does not halve the sum of squares is the last."""
+"""Number of steps after which a step that does not halve the sum of squares is the last."""
 
 FLOOR = 1e-13
-"""Damping that is always there: some hundred roundings of J J^T, so that it can be solved with at singular poses."""
+"""Smallest damping: some hundred roundings of J J^T, so that it can be inverted at singular poses."""
 
 LARGEST_STEP = 0.5
-"""Radians a joint moves in one step at most."""
+"""Largest change of a joint in one step, radians."""
 
 _UNIT = np.eye(6)
 
 _CROSS = np.array([np.cross(a, b) for a in np.eye(3) for b in np.eye(3)])
-"""From the nine products a_i b_j to a x b."""
+"""Matrix from the nine products a_i b_j to a x b."""
 
 _SINES_AND_TRACE = np.column_stack([-0.5 * _CROSS, np.eye(3).reshape(9)])
-"""From the entries of a rotation to sin(theta) r and 1 + 2 cos(theta)."""
+"""Matrix from the entries of a rotation to sin(theta) r and 1 + 2 cos(theta)."""
 
 
 def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbers, Numbers, Floats]:
@@ -53,7 +55,7 @@ def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbe
     Returns
     -------
     errors : ndarray, shape (m, 6)
-        From the present to the wanted pose: a way, and sin(theta) r of the turn.
+        Errors from the present to the wanted pose: a displacement, and sin(theta) r of the rotation.
     columns : ndarray, shape (m, 6, 6)
         ``[:, i]`` is the twist (v; omega) at the end by joint i.
     sizes : ndarray, shape (m,)
@@ -69,12 +71,12 @@ def errors_and_columns(links: Floats, q: Numbers, hands: Numbers) -> tuple[Numbe
 
 
 def columns_at(links: Floats, q: Numbers) -> Numbers:
-    """Return the Jacobians alone, see `errors_and_columns`."""
+    """Return the Jacobians alone; see `errors_and_columns`."""
     return _columns(*_chain(links, q))
 
 
 def _chain(links: Floats, q: Numbers) -> tuple[Numbers, Numbers]:
-    """Return the frames before each turn, shape (m, 6, 4, 4), and behind the last, shape (m, 4, 4)."""
+    """Return the frames before each joint, shape (m, 6, 4, 4), and after the last, shape (m, 4, 4)."""
     R = turns(q)
     moves = R[:, :5] @ links
     frames = np.empty((len(q), 6, 4, 4), dtype=q.dtype)
@@ -93,7 +95,7 @@ def _columns(frames: Numbers, ends: Numbers) -> Numbers:
 
 
 def crossed(a: Numbers, b: Numbers) -> Numbers:
-    """Return vector products a x b, shape (..., 3); NumPy's takes several times as long for few."""
+    """Return vector products a x b, shape (..., 3); NumPy's own takes several times as long for a few."""
     return np.asarray((a[..., None] * b[..., None, :]).reshape(*a.shape[:-1], 9) @ _CROSS)
 
 
@@ -142,6 +144,22 @@ def polish(
     return found, best
 
 
+class Nearest(NamedTuple):
+    """The nearest configurations to hands, and what `errors_and_columns` says there.
+
+    Attributes
+    ----------
+    q, errors : ndarray, shape (m, 6)
+    columns : ndarray, shape (m, 6, 6)
+    sizes : ndarray, shape (m,)
+    """
+
+    q: Floats
+    errors: Floats
+    columns: Floats
+    sizes: Floats
+
+
 def nearest(
     links: Floats,
     q: Floats,
@@ -150,8 +168,8 @@ def nearest(
     steps: int = NEAREST,
     exact: float = EXACT,
     across: Floats | None = None,
-) -> tuple[Floats, Floats, Floats]:
-    """Return the nearest configurations to hands, their errors and Jacobians, without moving along weak directions.
+) -> Nearest:
+    """Return the nearest configurations to hands, without moving along weak directions.
 
     Parameters
     ----------
@@ -159,7 +177,7 @@ def nearest(
     q : ndarray, shape (m, 6)
     hands : ndarray, shape (m, 4, 4)
     weak : float
-        Of the largest singular value: along directions with smaller ones the arm can hardly move its tool.
+        Singular value, relative to the largest, below which the arm can hardly move its tool along a direction.
     steps : int
     exact : float
         Error below which all may stay where they are.
@@ -167,21 +185,21 @@ def nearest(
         Unit directions in which they stay where they are.
     """
     found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
-    there = np.zeros((len(q), 6, 6))
+    off, there = np.full((len(q), 6), np.inf), np.zeros((len(q), 6, 6))
     for step in range(steps):
         errors, columns, sizes = errors_and_columns(links, q, hands)
         # Steps make the sum of squares least, and may make the largest entry grow.
         squares = (errors * errors).sum(axis=1) + (sizes >= 1.0)
         still, better = squares > 0.5 * least, squares < least
         found[better], best[better], least[better] = q[better], sizes[better], squares[better]
-        there[better] = columns[better]
+        off[better], there[better] = errors[better], columns[better]
         # They converge quadratically to what is nearest, and then stand still.
         if ((best <= exact) | (still & (step >= SETTLED))).all():
             break
         if across is not None:
             columns = columns - across[:, :, None] * (across[:, None] @ columns)
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
-    return found, best, there
+    return Nearest(found, off, there, best)
 
 
 def damped_steps(errors: Floats, columns: Floats) -> Floats:

@@ -20,14 +20,14 @@ from numpy.typing import NDArray
 from armlab.kin.ik.general_loop import Complex, Floats
 
 FARTHEST = 1e-8
-"""Roots with |exp(i t)| below this, or above its inverse, are the spurious ones or as good as at infinity."""
+"""Smallest |exp(i t)|: roots below it, or above its inverse, are spurious or practically at infinity."""
 
 PHASES = 0.3 + np.pi / 3.0 * np.arange(6)
-"""Values of phi to choose from: half a turn away from it, where x is infinite, should be no root."""
+"""Values of phi to choose from: half a turn away, where x is infinite, there should be no root."""
 
 _HALF = np.array([[1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [0.0, 2.0, 0.0]])
 _MONOMIALS = np.kron(_HALF, _HALF)
-"""(1, c, s) times 1 + x^2 as polynomials in x = tan(./2), for one and for two angles."""
+"""Coefficients of (1, c, s), times 1 + x^2, as polynomials in x = tan(./2), for one angle and for two."""
 
 
 def matrices(middle: Floats, hidden: int) -> Floats:
@@ -54,14 +54,14 @@ def matrices(middle: Floats, hidden: int) -> Floats:
 
 
 def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
-    """Choose phi so that the matrix at half a turn from it is as regular as can be.
+    """Choose phi so that the matrix at half a turn from it is as regular as possible.
 
     Returns
     -------
     inverse : ndarray, shape (B, 12, 12)
-        Of that matrix.
+        The inverse of that matrix.
     chosen : ndarray of int, shape (B,)
-        Which of `PHASES`.
+        Index of the chosen one of `PHASES`.
     regularity : ndarray, shape (B,)
         One over the Frobenius condition number; about 1e-16 where no phi is good.
     """
@@ -75,7 +75,7 @@ def leading(M: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
 
 
 def _inverses(A: Floats) -> Floats:
-    """Return inverses (..., 12, 12); where one matrix is exactly singular, all are moved by some roundings."""
+    """Return inverses (..., 12, 12); when one matrix is exactly singular, all are changed by some roundings."""
     try:
         return np.asarray(np.linalg.inv(A))
     except np.linalg.LinAlgError:
@@ -93,9 +93,9 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Complex]:
     Returns
     -------
     owner : ndarray of int, shape (m,)
-        Which set of equations each belongs to.
+        Index of the set of equations to which each belongs.
     angles : ndarray of complex, shape (m, 3)
-        Among them what the spurious roots lead to.
+        The angles, those of spurious roots among them.
 
     Raises
     ------
@@ -131,7 +131,7 @@ def roots(middle: Floats, hidden: int) -> tuple[NDArray[np.intp], Complex]:
 def _twice_atan(powers: Complex) -> Complex:
     """Return 2 atan x from powers of x, shape (m, p), up to a factor.
 
-    Of neighbouring powers the larger two are compared as homogeneous coordinates, so that half a turn, where x is
+    The larger two of neighbouring powers are compared as homogeneous coordinates, so that half a turn, where x is
     infinite, is nothing special.
     """
     last = powers.shape[1] - 1

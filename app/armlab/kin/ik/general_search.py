@@ -1,4 +1,4 @@
-"""What an arm of six turns is searched with: eliminations, descents, and the number of roots it has.
+"""The search for all solutions of an arm with six revolute joints: eliminations, descents, and the number of roots.
 
 A formulation is a cyclic shift of the loop (6) and a hidden joint (3). On general arms all 18 work. On special ones
 (parallel, crossing or meeting axes) roots share eigenvalues, whose eigenvectors mix, and most formulations are
@@ -30,39 +30,40 @@ from armlab.kin.rotations import rotation_from_axis_angle
 from armlab.kin.transforms import transform
 
 SEED = 6
-"""Of the moves and of the poses formulations are ranked on: the same arm and pose give the same answer, bit by bit."""
+"""Seed of the random moves and poses: the same arm and pose give the same answer, bit by bit."""
 
 RANKED_ON = 6
-"""Random poses formulations are ranked on."""
+"""Number of random poses on which formulations are ranked."""
 
 STARTS, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT = 96, 40, 15
-"""Of the search by descents, for arms and poses that are singular."""
+"""Starts, steps and patience of the search by descents, for singular arms and poses."""
 
 NOTHING, NEARLY_NOTHING = 1e-12, 2e-2
-"""Radians and units of length: below the first is rounding, below the second nearly special."""
+"""Sizes, in radians and units of length: below the first a value is rounding, below the second the arm is nearly
+special."""
 
 
 class Pass(NamedTuple):
-    """One elimination: how large the moves are, and the formulation by its rank."""
+    """One elimination: the size of the moves, and the rank of the formulation."""
 
     size: float
     rank: int
 
 
 PASSES = (Pass(1e-8, 0), Pass(1e-6, 0), Pass(1e-8, 1), Pass(1e-11, 0))
-"""One after the other until all roots are found."""
+"""Eliminations that are done in turn until all roots are found."""
 
 MOST = 16
-"""Roots of six turns at most."""
+"""Largest number of roots of an arm with six revolute joints."""
 
 BORDERS = (OUTERMOST, 9.0, 6.0, 4.0)
-"""Imaginary parts up to which roots are counted, the first at which most random poses agree. Arms that are nearly
-special have roots nearly at infinity, which rounding hides at some poses."""
+"""Bounds of the imaginary part up to which roots are counted; the first at which most random poses agree is used.
+Nearly special arms have roots near infinity, which rounding hides at some poses."""
 
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """All that does not depend on the pose.
+    """The part of a search that does not depend on the pose.
 
     Attributes
     ----------
@@ -74,8 +75,9 @@ class Search:
     starts : ndarray, shape (starts, 6)
         Random configurations to search from where roots have merged or are members of a family.
     deficient : bool
-        Whether the Jacobian is singular everywhere: the arm has fewer than six freedoms. What it reaches, it reaches in
-        infinitely many ways; and the least move of a link makes it impossible, so that elimination finds nothing.
+        Whether the Jacobian is singular everywhere: the arm has fewer than six freedoms. It reaches every pose in its
+        workspace in infinitely many ways; and the least move of a link makes it impossible, so that elimination finds
+        nothing.
     counts : tuple of (float, int)
         How many regular roots the arm has at most random poses, complex ones counted, up to imaginary parts; the
         largest border first. Empty where random poses do not agree.
@@ -94,7 +96,7 @@ class Search:
 
     @classmethod
     def of(cls, arm: Arm) -> Search:
-        """Rank the formulations of an arm and count its roots; some ten milliseconds."""
+        """Rank the formulations of an arm and count its roots, in some ten milliseconds."""
         loop, rng = Loop.of(arm), np.random.default_rng(SEED)
         moves = np.array([[small_motion(rng, one.size) for _ in range(JOINTS)] for one in PASSES])
         starts = rng.uniform(-np.pi, np.pi, (STARTS, JOINTS))
@@ -105,32 +107,32 @@ class Search:
         search = cls(loop, _ranking(loop, hands, moves[0]), moves, starts, False)
         counts, nearly = _counted(search, hands), _has_nearly_zero(loop.links)
         nearly = nearly and any(number < MOST for _, number in counts)
-        # Of other arms roots with large imaginary parts are no farther than the rest, and all of them count.
+        # For other arms roots with large imaginary parts are no farther than the rest, and all of them count.
         return replace(search, counts=counts if nearly else counts[:1], nearly_special=nearly)
 
     @property
     def number(self) -> int:
-        """How many regular roots the arm has at a random pose; 0 where that is not known."""
+        """Number of regular roots of the arm at a random pose; 0 when it is not known."""
         return self.counts[0][1] if self.counts else 0
 
     def candidates(self, hands: Floats, number: int) -> tuple[NDArray[np.intp], Complex]:
-        """Return what one pass leads to for N targets (N, 4, 4): which target (m,), and angles (m, 6)."""
+        """Return the candidates of one pass for N targets (N, 4, 4): index of the target (m,), and angles (m, 6)."""
         motions = motions_of(self.loop, hands) @ self.moves[number]
         return candidates_of(motions, self.formulations[PASSES[number].rank])
 
     def roots(self, hands: Floats, number: int) -> list[Roots]:
-        """Return the roots one pass leads to for each of N targets (N, 4, 4)."""
+        """Return the roots of one pass for each of N targets (N, 4, 4)."""
         owner, q = self.candidates(hands, number)
         q, sizes, norms = newton(self.loop.links, q, hands[owner])
         rows = [np.flatnonzero(owner == k) for k in range(len(hands))]
         return [distinct(q[k], sizes[k], norms[k]) for k in rows]
 
     def is_whole(self, roots: Roots) -> bool:
-        """Return whether these are as many regular roots as the arm has; more would say that it was counted wrong."""
+        """Return whether there are as many regular roots as the arm has; more would mean that the number is wrong."""
         return any(roots.counted(border) == number for border, number in self.counts)
 
     def descents(self, hand: Floats) -> Floats:
-        """Return what Newton's method finds from random starts, shape (m, 6)."""
+        """Return the results of Newton's method from random starts, shape (m, 6)."""
         hands = np.broadcast_to(hand, (STARTS, 4, 4))
         q, sizes = polish(self.loop.links, self.starts, hands, STEPS_OF_DESCENT, PATIENCE_OF_DESCENT)
         return q[sizes < self.loop.reached]
@@ -145,7 +147,7 @@ def forward(loop: Loop, q: Floats) -> Floats:
 
 
 def motions_of(loop: Loop, hands: Floats) -> Floats:
-    """Return the motions between the turns of the closed loop, shape (N, 6, 4, 4)."""
+    """Return the motions between the joints of the closed loop, shape (N, 6, 4, 4)."""
     motions = np.empty((len(hands), JOINTS, 4, 4))
     motions[:, :5] = loop.links
     motions[:, 5] = inverses(hands)
@@ -169,13 +171,13 @@ def candidates_of(motions: Floats, formulation: tuple[int, int]) -> tuple[NDArra
 
 
 def small_motion(rng: np.random.Generator, size: float) -> Floats:
-    """Return a random rigid motion whose angle (rad) and way are about ``size``."""
+    """Return a random rigid motion with an angle (rad) and a displacement of about ``size``."""
     turn, way = rng.normal(size=(2, 3)) * size
     return np.asarray(transform(rotation_from_axis_angle(turn, np.linalg.norm(turn)), way), dtype=np.float64)
 
 
 def _ranking(loop: Loop, hands: Floats, moves: Floats) -> tuple[tuple[int, int], ...]:
-    """Return the formulations, most regular first, by the median over some targets of the slightly moved loop."""
+    """Return the formulations, most regular first, by the median over some targets of a slightly moved loop."""
     motions = motions_of(loop, hands) @ moves
     scores = {}
     for shift in range(JOINTS):
@@ -189,13 +191,13 @@ def _ranking(loop: Loop, hands: Floats, moves: Floats) -> tuple[tuple[int, int],
 
 
 def _has_nearly_zero(links: Floats) -> bool:
-    """Return whether an entry of the constant motions is nearly 0 but not quite: lengths, sines and cosines."""
+    """Return whether an entry of the constant motions (length, sine, cosine) is nearly but not exactly zero."""
     sizes = np.abs(links[:, :3])
     return bool(((sizes > NOTHING) & (sizes < NEARLY_NOTHING)).any())
 
 
 def _counted(search: Search, hands: Floats) -> tuple[tuple[float, int], ...]:
-    """Return the borders up to which most of some targets have as many roots, and how many."""
+    """Return the bounds up to which most of some targets have the same number of roots, and these numbers."""
     found = search.roots(hands, 0)
     for number in range(1, len(PASSES)):
         counts = [roots.counted(OUTERMOST) for roots in found]

@@ -19,32 +19,34 @@ from armlab.kin.ik.general_search import PASSES, SEED, Search
 from armlab.kin.ik.general_track import Ends, Way, follow
 
 SIZES = (0.1, 0.2)
-"""Radians and units of length to the pose beside: one after the other, until all ends are known."""
+"""Distances of the pose beside the target, in radians and units of length, tried in turn until all ends are known."""
 
 FOLLOWED = 1e-6
-"""Distance u from the end of the way below which an end is as good as reached."""
+"""Distance u from the end of the way below which an end counts as reached."""
 
 FAST, FAR = 0.03, 4.0
-"""A root that is followed and still moves so fast by log u, with an imaginary part so large, goes to infinity."""
+"""Speed in log u, and imaginary part, from which on a root that is followed goes to infinity."""
 
 BESIDE = 0.3
-"""Imaginary parts up to which the real part of a root is a start for a real solution."""
+"""Imaginary part up to which the real part of a root is a start for a real solution."""
 
 MULTIPLE = 12.0
-"""An end where k roots merge is k times the speed by log u away; more than twelve do not."""
+"""Largest distance of an end, as a factor of its speed in log u: where k roots merge it is k; more than twelve do
+not."""
 
 STRAY = 1e-6
-"""Radians an end is from a real solution at most, beside that."""
+"""Largest distance, in radians, of an end from a real solution, in addition to that."""
 
 CLUSTER, MOST_PAIRS = 1e-2, 24
-"""Radians in all joints between solutions among which others are looked for; and pairs of them at most."""
+"""Distance in all joints, in radians, of solutions between which others are looked for; and the largest number of
+pairs."""
 
 AMONG = np.array([-1.0, -0.5, 0.5, 1.5, 2.0])
-"""Where on the line through two of them."""
+"""Parameters of points on the line through two such solutions."""
 
 MOST_LOOSE = 8
-"""Where an arm has only nearly fewer than six freedoms, the pose is reached along families, but exactly nowhere that
-descents would find: so many of what they do find stand for them."""
+"""Number of descents whose results stand for all solutions, where an arm has nearly fewer than six freedoms: the pose
+is then nearly reached along families, and exactly only where descents do not find it."""
 
 
 class Resolved(NamedTuple):
@@ -76,7 +78,7 @@ def resolve(search: Search, hand: Floats, roots: Roots, known: Floats) -> Resolv
     search : Search
     hand : ndarray, shape (4, 4)
     roots : Roots
-        What elimination found at the pose itself.
+        The result of elimination at the pose itself.
     known : ndarray, shape (k, 6)
         Real solutions that others found.
     """
@@ -99,7 +101,7 @@ def resolve(search: Search, hand: Floats, roots: Roots, known: Floats) -> Resolv
         among = _among(q)
         q = merged(links, np.concatenate([q, among]), hand) if len(among) else q
         parts = _parted(search, q, hand)
-        # Of roots that two ways lead to, one has lost its own.
+        # When two ways lead to one root, one of them has lost its own.
         lost = len(beside) - len(rest.q) - len(regular.q)
         if whole and lost <= 0 and all(_is_known(q, *end) for end in zip(rest.q, rest.speed, strict=True)):
             return Resolved(q, parts, roots, True)
@@ -114,7 +116,7 @@ def _parted(search: Search, q: Floats, hand: Floats) -> Split:
 
 
 def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:
-    """Return regular roots (m, 6) at a pose beside, and whether these are all the arm has."""
+    """Return regular roots (m, 6) at a neighbouring pose, and whether these are all the arm has."""
     found = search.roots(hand[None], 0)[0]
     for number in range(1, len(PASSES)):
         if search.is_whole(found):
@@ -124,7 +126,7 @@ def _all_roots(search: Search, hand: Floats) -> tuple[Complex, bool]:
 
 
 def _reached(search: Search, ends: Ends, hand: Floats) -> tuple[Roots, Ends]:
-    """Return the regular roots among ends, each once, and the other ends."""
+    """Return the regular roots among the ends, without repetitions, and the other ends."""
     hands = np.broadcast_to(hand, (len(ends.q), 4, 4))
     at = np.flatnonzero(ends.u == 0.0)
     q, _, norms = newton(search.loop.links, ends.q[at], hands[at])
@@ -147,7 +149,7 @@ def _is_known(q: Floats, end: Complex, speed: float) -> bool:
 
 
 def _among(q: Floats) -> Floats:
-    """Return starts between and beside solutions (k, 6) that are close: of three in a row the ends may hide one."""
+    """Return starts between and beside close solutions (k, 6): of three in a row the outer ones may hide the third."""
     one, other = np.nonzero(np.tril(np.abs(wrapped(q[:, None] - q)).max(axis=2) < CLUSTER, -1))
     one, other = one[:MOST_PAIRS], other[:MOST_PAIRS]
     ways = wrapped(q[other] - q[one])

@@ -1,4 +1,4 @@
-"""Roots followed from one pose to another: what the roots of a pose nearby become at a special one.
+"""Roots followed from one pose to another, to find those at a special pose from those at a pose nearby.
 
 The poses between lie on a bent way through complex ones, on which no two roots merge but by bad luck: a rotation
 Cay(a) M with a = a(u) complex, a place p(u), u = 1 at the start and 0 at the end. Each root has its own u and step. At
@@ -24,37 +24,37 @@ from armlab.kin.ik.general_loop import Complex, Floats, Numbers
 from armlab.kin.ik.general_polish import columns_at, crossed, errors_and_columns
 
 FIRST, LONGEST = 0.1, 0.25
-"""Steps of u."""
+"""First and longest step of u."""
 
 ENDGAME = 0.02
-"""Where a root that is not reached in one step is followed in steps of log u."""
+"""Value of u below which a root that is not reached in one step is followed in steps of log u."""
 
 SMALLEST = 1e-9
-"""Of u. Where two roots merge they are then some 1e-5 rad apart; closer, rounding hides them."""
+"""Smallest u. Merging roots are then some 1e-5 rad apart; closer, rounding hides them."""
 
 ROUNDING = 1e-12
-"""Of u."""
+"""Rounding error of u."""
 
 FACTOR = 0.2
-"""Of u in a step of the endgame."""
+"""Factor of u in a step of the endgame."""
 
 NEAR, CONVERGED = 1e-2, 1e-8
-"""Radians: largest first and last Newton step after a predicted one."""
+"""Largest first and last Newton step after a prediction, radians."""
 
 EASY = 5e-4
-"""A first Newton step below it lets the next step be twice as long."""
+"""First Newton step, in radians, below which the next step may be twice as long."""
 
 MOST_STEPS = 60
 
 
 class Ends(NamedTuple):
-    """Where roots arrived.
+    """The ends of the roots that were followed.
 
     Attributes
     ----------
     q : ndarray of complex, shape (m, 6)
     u : ndarray, shape (m,)
-        How far that is from the end of the way; 0 where Newton's method converged at the end itself.
+        Distance from the end of the way; 0 where Newton's method converged at the end itself.
     speed : ndarray, shape (m,)
         Largest change of an angle by log u there: what goes to infinity keeps some, what has an end loses it.
     """
@@ -75,7 +75,7 @@ class Way:
     half, aside : ndarray, shape (3,)
         Half the turn between them as the vector of a Cayley transform, and from the place at the end to the other.
     bend : ndarray of complex, shape (2, 3)
-        How far vector and place leave the straight way.
+        Deviation of vector and place from the straight way.
     """
 
     hand: Floats
@@ -85,7 +85,7 @@ class Way:
 
     @classmethod
     def beside(cls, hand: Floats, rng: np.random.Generator, size: float) -> Way:
-        """Return a way from a random pose about ``size`` (radians and units of length) beside the given one."""
+        """Return a way to the given pose from a random one about ``size`` (radians and units of length) beside it."""
         real, imaginary = size * rng.normal(size=(2, 4, 3))
         return cls(hand, 0.5 * real[0], real[1], 0.5 * (real[2:] + 1j * imaginary[2:]))
 
@@ -100,7 +100,7 @@ class Way:
         return np.asarray(cayley(self.half[None])[0] @ self.hand[:3, :3])
 
     def at(self, u: Floats) -> tuple[Complex, Complex]:
-        """Return poses (m, 4, 4) and their derivative by u as twists (v; omega), shape (m, 6)."""
+        """Return poses (m, 4, 4) and their derivatives with respect to u as twists (v; omega), shape (m, 6)."""
         u = u[:, None]
         a = (2.0 * u - 1.0) * self.half + u * (1.0 - u) * self.bend[0]
         da = 2.0 * self.half + (1.0 - 2.0 * u) * self.bend[0]
@@ -125,7 +125,7 @@ def cayley(a: Numbers) -> Numbers:
 
 
 def follow(links: Floats, way: Way, q: Complex) -> Ends:
-    """Return where the roots q (m, 6) of the pose at the start of a way arrive."""
+    """Return the ends of the roots q (m, 6), followed from the start of a way."""
     q, u, speed = q.astype(np.complex128), np.ones(len(q)), np.full(len(q), np.nan)
     steps, factors, late = np.full(len(q), FIRST), np.full(len(q), FACTOR), np.zeros(len(q), dtype=bool)
     going, slopes = np.ones(len(q), dtype=bool), _slopes(links, q, way.at(u)[1])

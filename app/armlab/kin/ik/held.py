@@ -1,4 +1,4 @@
-"""An arm with some of its joints held at a value: an arm of fewer joints."""
+"""An arm with some joints held at a value, as an arm with fewer joints."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from armlab.kin.transforms import inverse, transform
 Vector = NDArray[np.float64]
 
 ROUNDING = 1e-13
-"""Of the length scale: shorter lengths of the arm that is left are zero."""
+"""Length, in length scales of the arm, below which a length of the remaining arm counts as zero."""
 
 
 def checked_held(arm: Arm, held: Mapping[int, float] | None) -> dict[int, float]:
@@ -87,7 +87,7 @@ def with_held(arm: Arm, held: Mapping[int, float]) -> Arm | None:
 
 
 def _moved(s: Screws, held: Mapping[int, float], kept: list[int]) -> Screws:
-    """Return the joint axes that are left, where the held joints have carried them."""
+    """Return the remaining joint axes, moved by the held joints."""
     T, z, o = np.eye(4), [], []
     for i in range(len(s.kinds)):
         if i in held:
@@ -99,7 +99,7 @@ def _moved(s: Screws, held: Mapping[int, float], kept: list[int]) -> Screws:
 
 
 def _frame_zero(z: Vector, o: Vector) -> Vector | None:
-    """Return a frame on the first axis with the axes of frame 0, or y and z reversed; None where it is not parallel."""
+    """Return a frame on the first axis with the axes of frame 0, or y and z reversed; None when it is not parallel."""
     if float(np.hypot(z[0], z[1])) > PARALLEL_ANGLE:
         return None
     sense = math.copysign(1.0, z[2])
@@ -113,7 +113,7 @@ def _any_frame(z: Vector, o: Vector) -> Vector:
 
 
 def _length(value: float, arm: Arm) -> float:
-    """Return a length, 0 for rounding: of an arm without lengths it would be the scale."""
+    """Return a length, with rounding set to 0: in an arm without lengths it would become the length scale."""
     return 0.0 if abs(value) < ROUNDING * arm.length_scale else value
 
 
@@ -122,6 +122,6 @@ def _turn(x: Vector, to: Vector, z: Vector) -> float:
 
 
 def _orthonormal(T: NDArray[np.floating]) -> Vector:
-    """Return the pose with its rotation cleared of rounding."""
+    """Return the pose with its rotation made exactly orthonormal."""
     U, _, V = np.linalg.svd(T[:3, :3])
     return np.asarray(transform(U @ V, T[:3, 3]), dtype=np.float64)

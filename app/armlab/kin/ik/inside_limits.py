@@ -1,7 +1,7 @@
-"""Solutions inside the joint limits, looked for where a list has none of them.
+"""Solutions inside the joint limits, for lists in which there are none.
 
-Of a family only some points are listed, and where branches merge rounding moves a solution by its root: each may put
-outside what is inside. What is found here is exact, with a joint that is at its limit held there.
+Only some points of a family are listed, and where branches merge rounding moves a solution by its root: each may put
+outside what is inside. The solutions found here are exact, with a joint that is at its limit held there.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from armlab.kin.ik.verified import EXACT, distinct, polished
 Vector = NDArray[np.float64]
 
 NEARLY = 1e-3
-"""Radians, or length scales: a solution no farther outside may be one at the limit."""
+"""Largest distance outside the limits, radians or length scales, of a solution that may be moved to the limit."""
 
 ROUNDING = 1e-12
-"""Scaled error at most of a solution that is moved to a limit."""
+"""Largest scaled error of a solution that is moved to a limit."""
 
 STARTS = 16
-"""Of the search inside the limits, besides what is known of a family."""
+"""Number of starts of the search inside the limits, besides known members of a family."""
 
 NEAREST = 4
-"""Known members of a family that are taken for starts."""
+"""Number of known members of a family that are used as starts."""
 
 
 def exact_inside(arm: Arm, q: Vector, target: list[float], error: float = EXACT) -> Vector | None:
@@ -55,7 +55,7 @@ def exact_inside(arm: Arm, q: Vector, target: list[float], error: float = EXACT)
 
 
 def with_those_inside(arm: Arm, T: Vector, seed: int, answer: Answer) -> Answer:
-    """Return an answer that has no solution inside the limits with one, where there is one after all."""
+    """Return the answer, with a solution inside the limits added if it had none and there is one."""
     if not answer.q:
         return answer
     rows, target = np.array(answer.q), task_error_of(arm).target(T)
@@ -77,7 +77,7 @@ def with_those_inside(arm: Arm, T: Vector, seed: int, answer: Answer) -> Answer:
 
 
 def _searched(arm: Arm, target: list[float], seed: int, known: Vector) -> Vector | None:
-    """Return a solution that descents inside the limits lead to, from known ones (k, n) and from samples."""
+    """Return a solution found by descents inside the limits from known ones (k, n) and samples; None without one."""
     known = wrapped_rows(arm, known)
     low, high = arm.limits.T
     near = np.clip(known[np.argsort(_sizes(arm, known), kind="stable")[:NEAREST]], low, high)
@@ -91,5 +91,5 @@ def _searched(arm: Arm, target: list[float], seed: int, known: Vector) -> Vector
 
 
 def _sizes(arm: Arm, q: Vector) -> Vector:
-    """Return by how much rows (k, n) are outside the limits at most, in radians and length scales, shape (k,)."""
+    """Return the largest distances of rows (k, n) outside the limits, in radians and length scales, shape (k,)."""
     return np.asarray((np.abs(beyond_limits(arm, q)) / np.where(arm.revolute, 1.0, arm.length_scale)).max(axis=1))

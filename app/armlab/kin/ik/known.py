@@ -1,4 +1,4 @@
-"""What the list of all solutions says when a search failed: a solution after all, or the proof that there is none."""
+"""Use of all solutions when a search has failed: a solution after all, or the proof that there is none."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 
 class Known(NamedTuple):
-    """What is known.
+    """The conclusion about a target.
 
     Attributes
     ----------
@@ -28,7 +28,7 @@ class Known(NamedTuple):
     proven : bool
         Whether there is none.
     sentence : str
-        Where the solution comes from or why there is none, in words; empty where nothing is known.
+        Sentence on the origin of the solution, or why there is none; empty when nothing is known.
     """
 
     q: Floats | None = None
@@ -39,7 +39,7 @@ class Known(NamedTuple):
 def known_solution(
     arm: Arm, T: Floats, near: Floats, locked: Sequence[bool] | None, crept: Sequence[float] | None = None
 ) -> Known:
-    """Return what the complete solver of an arm knows; nothing for an arm that has none.
+    """Return the conclusion of the complete solver of an arm; an empty one for an arm that has none.
 
     That of an arm with joints to spare proves nothing, but may find what a search that came near missed, if there is
     none along the valley in which it crept.
@@ -53,7 +53,7 @@ def known_solution(
         Joint values to be near to; those of locked joints are kept.
     locked : sequence of bool, optional
     crept : sequence of float, optional
-        Where a search ended, if that is near the pose.
+        End of a search, if that is near the pose.
     """
     held = {i + 1: float(near[i]) for i in range(arm.n) if locked is not None and locked[i]}
     can_tell = _can_tell(arm, len(held))
@@ -81,7 +81,7 @@ def known_solution(
 
 
 def _can_tell(arm: Arm, held: int) -> bool:
-    """Return whether there is a solver that can find all solutions when so many joints are held."""
+    """Return whether some solver can find all solutions with this number of held joints."""
     if arm.n - held > arm.task.m or known_structure(arm).free > held:
         return False
     general = arm.n == 6 and bool(arm.revolute.all()) and arm.task.key == "pose"
@@ -89,7 +89,7 @@ def _can_tell(arm: Arm, held: int) -> bool:
 
 
 def _nearest(arm: Arm, q: Floats, near: Floats) -> Floats:
-    """Return the row nearest to given values, in radians and length scales, of all its whole turns the nearest."""
+    """Return the row nearest to given values, with the nearest whole turns; distance in radians and length scales."""
     rows = np.array([wrapped(row.tolist(), near, arm.revolute, arm.limits) for row in q])
     return np.asarray(rows[int(np.argmin(_sizes(arm, rows - near)))])
 

@@ -18,33 +18,34 @@ from armlab.kin.ik.problem import Errors, Linearised, Problem
 from armlab.kin.ik.rest import AT, way_down
 
 TOLERANCE = 1e-8
-"""Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. Asking for less inside the
-loop costs solutions near singularities, where the last digits converge slowly."""
+"""Scaled error at which a descent stops: 10 nm on a 2 m arm, 0.6 millionths of a degree. A smaller one would lose
+solutions near singularities, where the last digits converge slowly."""
 
 CLOSE = 1e-8
-"""Squared scaled error from which one step of a method that converges quadratically arrives."""
+"""Squared scaled error below which one step of a quadratically converging method is enough."""
 
 STILL = 1e-9
-"""Gain, relative to the squared error, below which a step is not worth taking: the arm then rests exactly where it is,
-however often the same target comes again."""
+"""Decrease of the error, relative to its square, below which a step is not taken: the arm then stays exactly where it
+is when the same target comes again."""
 
 SLIP = 0.1
-"""Largest change of a joint in the first step off a balance, in scaled units: enough for the slope to take over."""
+"""Largest change of a joint, in scaled units, in the first step away from a balance: enough for the slope to take
+over."""
 
 MAX_STEP = 1.5
-"""Largest change of a joint in one step, in scaled units (radians); keeps the linearisation meaningful."""
+"""Largest change of a joint in one step, in scaled units (radians), for which the linearisation is meaningful."""
 
 
 @dataclass(frozen=True)
 class Descent:
-    """How a descent ended.
+    """The end of a descent.
 
     Attributes
     ----------
     q : list of float
         The best configuration.
     errors : Errors
-        How far it is from the target.
+        Errors with respect to the target.
     iterations : int
     """
 
@@ -54,12 +55,12 @@ class Descent:
 
     @property
     def converged(self) -> bool:
-        """Whether nothing is left to improve: see `arrived`."""
+        """Whether the descent has arrived; see `arrived`."""
         return arrived(self.errors)
 
 
 def arrived(errors: Errors) -> bool:
-    """Return whether the scaled error is within `TOLERANCE` and, which is more for a very long arm, reached."""
+    """Return whether the scaled error is within `TOLERANCE` and the target is reached: stricter for a very long arm."""
     return errors.scaled2 <= TOLERANCE**2 and errors.reached
 
 
@@ -143,7 +144,7 @@ def descend_inside(
 
 
 def _is_still(before: Errors, after: Errors) -> bool:
-    # What is not a number is no gain either.
+    # A cost that is nan is no gain either.
     return not before.cost - after.cost >= STILL * before.cost
 
 
@@ -213,7 +214,7 @@ def wrapped(
     revolute: NDArray[np.bool_],
     limits: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return the same configuration with each angle, whole turns added, inside its limits and as near as can be.
+    """Return the same configuration with whole turns added to each angle, inside its limits and as near as possible.
 
     Parameters
     ----------
@@ -221,7 +222,7 @@ def wrapped(
     near : ndarray, shape (n,)
         Values to stay near to; all zero for angles in (-pi, pi].
     revolute, limits : ndarray, shapes (n,) and (n, 2)
-        Of the arm. An angle that is outside its limits at every turn stays outside.
+        Joint types and limits. An angle that is outside its limits at every turn stays outside.
     """
     return np.array(
         [
@@ -234,7 +235,7 @@ def wrapped(
 
 
 def turns_inside(value: float, near: float, low: float, high: float) -> float:
-    """Return the whole turns, in radians, that bring an angle inside its limits and as near to another as can be.
+    """Return the whole turns, in radians, that bring an angle inside its limits and nearest to another.
 
     Where no turn leads inside it is brought below the upper limit.
     """

@@ -18,14 +18,14 @@ from armlab.kin.dh import link_transform
 Vector = NDArray[np.float64]
 
 OPPOSITE = 1e-9
-"""Keeps the error of exactly opposite orientations finite, as in `armlab.kin.ik.problem`."""
+"""Smallest size that keeps the error of exactly opposite orientations finite, as in `armlab.kin.ik.problem`."""
 
 _CROSS = np.array([np.cross(a, b) for a in np.eye(3) for b in np.eye(3)])
-"""From the nine products a_i b_j to a x b."""
+"""Matrix from the nine products a_i b_j to a x b."""
 
 
 ROUNDING = 4.0 * float(np.finfo(float).eps)
-"""Part of the trace of J J^T that its entries are not better known than."""
+"""Rounding of the entries of J J^T, relative to its trace."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +83,7 @@ class ManyAtOnce:
         return self._axes(q)[2]
 
     def _axes(self, q: Vector) -> tuple[Vector, Vector, Vector]:
-        """Return directions and points of the joint axes, (k, n, 3) each, and the tool (k, 4, 4), in frame 0."""
+        """Return directions and points of the joint axes, (k, n, 3) each, and the tools (k, 4, 4), in frame 0."""
         k, n = q.shape
         moves = np.zeros((k, n, 4, 4))
         turning = np.where(self.arm.revolute, q, 0.0)
@@ -102,7 +102,7 @@ class ManyAtOnce:
 
 @lru_cache(maxsize=64)
 def many_at_once(arm: Arm) -> ManyAtOnce:
-    """Return the arm ready for batches (arms are compared by identity)."""
+    """Return the compiled arm for batches (arms are compared by identity)."""
     return ManyAtOnce.of(arm)
 
 

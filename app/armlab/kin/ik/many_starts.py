@@ -1,4 +1,4 @@
-"""Descents from many random starts at once, for arms without a closed form: it finds, and proves nothing."""
+"""Descents from many random starts at once, for arms without a closed form: they find solutions and prove nothing."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ STARTS = 256
 STEPS = 40
 
 DAMPING, FLOOR = 0.1, 1e-12
-"""Of damped least squares: times the squared error, and at least."""
+"""Damping of least squares as a factor of the squared error, and its smallest value."""
 
 LONGEST = 1.5
 """Largest change of a joint in a step, radians or length scales."""
 
 NEAR = 1e-7
-"""Scaled error of a descent that is worth polishing."""
+"""Scaled error below which a descent is worth polishing."""
 
 
 def many_starts(
@@ -35,7 +35,7 @@ def many_starts(
     inside: bool = False,
     held: dict[int, float] | None = None,
 ) -> Vector:
-    """Return where descents arrived that came near the target, shape (k, n); angles as they came.
+    """Return the ends of descents that came near the target, shape (k, n); angles are not wrapped.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a compiled method of inverse kinematics is: a rule for one step. Loop, limits and stopping are shared.
+"""Compiled methods of inverse kinematics: each is a rule for one step; loop, limits and stopping are shared.
 
 A step is written once with + - * / and runs on expressions, which makes it fast enough to be behind every drag. Methods
 for lessons (`armlab.kin.ik.iterate.method`) may use anything, singular values and memory among it, take several

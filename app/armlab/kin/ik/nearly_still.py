@@ -1,4 +1,4 @@
-"""Solutions that move on while the tool stands still only nearly: within what counts as reached.
+"""Solutions that move on while the tool nearly stands still, within the tolerance of a reached target.
 
 A hand that is turned out of a straight wrist by 1e-7 rad is exact for two values of joint 4, and reached with any. So
 is a tool that is pushed out of a family in any other way. Newton's method knows the exact ones alone: here a step is
@@ -19,32 +19,34 @@ from armlab.kin.transforms import inverse
 Vector = NDArray[np.float64]
 
 SLACK = 3e-3
-"""Of the largest singular value of the scaled Jacobian: directions in which the tool hardly moves. A fold that is left
-by 1e-6 is as singular as the root of that."""
+"""Singular value of the scaled Jacobian, relative to the largest, below which the tool hardly moves (a slack
+direction). A configuration 1e-6 away from a fold has one of about the root of that."""
 
 DEPENDENT = 1e-5
-"""Of its square: product of the two least singular values above which nothing moves on. Where one is small, the tool
-is left in proportion to it; where both are, the second makes up for all of it but the product."""
+"""Product of the two smallest singular values, relative to the square of the largest, above which the arm cannot move
+on. Where one is small, the tool leaves in proportion to it; where both are, the second makes up for all but the
+product."""
 
 ALL_AROUND = 6
-"""Directions in a plane of slack ones, every 30 degrees: what is as near to that of a curve leads onto it."""
+"""Number of directions in a plane of slack ones, every 30 degrees: one so near to that of a curve leads onto it."""
 
 MIXED, ALIKE = 0.5, 0.98
-"""Of more, part of a joint's motion that is along slack directions, for one that is tried by itself; and the cosine
-of two of them that are as good as one."""
+"""Part of a joint's motion that lies along slack directions, when there are more of them, from which it is tried by
+itself; and the cosine of two such motions that count as one."""
 
 STEP = 0.35
-"""Radians, or length scales, in all joints together; half-way the target has to be reached as well."""
+"""Length of a step over all joints, in radians or length scales; half-way the target has to be reached as well."""
 
 LOOSEST = 1e-5
-"""Scaled error: what counts as reached is more than the whole of a tiny arm, of which nothing would follow."""
+"""Largest tolerance, as a scaled error: for a tiny arm the usual one is more than the whole arm."""
 
 WEAK, CORRECTIONS = 1e-4, 7
-"""Of the largest singular value: directions in which little is corrected on the way back; and how often."""
+"""Singular value, relative to the largest, below which a direction is hardly corrected on the way back; number of
+corrections."""
 
 
 def is_dependent(values: Vector) -> NDArray[np.bool_]:
-    """Return whether singular values (..., k), largest first, are as small as those of what may move on."""
+    """Return whether singular values (..., k), largest first, are small enough for the arm to move on."""
     return np.asarray(values[..., -1] * values[..., -2:].max(axis=-1) < DEPENDENT * values[..., 0] ** 2)
 
 
@@ -66,7 +68,7 @@ def slack_ways(ways: Vector) -> Vector:
 
 
 def moved_on(arm: Arm, q: Vector, T: Vector) -> list[Vector]:
-    """Return what steps lead to from a solution q (n,) of a target T (4, 4) in the world; empty where none leads on."""
+    """Return the configurations reached by steps from a solution q (n,) of a target T (4, 4) in the world, if any."""
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
     _, values, basis = np.linalg.svd(many_at_once(arm).linearised(q[None], G)[0][0])
     basis = basis[: len(values)][values < SLACK * values[0]]

@@ -1,4 +1,4 @@
-"""One solution for each of many poses."""
+"""Inverse kinematics of many poses, one solution each."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def solve_batch(
 
 
 def _starts(arm: Arm, q0: ArrayLike | None, batch: tuple[int, ...], follow: bool) -> Sequence[Floats | None]:
-    """Return the first start of each pose, the last index running fastest; of a path only that of the first counts."""
+    """Return the first start of each pose, the last index running fastest; on a path only that of the first counts."""
     count = int(np.prod(batch))
     if q0 is None:
         return [None] * count

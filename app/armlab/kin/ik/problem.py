@@ -5,10 +5,10 @@ growing all the way to 180 degrees. Inside the algorithms positions are divided 
 reach), which makes metres and radians comparable and the behaviour independent of the arm's size; results report the
 two errors apart.
 
-Here everything is compiled for speed: one configuration at a time, in 10 to 20 microseconds, behind every drag. What a
-lesson shows of an iteration is `armlab.kin.ik.iterate.problem`: many configurations at once, any task vector, theta
-instead of 2 sin(theta/2), metres left alone where no radians meet them, and singular values. The two share no code
-because they share no representation, expressions here and arrays there; a test holds them against each other.
+Here everything is compiled for speed: one configuration at a time, in 10 to 20 microseconds, behind every drag.
+Iterations as lessons show them are in `armlab.kin.ik.iterate.problem`: many configurations at once, any task vector,
+theta instead of 2 sin(theta/2), metres left alone where no radians meet them, and singular values. The two share no
+code because they share no representation, expressions here and arrays there; a test holds them against each other.
 """
 
 from __future__ import annotations
@@ -33,17 +33,17 @@ from armlab.kin.ik.weights import Weights
 from armlab.kin.transforms import inverse
 
 FLOOR = 1e-13
-"""Keeps normal equations invertible at a singular pose that is also the solution. A larger one slows the last digits
-near singularities: with 1e-9 three of a thousand random PUMA poses are lost."""
+"""Damping that keeps normal equations invertible at a singular pose that is also the solution. A larger one slows the
+last digits near singularities: with 1e-9 three of a thousand random PUMA poses are lost."""
 
 
 REACHED_M = 1e-6
 REACHED_RAD = 1e-6
-"""Within these a target counts as reached: far below anything a picture or a classroom robot resolves."""
+"""Errors, in metres and radians, within which a target counts as reached: far below what a classroom robot resolves."""
 
 
 class Errors(NamedTuple):
-    """How far a configuration is from a target, in the components the task controls.
+    """Errors of a configuration with respect to a target, in the components of the task.
 
     Attributes
     ----------
@@ -79,12 +79,12 @@ class Errors(NamedTuple):
 
     @property
     def cost(self) -> float:
-        """Squared scaled error, with weights where there are any: only for comparing steps."""
+        """Squared scaled error, with weights if there are any: only for comparing steps."""
         return self.scaled2 if self.weighted is None else self.weighted
 
     @property
     def reached(self) -> bool:
-        """Whether both are within what counts as reached, whatever the size of the arm."""
+        """Whether both errors are within the tolerances of a reached target, whatever the size of the arm."""
         return self.position2 < REACHED_M**2 and self.rotation2 < REACHED_RAD**2
 
 
@@ -110,7 +110,7 @@ class Posed:
     linear, angular : list of Vector
         Columns of the geometric Jacobian.
     far : Vector
-        From the tool point to the target.
+        Vector from the tool point to the target.
     rotation : list of Number
         Components of 2 sin(theta/2) r that the task controls.
     turn : Vector
@@ -124,9 +124,9 @@ class Posed:
     turn_pull : float
         Squared weight of the orientation.
     free : list of Number
-        For each joint 1 when it may move and 0 when not: inputs, or all 1.
+        For each joint 1 if it may move and 0 if not: inputs, or all 1.
     scales : list of float
-        What a unit of the scaled joint variable is: 1 rad, or the length scale in metres.
+        Size of a unit of each scaled joint variable: 1 rad, or the length scale in metres.
     """
 
     def __init__(self, arm: Arm, holds: bool, weights: Weights | None = None) -> None:
@@ -154,7 +154,7 @@ class Posed:
 
     @property
     def slope(self) -> list[Number]:
-        """How fast half the squared scaled distance falls with each scaled joint variable, 0 for joints not free."""
+        """Rate at which half the squared scaled distance falls with each scaled joint; 0 for joints not free."""
         far = [self.far[k] * pull for k, pull in zip(self._coordinates, self.pulls, strict=True)]
         moves = [[column[k] for k in self._coordinates] for column in self.linear]
         turns = [self.turn_pull * vec.dot(self.turn, axis) for axis in self.angular]
@@ -200,7 +200,7 @@ def parted(arm: Arm, weights: Weights | None) -> tuple[Weights, float]:
 
 
 class TaskError:
-    """Jacobian and error of an arm's task, compiled; both scaled to pure numbers, and weighted where asked."""
+    """Jacobian and error of an arm's task, compiled; both scaled to pure numbers, and weighted if asked."""
 
     def __init__(self, arm: Arm, weights: Weights | None = None) -> None:
         self.arm, self.weights, self._n = arm, weights, arm.n
@@ -218,13 +218,13 @@ class TaskError:
 
     @cached_property
     def ranges(self) -> list[tuple[float, float, bool]]:
-        """Limits of each joint, and whether it turns."""
+        """Limits of each joint, and whether it is revolute."""
         return [
             (low, high, row.revolute) for (low, high), row in zip(self.arm.limits.tolist(), self.arm.rows, strict=True)
         ]
 
     def target(self, T: NDArray[np.floating]) -> list[float]:
-        """Return the 12 numbers of a target pose (4, 4) in the world, as the formulas want them."""
+        """Return the 12 inputs of the formulas for a target pose (4, 4) in the world."""
         found: list[float] = self.in_frame_0(T).ravel().tolist()
         return found[:12]
 
@@ -261,7 +261,7 @@ class TaskError:
     def slope(
         self, q: Sequence[float], target: Sequence[float], free: Sequence[float]
     ) -> tuple[NDArray[np.float64], Errors]:
-        """Return the exact downhill slope of half the squared scaled distance, (n), and the errors."""
+        """Return the exact negative gradient of half the squared scaled distance, (n), and the errors."""
         numbers, n = self._slope(*q, *target, *free), self.arm.n
         return np.array(numbers[:n]), self.errors(numbers[n:])
 
@@ -276,11 +276,11 @@ class TaskError:
         return Kernel(graph, [*(entry for row in J for entry in row), *e, *squares], self._inputs()).scalar
 
     def _inputs(self, holds: bool = True) -> int:
-        """Inputs are q (n), the target (12), and with ``holds`` for each joint 1 when it is free and 0 when not."""
+        """Return the number of inputs: q (n), the target (12) and, with ``holds``, 1 or 0 for a free or held joint."""
         return self.arm.n + 12 + (self.arm.n if holds else 0)
 
     def errors(self, squares: Sequence[float]) -> Errors:
-        """Return the errors from the squares the formulas end with."""
+        """Return the errors from the squares at the end of the formulas."""
         # Near 180 degrees the components of the turn vanish, near 0 the cosine loses digits: each where it is good.
         if self.weights is None:
             position2, rotation2, coarse2 = squares
@@ -307,7 +307,7 @@ class TaskError:
 
 
 class Problem(TaskError):
-    """One arm and one method, compiled together; ask it about any target."""
+    """One arm and one method, compiled together, for any target."""
 
     def __init__(self, arm: Arm, method: Method, weights: Weights | None = None) -> None:
         super().__init__(arm, weights)

@@ -1,8 +1,8 @@
-"""Whether an arm is at rest for a target, and the way down when it only balances.
+"""The test whether an arm is at rest for a target, and the way down when it only balances.
 
 A vanishing slope is not enough. A stretched arm whose hand is pulled inwards does not slope anywhere: bending the elbow
-to either side comes closer, and the arm balances between the two like a ball on a saddle. What tells a saddle from a
-hollow is the sign of the curvature, over the joints that may move.
+to either side comes closer, and the arm balances between the two like a ball on a saddle. A saddle and a minimum differ
+in the sign of the curvature, over the joints that may move.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ from armlab.kin.ik.closest import Closest
 from armlab.kin.ik.problem import Errors
 
 PUSH = 1e-6
-"""Scaled slope of the error above which a joint at its limit is said to push against it."""
+"""Scaled slope of the error above which a joint at its limit pushes against it."""
 
 REST = 1e-3
-"""Slope, relative to the scaled error, below which it counts as none: near a boundary the error is flat, and a descent
+"""Slope, relative to the scaled error, below which it counts as zero: near a boundary the error is flat, and a descent
 stops when a step gains less than a billionth."""
 
 BEND = 1e-3
-"""Curvature, relative to the scaled error, that counts as downhill; a smaller one would gain nothing one could see."""
+"""Curvature, relative to the scaled error, that counts as downhill; a smaller one would gain nothing visible."""
 
 AT = 1e-9
 """Distance in rad or m within which a joint is at its limit."""
 
 NEAR = 1e-3
-"""Room, in scaled units, too little for a joint to leave a balance that way; a quarter of a range that is narrower."""
+"""Room, in scaled units, that is too little to leave a balance that way; at most a quarter of a narrow range."""
 
 
 def pushing(
@@ -42,7 +42,7 @@ def pushing(
 
 
 def is_flat(slope: NDArray[np.float64], held: NDArray[np.bool_], errors: Errors) -> bool:
-    """Return whether the error slopes along none of the joints that are not held."""
+    """Return whether the error has no slope along the joints that are not held."""
     return bool(np.all(np.abs(slope[~held]) < REST * math.sqrt(errors.cost)))
 
 
@@ -102,7 +102,7 @@ def _bent_down(H: NDArray[np.float64], movable: NDArray[np.bool_], least: float)
 
 
 def _side(arm: Arm, q: NDArray[np.float64], slope: NDArray[np.float64], d: NDArray[np.float64]) -> float:
-    """Return 1 or -1, the side of a direction to take: downhill, else towards the middle of the limits, else plus."""
+    """Return the sign of a direction to take: downhill, else towards the middle of the limits, else plus."""
     if abs(slope @ d) > PUSH:
         return math.copysign(1.0, slope @ d)
     room = float(d @ ((arm.limits.mean(axis=1) - q) / _scales(arm)))

@@ -1,4 +1,4 @@
-"""Where a descent had best begin: of many random configurations those whose tool is nearest to the target.
+"""Starts for descents: of many random configurations those whose tool is nearest to the target.
 
 The nearer the start, the fewer the steps and the seldomer the descent runs out of the limits: from the nearest of a
 thousand it takes six steps where a random start takes ten, and to find the nearest costs less than one of them.
@@ -21,15 +21,15 @@ from armlab.kin.task import Task
 Floats = NDArray[np.float64]
 
 COUNT = 1024
-"""Configurations of one table: with more it takes longer to look than is saved on the way."""
+"""Number of configurations in a table: with more the search in it takes longer than it saves."""
 
 TABLES = 8
-"""Different tables of an arm at most; seeds share them in turn."""
+"""Largest number of tables of an arm; seeds use them in turn."""
 
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Random configurations inside the limits of an arm, of many the half less singular, and where they put the tool.
+    """Random configurations inside the limits of an arm, the less singular half of many, with their tool poses.
 
     Attributes
     ----------
@@ -42,11 +42,11 @@ class Samples:
     places: Floats
 
     def nearest(self, target: Sequence[float]) -> Floats:
-        """Return the configuration (n,) whose tool is nearest to a target, its 12 numbers in frame 0."""
+        """Return the configuration (n,) with the tool nearest to a target, given by its 12 numbers in frame 0."""
         return np.asarray(self.q[int(self._distances(target).argmin())])
 
     def near(self, target: Sequence[float], count: int) -> Floats:
-        """Return the nearest configurations (count, n) in order."""
+        """Return the nearest configurations (count, n), the nearest first."""
         far = self._distances(target)
         first = np.argpartition(far, count)[:count] if count < len(far) else np.arange(len(far))
         return np.asarray(self.q[first[np.argsort(far[first], kind="stable")]])
@@ -56,7 +56,7 @@ class Samples:
 
 
 def samples_of(arm: Arm, seed: int) -> Samples:
-    """Return a table of an arm (arms are compared by identity), the same for the same seed."""
+    """Return a table of an arm (arms are compared by identity), always the same for the same seed."""
     return _samples_of(arm, seed % TABLES)
 
 
@@ -71,7 +71,7 @@ def _samples_of(arm: Arm, seed: int) -> Samples:
 
 
 def _manipulability(arm: Arm, q: Floats) -> Floats:
-    """Return the squared manipulability (k,): descents from near singular samples go astray."""
+    """Return the squared manipulability (k,): descents from nearly singular samples often fail."""
     J, _ = many_at_once(arm).linearised(q, np.eye(4))
     turned = np.swapaxes(J, 1, 2)
     return np.asarray(np.linalg.det(J @ turned if arm.task.m <= arm.n else turned @ J))
@@ -80,7 +80,7 @@ def _manipulability(arm: Arm, q: Floats) -> Floats:
 def _weights(task: Task, length_scale: float) -> Floats:
     """Return the factors (12) of the squared differences of two poses (3 x 4, by rows) in the squared scaled error.
 
-    Of a column of a rotation their sum is (2 sin(theta/2))² for a turn across it, and of all three twice as much.
+    For one column of a rotation their sum is (2 sin(theta/2))² for a turn across it, and of all three twice as much.
     """
     turned: dict[str, list[int]] = {
         "none": [],

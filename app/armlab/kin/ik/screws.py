@@ -1,4 +1,4 @@
-"""The joint axes of an arm as lines in space: what an arm is, whatever table it was written in.
+"""The joint axes of an arm as lines in space: a description that does not depend on the table.
 
     T_0e(q) = E_1(q_1) E_2(q_2) ... E_n(q_n) home
 
@@ -26,7 +26,7 @@ from armlab.kin.transforms import inverse, transform
 Vector = NDArray[np.float64]
 
 CLEAN = 1e-15
-"""Rounding of quarter turns: smaller components of directions and rotations are zero."""
+"""Rounding of quarter turns: smaller components of directions and rotations are set to zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,13 +95,13 @@ def screws_of(arm: Arm) -> Screws:
 
 
 def cross(u: Vector, v: Vector) -> Vector:
-    """Return the vector product of two single vectors; NumPy's, made for batches, takes ten times as long."""
+    """Return the vector product (3,) of two vectors; NumPy's, made for batches, takes ten times as long."""
     (a, b, c), (x, y, z) = u.tolist(), v.tolist()
     return np.array((b * z - c * y, c * x - a * z, a * y - b * x))
 
 
 def rotation(axis: Vector, angle: float) -> Vector:
-    """Return the rotation about a unit vector, shape (3, 3); the formula of `rotation_from_axis_angle`, for one."""
+    """Return the rotation about a unit vector, shape (3, 3), as `rotation_from_axis_angle` does, for one vector."""
     x, y, z = axis.tolist()
     c, s = math.cos(angle), math.sin(angle)
     v = 1.0 - c
@@ -115,14 +115,14 @@ def rotation(axis: Vector, angle: float) -> Vector:
 
 
 def angle_about(z: Vector, start: Vector, end: Vector) -> float:
-    """Return the angle about z from one direction to another, as seen along z; 0 where one is along z."""
+    """Return the right-handed angle about z from one direction to another, rad; 0 when one is along z."""
     # By their parts across z, each turned by a quarter: products of the whole would cancel where these are small.
     one, other = cross(z, start), cross(z, end)
     return math.atan2(float(z @ cross(one, other)), float(one @ other))
 
 
 def across(z: Vector, v: Vector) -> float:
-    """Return the length of the part of v perpendicular to the unit vector z, accurate however small it is."""
+    """Return the length of the part of v perpendicular to the unit vector z, accurate also when it is small."""
     return float(np.linalg.norm(cross(z, v)))
 
 

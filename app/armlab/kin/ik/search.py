@@ -1,4 +1,4 @@
-"""Searches for one solution: descents by a method from one start after the other, until one ends inside the limits."""
+"""Searches for one solution: descents by a method from one start after another, until one ends inside the limits."""
 
 from __future__ import annotations
 
@@ -30,34 +30,35 @@ from armlab.kin.ik.weights import Weights
 Floats = NDArray[np.float64]
 
 ITERATIONS = 22
-"""Steps of a compiled descent; a start that has not converged by then is replaced by another: cheaper than waiting."""
+"""Largest number of steps of a compiled descent; after that another start is cheaper than waiting."""
 
 MOST = 200
-"""Steps of one descent of an iterative method; those of first order need a hundred."""
+"""Largest number of steps of one descent of an iterative method; those of first order need a hundred."""
 
 POLISH = 3
-"""Steps at most for a solution in closed form."""
+"""Largest number of steps for a solution in closed form."""
 
 NEAR = 8
-"""Starts that are taken from samples near the target; more of them would lead to the same solutions."""
+"""Number of starts from samples near the target; more of them would lead to the same solutions."""
 
 FREELY = 2
-"""Samples from which an arm with joints to spare descends without limits only, which is quick; then inside them, too,
-which is slower and leads to a solution where few are inside."""
+"""Samples from which an arm with joints to spare descends without limits only, which is quick; from later ones it also
+descends inside them, which is slower but finds a solution where few are inside."""
 
 STAGE, STAGES = 5, 10
-"""Steps of a descent inside the limits: it goes on while so many halve its squared error, so many times at most. One
-that crawls along limits is replaced by another sooner than it would arrive."""
+"""Steps in a stage of a descent inside the limits, and number of stages: it goes on while each stage halves its squared
+error. One that crawls along limits is replaced by another sooner than it would arrive."""
 
 AT_ONCE = 25
-"""Starts of an iterative method at most that go together after the first: they share the work of each call."""
+"""Largest number of starts of an iterative method that go together after the first: they share the work of each
+call."""
 
 TOLERANCE = (0.5 * REACHED_M, 0.5 * REACHED_RAD)
-"""Metres and radians at which an iterative method ends: safely within what counts as reached."""
+"""Errors, in metres and radians, at which an iterative method ends: safely within those of a reached target."""
 
 
 class Begin:
-    """Where a search begins, and what holds for all of it.
+    """The start of a search, and the arguments common to all of it.
 
     Attributes
     ----------
@@ -65,7 +66,7 @@ class Begin:
     start : ndarray, shape (n,), or None
         First start; a sample near the target when None.
     seed, count : int
-        Of the starts.
+        Seed and number of the starts.
     near : ndarray, shape (n,)
         Values that angles stay near to, whole turns apart.
     free : list of float, or None
@@ -98,7 +99,7 @@ class Begin:
             yield self._kept(low + width * rng.random(self.arm.n)).tolist()
 
     def placed(self, q: Sequence[float]) -> Floats | None:
-        """Return the same configuration by whole turns inside the limits; None where there is none."""
+        """Return the configuration (n,) moved by whole turns inside the limits; None when that is impossible."""
         near, free, inside = self.near.tolist(), self.free, list(q)
         for i, (low, high, turns) in enumerate(task_error_of(self.arm).ranges):
             if free is not None and not free[i]:
@@ -110,7 +111,7 @@ class Begin:
         return np.array(inside)
 
     def limits(self, q: Sequence[float]) -> tuple[list[float], list[float]]:
-        """Return the least and greatest values of a descent inside the limits; held joints stay, also outside."""
+        """Return the least and greatest values of a descent inside the limits; held joints stay, even outside."""
         low, high, _ = map(list, zip(*task_error_of(self.arm).ranges, strict=True))
         for i, may in enumerate(self.free or ()):
             if not may:
@@ -122,14 +123,14 @@ class Begin:
 
 
 class Searched(NamedTuple):
-    """What a search found.
+    """The result of a search.
 
     Attributes
     ----------
     q : ndarray, shape (n,), or None
         A solution inside the limits.
     verdict : Verdict or None
-        What it is worth.
+        The verdict on the configuration.
     iterations : int
         Steps in all; 0 of a closed form.
     trace : Trace or None
@@ -167,7 +168,7 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
     """
     problem, free, iterations = problem_of(begin.arm, method), begin.free, 0
     found, path, converged = None, None, False
-    # Of the methods without damping students ask what they do, and of a record the steps.
+    # For methods without damping students want to see the method itself, and for a record its steps.
     if begin.start is None and method.damped and not keep:
         found = _found_at_once(begin, problem, T, target)
     for number, first in enumerate(begin.starts(target) if found is None else ()):
@@ -187,7 +188,7 @@ def compiled_search(begin: Begin, T: Floats, target: Sequence[float], method: Me
 
 
 def _found_at_once(begin: Begin, problem: Problem, T: Floats, target: Sequence[float]) -> tuple[Floats, Verdict] | None:
-    """Return the solution inside the limits on a branch near the sample nearest to the target, where it is quick."""
+    """Return a solution inside the limits on a branch near the best sample, if it is quick to find."""
     solver = at_once(begin.arm)
     if solver is None:
         return None
@@ -205,7 +206,7 @@ def _found_at_once(begin: Begin, problem: Problem, T: Floats, target: Sequence[f
 
 
 def inside_solutions(begin: Begin, target: Sequence[float], method: Method, wanted: int) -> list[Floats]:
-    """Return solutions (n,) that descents inside the limits lead to: so many, or as many as the starts give."""
+    """Return solutions (n,) found by descents inside the limits: ``wanted`` of them, or as many as the starts give."""
     problem, found = problem_of(begin.arm, method), []
     for first in begin.starts(target):
         reached = _reached(begin, _descend_inside(begin, problem, target, first))
@@ -217,7 +218,7 @@ def inside_solutions(begin: Begin, target: Sequence[float], method: Method, want
 
 
 def _descend_inside(begin: Begin, problem: Problem, target: Sequence[float], first: Sequence[float]) -> Descent:
-    """Return where a descent inside the limits ends, given up where it crawls."""
+    """Return the end of a descent inside the limits, which is given up when it crawls."""
     low, high = begin.limits(first)
     cost, iterations, q = math.inf, 0, list(first)
     for _ in range(STAGES):
@@ -230,7 +231,7 @@ def _descend_inside(begin: Begin, problem: Problem, target: Sequence[float], fir
 
 
 def _reached(begin: Begin, descent: Descent) -> tuple[Floats, Verdict] | None:
-    """Return the solution a descent ended at, and what it is worth; None where it has none inside the limits."""
+    """Return the solution at the end of a descent and its verdict; None when it is not inside the limits."""
     q = begin.placed(descent.q) if descent.converged else None
     if q is None:
         return None
@@ -254,7 +255,7 @@ def _iterated(begin: Begin, T: Floats, chord: bool, scaled: bool) -> Iterated:
 
 
 def iterated_search(begin: Begin, T: Floats, method: IterationMethod, keep: bool) -> Searched:
-    """Search by an iterative method: the given start first, then many at once until the first of them arrives."""
+    """Search by an iterative method: from the given start first, then from many at once until one arrives."""
     problem, values = _iterated(begin, T, method.chord, scaled=False), method.values()
     why_not, iterations, trace = unfit(method, problem.vector, len(problem.free)), 0, None
     starts, count = begin.starts(task_error_of(begin.arm).target(T)), 1

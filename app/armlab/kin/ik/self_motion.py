@@ -27,28 +27,29 @@ from armlab.kin.ik.verdict import joint_values, task_error_of
 Vector = NDArray[np.float64]
 
 STEP = 0.15
-"""Length of a step, radians or length scales."""
+"""Length of a step, in radians or length scales."""
 
 LEAST_STEP = 1e-3
-"""A step that has to be shorter than this ends the curve."""
+"""Smallest length of a step: the curve ends where a shorter one would be needed."""
 
 MOST_STEPS = 2000
-"""In each direction: about 300 rad of travel."""
+"""Largest number of steps in each direction: about 300 rad of travel."""
 
 MOST_ON_SURFACE = 200
-"""The same where there is more than one direction to go: such a line need never close."""
+"""Largest number of steps where there is more than one direction to go: such a line need not close."""
 
 EXACT = 1e-12
 """Scaled error of a point on the curve; Newton steps leave a much smaller one."""
 
 FLOOR = 1e-13
-"""Keeps normal equations solvable at singular places; steps elsewhere do not feel it."""
+"""Damping that keeps normal equations solvable at singular places; elsewhere it has no effect."""
 
 AT_LIMIT, LIMIT_STEPS = 1e-11, 40
-"""Radians, or length scales, at which a joint is at its limit, and how often that is tried; about six are enough."""
+"""Distance, in radians or length scales, at which a joint is at its limit, and the number of attempts; six are
+enough."""
 
 RANK = 1e-7
-"""Singular values of the scaled task Jacobian below this, relative to the largest, are zero."""
+"""Singular value of the scaled task Jacobian, relative to the largest, below which it counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +61,7 @@ class SelfMotion:
     q : ndarray, shape (m, n)
         Points in order, about `STEP` apart; a single one where nothing can move. Angles are continuous.
     target : ndarray, shape (4, 4)
-        What the tool does not leave.
+        Pose of the tool, which stays constant.
     closed : bool
         Whether the last point is followed by the first, maybe whole turns on.
     freedom : int
@@ -81,7 +82,7 @@ class SelfMotion:
     bounds: Vector
 
     def admits(self, q: Vector) -> bool:
-        """Return whether joint values (n,) are inside the limits of this motion."""
+        """Return whether joint values (n,) are inside the limits."""
         return bool(np.all((q >= self.bounds[0] - AT) & (q <= self.bounds[1] + AT)))
 
 
@@ -93,15 +94,15 @@ def self_motion(arm: Arm, q: ArrayLike, count: int, *, limits: bool = True) -> V
     arm : Arm
     q : array_like, shape (n,)
     count : int
-        At least 2.
+        Number of points, at least 2.
     limits : bool
         Whether joint limits stop the motion; those a joint is outside of to begin with do not count.
 
     Returns
     -------
     ndarray, shape (count, n)
-        Evenly in radians and length scales. Of a closed curve it begins with q and goes once around; of an open one it
-        goes from end to end. Where nothing can move, q alone, shape (1, n).
+        Evenly in radians and length scales. A closed curve begins at q and goes once around; an open one goes from end
+        to end. Where nothing can move, q alone, shape (1, n).
 
     Raises
     ------
@@ -115,7 +116,7 @@ def self_motion(arm: Arm, q: ArrayLike, count: int, *, limits: bool = True) -> V
 
 
 def evenly(arm: Arm, motion: SelfMotion, count: int) -> Vector:
-    """Return points evenly along a traced curve, shape (count, n), or (1, n) where there is only one."""
+    """Return points evenly spaced along a traced curve, shape (count, n), or (1, n) when there is only one."""
     curve = motion.q
     if len(curve) == 1:
         return curve.copy()
@@ -181,12 +182,12 @@ class _Tracer:
         return np.asarray(vectors[rank:].T)
 
     def corrected(self, q: Vector) -> Vector | None:
-        """Return the point of the task's solutions near q, or None."""
+        """Return the solution (n,) of the task near q, or None."""
         found = self._corrected(q)
         return None if found is None else found[0]
 
     def _corrected(self, q: Vector) -> tuple[Vector, Vector] | None:
-        """Return the same, and the scaled task Jacobian there."""
+        """Return the solution (n,) of the task near q and the scaled task Jacobian (m, n) there, or None."""
         n, values = self.arm.n, q.tolist()
         for _ in range(8):
             numbers = self.step(values)
@@ -200,7 +201,7 @@ class _Tracer:
         return np.asarray(np.linalg.solve(J @ J.T + self.floor, e))
 
     def follow(self, q: Vector, direction: Vector, steps: int) -> tuple[list[Vector], bool, int]:
-        """Return the points from q on, whether they close, and the joint (0-based) whose limit stops them or -1."""
+        """Return the points from q on, whether they close, and the joint (0-based) whose limit stops them, or -1."""
         points, length = [q], STEP
         heading = direction
         for number in range(steps):
@@ -223,7 +224,7 @@ class _Tracer:
         return points, False, -1
 
     def _step(self, q: Vector, heading: Vector, length: float) -> tuple[Vector, Vector] | None:
-        """Return the point a step on and the Jacobian there; None where the correction takes much of it back."""
+        """Return the next point and the Jacobian there; None when the correction undoes much of the step."""
         found = self._corrected(q + length * heading * self.scales)
         if found is None:
             return None
@@ -232,17 +233,17 @@ class _Tracer:
         return found if straight > 0.5 * length and float(np.linalg.norm(gone)) < 1.5 * length else None
 
     def _onward(self, J: Vector, heading: Vector) -> Vector:
-        """Return the heading projected on the null space; in more than one dimension it goes as straight as it can."""
+        """Return the heading projected on the null space; in several dimensions the path stays nearly straight."""
         ahead = heading - J.T @ self._solved(J, J @ heading)
         size = float(np.linalg.norm(ahead))
         return np.asarray(ahead / size) if size > 0.1 else heading
 
     def _over(self, q: Vector) -> Vector:
-        """Return by how much each joint is beyond its limits, negative inside, in scaled variables."""
+        """Return the distance of each joint beyond its limits, negative inside, in scaled variables."""
         return np.asarray(np.maximum(q - self.high, self.low - q) / self.scales)
 
     def _up_to_limit(self, q: Vector, heading: Vector, length: float, there: Vector) -> tuple[Vector | None, int]:
-        """Return where a step that ends beyond a limit meets the first one, and its joint; None where that is q."""
+        """Return where a step that ends outside first meets a limit, and that joint; None where this is at q."""
         joint, point = -1, there
         for _ in range(self.arm.n):
             joint = int(np.argmax(self._over(point)))
@@ -257,8 +258,8 @@ class _Tracer:
     def _crossing(
         self, q: Vector, heading: Vector, length: float, there: Vector, joint: int
     ) -> tuple[Vector, float] | None:
-        """Return the point at which a joint is at its limit and how far on it is, by false position (Illinois)."""
-        # Of the limit it has come to: a step across a narrow range begins at the other one.
+        """Return the point where a joint is at its limit and its position on the step, by false position (Illinois)."""
+        # Use the limit that was reached: a step across a narrow range begins at the other one.
         sign, limit = (1.0, self.high[joint]) if there[joint] > self.high[joint] else (-1.0, self.low[joint])
         out = sign / self.scales[joint]
         least, under = 0.0, float(out * (q[joint] - limit))
@@ -283,7 +284,7 @@ class _Tracer:
         return None
 
     def _is_back(self, q: Vector, heading: Vector, direction: Vector) -> bool:
-        """Return whether the curve has come to where it started, whole turns apart counting as the same."""
+        """Return whether the curve is back at its start, up to whole turns."""
         if float(heading @ direction) <= 0.5:
             return False
         gap = _apart(self.arm, q - self.start) / self.scales
@@ -295,13 +296,13 @@ def _apart(arm: Arm, gap: Vector) -> Vector:
 
 
 def _around(arm: Arm, curve: Vector) -> Vector:
-    """Return the start of a closed curve again, with the turns that going around it has made."""
+    """Return the start of a closed curve again, with the whole turns of one round added."""
     gap = curve[0] - curve[-1]
     return np.asarray(curve[-1] + _apart(arm, gap))
 
 
 def _canonical(basis: Vector) -> Vector:
-    """Return one direction of a null space, the same for the same space: towards the last joint that can move."""
+    """Return one direction of a null space, always the same: towards the last joint that can move."""
     for joint in range(len(basis) - 1, -1, -1):
         ahead = basis @ basis[joint]
         size = float(np.linalg.norm(ahead))
@@ -311,7 +312,7 @@ def _canonical(basis: Vector) -> Vector:
 
 
 def distance_to(arm: Arm, q: Vector, curves: Sequence[Vector]) -> float:
-    """Return how far a configuration is from the nearest point of some curves, in radians and length scales."""
+    """Return the distance of a configuration from the nearest point of curves, in radians and length scales."""
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
     gaps = [float(np.linalg.norm(_apart(arm, curve - q) / scales, axis=1).min()) for curve in curves]
     return min(gaps, default=math.inf)

@@ -1,4 +1,4 @@
-"""All solutions of an inverse-kinematics problem, and what is known about their number."""
+"""All solutions of an inverse kinematics problem, and what is known about their number."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from armlab.kin.ik.rest import AT
 Completeness = Literal["none", "complete", "at least", "infinite"]
 
 MOST_EQUIVALENTS = 4096
-"""Whole-turn copies that are listed at most."""
+"""Largest number of whole-turn copies that are listed."""
 
 HALF_TURN = 1e-13
-"""In whole turns: angles this near to minus half a turn become plus half a turn."""
+"""Distance from minus half a turn, in whole turns, within which an angle becomes plus half a turn."""
 
 
 @dataclass(frozen=True, eq=False)
 class IkSolutions:
-    """What `armlab.kin.ik.solve_all.solve_all` found.
+    """The solutions found by `armlab.kin.ik.solve_all.solve_all`, and how complete they are.
 
     A sequence of configurations: ``len(found)``, ``for q in found`` and ``found[k]`` go by the rows of ``q``, and what
     selects rows of an array selects them here, such as ``found[found.within_limits]``.
@@ -35,12 +35,12 @@ class IkSolutions:
     arm : Arm
     q : ndarray, shape (k, n)
         Rad and m. Each angle is inside its limits by whole turns where it can be and then nearest to zero, else nearest
-        to the limits; sorted by joint 1, then joint 2, and so on. Of infinitely many some representatives.
+        to the limits; sorted by joint 1, then joint 2, and so on. Infinitely many are given by some representatives.
     names : tuple of str
         The branch of each, such as ``"shoulder left, elbow up, wrist flip"``; numbers where an arm has no such words.
     within_limits : ndarray of bool, shape (k,)
     beyond : ndarray, shape (k, n)
-        How far each joint is below (negative) or above (positive) its limits in rad or m; 0 inside.
+        Distance of each joint below (negative) or above (positive) its limits in rad or m; 0 inside.
     completeness : str
         ``"none"``: there is no solution; ``"complete"``: these are all; ``"at least"``: these were found by a search,
         there may be more (or, with k = 0, some); ``"infinite"``: a family, of which these are representatives.
@@ -76,7 +76,7 @@ class IkSolutions:
 
     @property
     def how_far_out(self) -> tuple[str, ...]:
-        """For each solution which joints are beyond their limits and by how much; empty text inside, shape (k,)."""
+        """Sentences on the joints beyond their limits and by how much, one for each solution, empty when inside."""
         return tuple(_out(self.arm, row) for row in self.beyond)
 
     def equivalents(self, k: int) -> NDArray[np.float64]:
@@ -99,7 +99,7 @@ class IkSolutions:
 
 
 def beyond_limits(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return how far joint values (k, n) are outside the limits, rad or m, negative below; within `AT` of one is 0."""
+    """Return by how much joint values (k, n) are outside the limits, rad or m, negative below; 0 within `AT`."""
     low, high = arm.limits.T
     out = np.where(q < low - AT, q - low, np.where(q > high + AT, q - high, 0.0))
     return np.asarray(out, dtype=np.float64)
@@ -121,7 +121,7 @@ def wrapped_rows(arm: Arm, q: NDArray[np.floating]) -> NDArray[np.float64]:
 
 
 def sorted_rows(q: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Return the order of rows by joint 1, then 2 and so on, values that differ by rounding counting as equal."""
+    """Return the order (k,) of rows (k, n) by joint 1, then 2 and so on; values within rounding count as equal."""
     keys = np.round(q, 6) + 0.0
     return np.asarray(np.lexsort(keys.T[::-1]), dtype=np.intp)
 

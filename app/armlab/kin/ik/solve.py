@@ -1,7 +1,7 @@
 """One solution of the inverse kinematics: descents from a given start, samples near the target, and random starts.
 
 Where all fail, the list of all solutions has the last word for arms that have one: a solution, or the proof that there
-is none. What then is left is the closest configuration downhill of the start.
+is none. The result is then the closest configuration downhill of the start.
 """
 
 from __future__ import annotations
@@ -30,23 +30,23 @@ from armlab.kin.ik.weights import Weights, checked_weights
 from armlab.kin.transforms import as_pose
 
 SEARCHES = 100
-"""Starts before giving up."""
+"""Largest number of starts."""
 
 STEPS_INSIDE = 20
-"""Steps of the method inside limits; what is not reached by then probably cannot be."""
+"""Steps of the method inside limits; a target not reached by then probably cannot be reached."""
 
 STEPS_CLOSEST = 100
-"""Steps of Newton's method towards the closest configuration after that; it needs five to ten."""
+"""Largest number of Newton steps towards the closest configuration after that; five to ten are usual."""
 
 BALANCES = 4
-"""Descents of that kind at most, each after slipping off a balance; what is left then waits for the next call."""
+"""Largest number of descents of that kind, each after leaving a balance; the rest waits for the next call."""
 
 NEARLY = 1e-3
-"""Scaled error from which arms with joints to spare look along the valley and ask for the list, too: of a stretched arm
-the last steps of a descent reduce it by less and less."""
+"""Scaled error above which arms with joints to spare look along the valley and use the list of all solutions, too: for
+a stretched arm the last steps of a descent gain less and less."""
 
 SURELY = 1e-9
-"""Part of its distance by which a target must be beyond the reach for a search to be pointless, not only rounding."""
+"""Part of its distance by which a target must lie beyond the reach, rounding excluded, for a search to be pointless."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,9 +64,9 @@ class IkResult:
     iterations : int
         Steps in all; 0 of a closed form.
     reason : str
-        What a student should know, in words.
+        Sentence for the student.
     verdict : Verdict
-        What q is worth, as data.
+        The verdict on q, as data.
     proven : bool
         Whether it is certain that no configuration inside the limits reaches the target.
     trace : Trace or None
@@ -112,15 +112,15 @@ def solve(
         those nearest to it, whole turns apart, inside the limits; in (-pi, pi], where the limits allow, when left out.
     method : str
         Key of a compiled method (see `methods`) or of an iterative one (see `iteration_methods`; at its default
-        parameters, some hundred times slower). Of ``"gradient"`` and ``"gauss_newton"``, which are both, it is the
-        compiled one.
+        parameters, some hundred times slower). ``"gradient"`` and ``"gauss_newton"``, which exist in both forms, mean
+        the compiled one.
     weights : array_like, shape (m,), optional
         Positive numbers without unit, one for each component of the arm's task: factors of its errors in half reaches
         (``arm.length_scale`` metres) and radians. They decide which configuration counts as the closest to a target
         that cannot be reached, not what counts as reached. Only their ratios matter; the components of an orientation
         share one.
     seed : int
-        Of the random starts; the same call gives the same answer.
+        Seed of the random starts; the same call gives the same answer.
     locked : sequence of bool, optional
         Joints that keep their value in ``q0``.
     searches : int

@@ -1,4 +1,4 @@
-"""Every solution of the inverse kinematics, by the best way the arm's structure allows."""
+"""All solutions of the inverse kinematics, by the best way that the arm's structure allows."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from armlab.kin.transforms import as_pose, inverse
 Vector = NDArray[np.float64]
 
 DESCENTS = 64
-"""Of that look, for arms that elimination is not for."""
+"""Number of descents that look for further solutions, for arms without an elimination."""
 
 LOOSE = 1e-9
-"""Error in m and rad above which a solution is one only by what counts as reached."""
+"""Error, in m and rad, above which a solution is one only within the tolerance of a reached target."""
 
 OUT_OF_REACH = 1e-2
-"""Metres and radians up to which it is said by how much the nearest configuration misses."""
+"""Largest error, in metres and radians, of the nearest configuration that is told in the sentence."""
 
 
 def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float] | None = None) -> IkSolutions:
@@ -54,7 +54,7 @@ def solve_all(arm: Arm, T: ArrayLike, *, seed: int = 0, held: Mapping[int, float
         Wanted pose of the tool in the world. Components outside the task are ignored. Where its rotation is one only
         nearly (1e-6 is let through), the nearest rotation is meant.
     seed : int
-        Of random starts, where they are used; the same call gives the same answer, bit by bit.
+        Seed of random starts, if there are any; the same call gives the same answer, bit by bit.
     held : mapping, optional
         Joints (1-based) that are given, with their values in rad or m: the others are solved for.
 
@@ -101,7 +101,7 @@ def _by_structure(arm: Arm, T: Vector, seed: int) -> Answer:
 
 
 def _is_general(arm: Arm) -> bool:
-    """Return whether elimination can find every solution of an arm."""
+    """Return whether elimination can find all solutions of an arm."""
     return bool(arm.revolute.all()) and arm.n == 6 and arm.task.key == "pose"
 
 
@@ -153,7 +153,7 @@ def _is_family(arm: Arm, T: Vector, rows: Sequence[Vector]) -> bool:
 
 
 def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why: str) -> Answer:
-    """Return the solutions of a closed form at a singular pose, with what descents find beside them."""
+    """Return the solutions of a closed form at a singular pose, and those that descents find besides."""
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
     every = verified(arm, T, [*some.rows, *many_starts(arm, G, seed=seed, starts=DESCENTS)])
     if any(_moves(arm, row, T, None) for row in every.rows):
@@ -169,7 +169,7 @@ def _with_descents(arm: Arm, T: Vector, seed: int, some: Verified, key: str, why
 
 
 def _nearly_still(arm: Arm, T: Vector, rows: list[Vector], key: str, why: str) -> Answer | None:
-    """Return solutions with others to which they move while the tool stands still, or nearly; None where none moves."""
+    """Return the solutions with those reached while the tool stands still, or nearly; None when none moves."""
     on: list[Vector] = []
     for row in rows:
         on += moved_on(arm, row, T) if len(on) < SAMPLES else []
@@ -195,7 +195,7 @@ def _by_elimination(arm: Arm, T: Vector, why: str, known: Sequence[Vector] = ())
 
 
 def _loose(arm: Arm, T: Vector, q: Sequence[Vector]) -> tuple[int, tuple[float, float] | None]:
-    """Return how many solutions are such only by what counts as reached, and their largest errors in m and rad."""
+    """Return the number of solutions that are such only within tolerance, and their largest errors in m and rad."""
     target = task_error_of(arm).target(T)
     errors = [task_error_of(arm).at(row.tolist(), target)[2] for row in q]
     loose = [one for one in errors if one.position > LOOSE * max(1.0, arm.length_scale) or one.rotation > LOOSE]
@@ -224,7 +224,7 @@ def _moves(arm: Arm, q: Vector, T: Vector, held: dict[int, float] | None) -> boo
 
 
 def _with_held(arm: Arm, T: Vector, seed: int, held: dict[int, float]) -> Answer:
-    """Solve for the joints that are not held."""
+    """Return the answer for the joints that are not held."""
     values = np.array([held.get(i, 0.0) for i in range(arm.n)])
     listed = " and ".join(f"q{i + 1}" for i in sorted(held))
     if len(held) == arm.n:
@@ -283,14 +283,14 @@ def _sentence(answer: Answer, inside: int) -> str:
         head = f"{k} solution{'' if k == 1 else 's'}, and no others."
     limits = f" {inside} of them within the joint limits." if 0 < inside < k else ""
     if k and not inside:
-        # Of some solutions nothing follows for the others.
+        # Some of the solutions prove nothing on the others.
         every = answer.completeness == "complete"
         limits = " None of them within the joint limits." if every else " None was found within the joint limits."
     return " ".join(part for part in (head, answer.reason, _distance(answer)) if part) + limits
 
 
 def _distance(answer: Answer) -> str:
-    """Return how far solutions that only come near, or the nearest of what are none, are from the target."""
+    """Return a sentence on the distance of the nearest configurations from the target."""
     if answer.missed is None or (answer.q and not answer.loose):
         return ""
     by = missed_in_words(*answer.missed)
@@ -309,7 +309,7 @@ def _nearest_pose(T: Vector) -> Vector:
     U, _, V = np.linalg.svd(T[:3, :3])
     pose = T.copy()
     R = U @ V
-    # What is a rotation up to rounding stays as it came.
+    # A rotation up to rounding is not changed.
     if float(np.abs(R - T[:3, :3]).max()) > 1e-14:
         pose[:3, :3] = R
     return pose

@@ -1,4 +1,4 @@
-"""All solutions of arms with joints to spare: curves of them, which are traced, or families of more dimensions."""
+"""All solutions of arms with joints to spare: traced curves of solutions, or families of higher dimension."""
 
 from __future__ import annotations
 
@@ -22,28 +22,28 @@ from armlab.kin.transforms import inverse
 Vector = NDArray[np.float64]
 
 FAMILY_STARTS = 48
-"""Starts of the search for the self-motions of a redundant arm; each one is a piece of a family."""
+"""Number of starts of the search for the self-motions of a redundant arm; each gives a piece of a family."""
 
 INSIDE_STARTS = 12
-"""Starts at least of the search inside the limits, where the other one, which knows none, found too few there."""
+"""Least number of starts of a search inside the limits, when the search without them found too few there."""
 
 FAMILIES = 4
-"""Curves that are traced."""
+"""Largest number of curves that are traced."""
 
 POINTS = 400
-"""Traced points at most, of all curves: some 60 rad of travel, and the time of all else taken together."""
+"""Largest number of traced points of all curves: some 60 rad of travel, which take half of the time."""
 
 PROBED = 3
-"""Singular solutions whose dimension is looked for, where they belong to families of more than one."""
+"""Number of singular solutions whose dimension is examined, in families of more than one dimension."""
 
 REPRESENTATIVES = 8
-"""Configurations that stand for each of them, and so many at least are looked for inside the limits."""
+"""Number of representatives of each family, and least number that is looked for inside the limits."""
 
 _SEARCHED = f"Looked for from {FAMILY_STARTS + STARTS} random starts; a search proves nothing."
 
 
 def with_spare_joints(arm: Arm, T: Vector, seed: int) -> Answer:
-    """Return what is found for an arm that has more joints than its task needs; T (4, 4) in the world."""
+    """Return the answer for an arm that has more joints than its task needs; T (4, 4) in the world."""
     why = known_structure(arm).why
     if is_beyond(arm, T):
         return Answer([], "none", BEYOND, "self_motion", why)
@@ -57,7 +57,7 @@ def with_spare_joints(arm: Arm, T: Vector, seed: int) -> Answer:
 
 
 def _found(arm: Arm, T: Vector, seed: int, wanted: int) -> list[Vector]:
-    """Return solutions, those inside the limits alone where there are any; of these at least so many are looked for."""
+    """Return solutions, only those inside the limits if there are any; at least ``wanted`` of these are looked for."""
     G = np.asarray(inverse(arm.base) @ T, dtype=np.float64)
     found = verified_rows(arm, T, list(many_starts(arm, G, seed=seed, starts=FAMILY_STARTS, inside=True)))
     inside = [q for q in found if arm.within_limits(q)]
@@ -71,7 +71,7 @@ def _found(arm: Arm, T: Vector, seed: int, wanted: int) -> list[Vector]:
 
 
 def _of_surfaces(arm: Arm, T: Vector, found: list[Vector]) -> tuple[Completeness, str]:
-    """Return how many solutions there are around some, and in words of how many dimensions they are."""
+    """Return the completeness of the solutions around some, and a sentence on their dimension."""
     dimension = max(local_dimension(arm, q, T) for q in found[:FAMILIES])
     if dimension == 0:
         return "at least", "No small step leads on from them."
@@ -87,7 +87,7 @@ def _family(dimension: int) -> str:
 
 
 def _of_curves(arm: Arm, T: Vector, found: list[Vector], why: str) -> Answer:
-    """Trace the self-motions through solutions and let points evenly along them stand for all."""
+    """Trace the self-motions through solutions; points evenly along them represent all solutions."""
     motions, surface, dimension = _motions(arm, T, found)
     if any(arm.within_limits(q) for q in [*surface, *(motion.q[0] for motion in motions)]):
         motions = [motion for motion in motions if arm.within_limits(motion.q[0])]
@@ -123,7 +123,7 @@ def _motions(arm: Arm, T: Vector, found: list[Vector]) -> tuple[list[SelfMotion]
         if distance_to(arm, q, [motion.q for motion in motions]) <= 2.0 * STEP:
             continue
         if null_dimension(arm, q, T) > 1:
-            # Of the many singular solutions of one pose the first tell what the others are.
+            # The first of the many singular solutions of a pose show the dimension of all.
             dimension = local_dimension(arm, q, T) if len(surface) < PROBED else most
             if dimension > 1:
                 surface.append(q)
@@ -136,7 +136,7 @@ def _motions(arm: Arm, T: Vector, found: list[Vector]) -> tuple[list[SelfMotion]
 
 
 def _motion(arm: Arm, T: Vector, q: Vector, steps: int) -> SelfMotion:
-    """Return the self-motion through a solution: inside the limits, or all of it where no traced point is inside."""
+    """Return the self-motion through a solution: inside the limits, or all of it when no traced point is inside."""
     if arm.within_limits(q):
         return trace_self_motion(arm, q, T, steps=steps)
     motion = trace_self_motion(arm, q, T, limits=False, steps=steps)

@@ -1,4 +1,4 @@
-"""Bring a target to what an arm can be asked for."""
+"""Projection of a target onto what the task of an arm controls."""
 
 from __future__ import annotations
 

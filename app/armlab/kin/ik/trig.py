@@ -1,4 +1,4 @@
-"""The trigonometric equations that closed forms end in, with all their special cases."""
+"""The trigonometric equations at the end of closed forms, with all their special cases."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ import math
 from dataclasses import dataclass
 
 ZERO = 1e-11
-"""Relative to the size of the terms: coefficients below it vanish."""
+"""Size, relative to the terms, below which a coefficient counts as zero."""
 
 NEARLY = 1e-3
-"""Relative to the size of the terms: c may exceed sqrt(a² + b²) by as much and still give the angle between the two
-that have just vanished. The target is then out of reach by so little that the angle is worth a look: forward kinematics
-decides."""
+"""Excess of c over sqrt(a² + b²), relative to the size of the terms, up to which the angle between the two solutions
+that have just vanished is still given. The target is then out of reach by so little that forward kinematics has to
+decide."""
 
 DOUBLE = 1e-14
-"""Relative size of a² + b² − c² below which two solutions count as one: they are then 1e-7 rad apart and rounding
-decides about their being real."""
+"""Size of a² + b² − c², relative to its terms, below which two solutions count as one: they are then 1e-7 rad apart,
+and rounding decides whether they are real."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Angles:
     Attributes
     ----------
     values : tuple of float
-        In (-pi, pi], radians; none, one, or two, the plus sign of the root first.
+        Angles in (-pi, pi], radians: none, one, or two, with the plus sign of the root first.
     every : bool
         Whether every angle is a solution; ``values`` is then empty.
     """
@@ -53,10 +53,10 @@ def sine_cosine(a: float, b: float, c: float, size: float | None = None, root: f
     Parameters
     ----------
     a, b, c : float
-        In one unit.
+        Coefficients, all in one unit.
     size : float, optional
         The size of the terms the coefficients were made from, in the same unit; the largest of them when left out.
-        What is smaller than `ZERO` of it is zero.
+        Values smaller than `ZERO` times this size are zero.
     root : float, optional
         sqrt(a² + b² − c²), where the caller knows it better than the difference of squares does.
 
@@ -128,7 +128,7 @@ def two_equations(
     ----------
     first, second : tuple (a, b, c)
     size : float, optional
-        As in `sine_cosine`.
+        Size of the terms, as in `sine_cosine`.
 
     References
     ----------

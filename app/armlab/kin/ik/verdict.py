@@ -1,4 +1,4 @@
-"""What a configuration is worth for a target, in numbers and in a sentence: derived, never remembered."""
+"""The verdict on a configuration for a target, in numbers and in a sentence; it is computed anew, never stored."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def judge(
     locked: Sequence[bool] | None = None,
     weights: ArrayLike | None = None,
 ) -> Verdict:
-    """Say how a configuration stands to a target.
+    """Return the verdict on a configuration for a target.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def judge(
     locked : sequence of bool, optional
         Joints that may not move.
     weights : array_like, shape (m,), optional
-        Of the task components, for what "closest" means; see `armlab.kin.ik.solve.solve`.
+        Weights of the task components, which define the closest configuration; see `armlab.kin.ik.solve.solve`.
 
     Raises
     ------
@@ -105,7 +105,7 @@ def judge(
 
 
 def _is_beyond(arm: Arm, target: Sequence[float]) -> bool:
-    """Return whether the controlled coordinates alone are farther away than all links in a line."""
+    """Return whether the controlled coordinates alone are farther away than the sum of all lengths."""
     return math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates)) > arm.reach
 
 
@@ -115,7 +115,7 @@ def joint_values(arm: Arm, q: ArrayLike, where: str) -> NDArray[np.float64]:
 
 
 def checked_locks(arm: Arm, locked: Sequence[bool] | None) -> list[bool] | None:
-    """Return which joints are locked, one entry for each; `InputError` when there are not as many."""
+    """Return which joints are locked, one entry for each; `InputError` when the number of entries is wrong."""
     if locked is None:
         return None
     if not isinstance(locked, (Sequence, np.ndarray)) or len(locked) != arm.n:
@@ -124,7 +124,7 @@ def checked_locks(arm: Arm, locked: Sequence[bool] | None) -> list[bool] | None:
 
 
 def free_joints(locked: Sequence[bool] | None) -> list[float] | None:
-    """Return 1 for joints that may move and 0 for locked ones; None when none is locked."""
+    """Return 1 for joints that may move and 0 for locked ones; None when all may move."""
     return [0.0 if held else 1.0 for held in locked] if locked is not None and any(locked) else None
 
 

@@ -21,45 +21,48 @@ from armlab.kin.ik.verdict import task_error_of
 Vector = NDArray[np.float64]
 
 ROUNDING = 1e-14
-"""Of the distance of a target, in metres: no forward kinematics is better."""
+"""Rounding of forward kinematics, relative to the distance of a target in metres."""
 
 GOOD = 1e-13
 """Scaled error at which polishing ends."""
 
 EXACT = 1e-9
-"""Scaled error up to which a candidate is taken for a solution; above, for the nearest to one."""
+"""Scaled error up to which a candidate is a solution; above it may be the configuration nearest to one."""
 
 FAR = 1e-2
-"""Scaled error of a candidate that comes from no solution."""
+"""Scaled error above which a candidate does not belong to a solution."""
 
 STEPS, MORE_STEPS = 8, 60
-"""Of Newton's method; more where the error falls, but only as at a multiple root."""
+"""Steps of Newton's method; more where the error falls slowly, as at a multiple root."""
 
 CUTOFF = 1e-9
-"""Relative singular values below this do not move: along them a singular pose is not told."""
+"""Singular value, relative to the largest, below which a direction is not corrected: it is undetermined at a singular
+pose."""
 
 WEAK = (0.03, 1e-3, 1e-5)
-"""The same on the way to the nearest configuration: along weak directions it is at rest. The best of them counts."""
+"""Singular values, relative to the largest, below which a direction is not corrected on the way to the nearest
+configuration, where weak directions are at rest; the best of the results is used."""
 
 SAME = 1e-6
-"""Radians, or length scales: points of curves nearer than this in all joints are one."""
+"""Distance in all joints, radians or length scales, below which points of curves are one."""
 
 CLOSE = 0.3
-"""The same, for solutions farther apart, which are not one."""
+"""Distance in all joints, radians or length scales, up to which two solutions may be one."""
 
 VALLEY, STAYED = 1e-4, 0.1
-"""Of the largest singular value: directions along which nothing is corrected half-way between two candidates; and of
-their distance: how far to the side the correction leads at most."""
+"""Singular value, relative to the largest, below which a direction is not corrected half-way between two candidates;
+and how far to the side the correction may lead, relative to their distance."""
 
 IDENTICAL, BLURRED = 1e-9, 1e-2
-"""Radians, or length scales: what is closer is one without asking; and where it only comes near the target."""
+"""Distances, in radians or length scales, below which two solutions are one without a test: of exact ones, and of those
+that only come near the target."""
 
 BETWEEN = 1e-14
-"""Scaled error half-way between two candidates, up to which they are one: rounding."""
+"""Scaled error half-way between two candidates up to which they are one, the difference being rounding."""
 
 
 class Polished(NamedTuple):
-    """The nearest configuration to a target from a candidate on.
+    """The configuration nearest to a target, found from a candidate.
 
     Attributes
     ----------
@@ -75,7 +78,7 @@ class Polished(NamedTuple):
 
 
 def polished(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None) -> Polished:
-    """Return the nearest configuration to a target from a candidate (n,) on; held joints stay."""
+    """Return the configuration nearest to a target, starting from a candidate (n,); held joints stay."""
     best = _descended(arm, q, target, held, CUTOFF, FAR)
     if EXACT**2 < best.errors.scaled2 <= FAR**2:
         nearer = (_descended(arm, best.q, target, held, weak, math.inf) for weak in WEAK)
@@ -84,7 +87,7 @@ def polished(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] |
 
 
 def solution(arm: Arm, q: Vector, target: list[float], held: NDArray[np.bool_] | None = None) -> Vector | None:
-    """Return the solution at a candidate (n,), or None where the target is not reached."""
+    """Return the solution at a candidate (n,), or None when the target is not reached."""
     best = polished(arm, q, target, held)
     return best.q if is_reached(arm, best.errors, target) else None
 
@@ -98,7 +101,7 @@ def _descended(
     limit: float,
     good: float = GOOD,
 ) -> Polished:
-    """Go by Newton steps as long as they lead nearer and none is good; at once back from errors above a limit."""
+    """Take Newton steps while they lead nearer and none is good; give up at once when the error exceeds a limit."""
     task, least, best = task_error_of(arm), math.inf, None
     scales = np.where(arm.revolute, 1.0, arm.length_scale)
     for k in range(MORE_STEPS):
@@ -115,7 +118,7 @@ def _descended(
 
 
 def is_reached(arm: Arm, errors: Errors, target: list[float]) -> bool:
-    """Return whether errors are within what counts as reached; far away, where rounding is more, within that."""
+    """Return whether errors are within the tolerance of a reached target, or within rounding when that is larger."""
     if errors.reached:
         return True
     distance = math.hypot(*(target[4 * k + 3] for k in arm.task.coordinates))
@@ -125,12 +128,12 @@ def is_reached(arm: Arm, errors: Errors, target: list[float]) -> bool:
 
 
 def reaches(arm: Arm, q: Vector, target: list[float]) -> bool:
-    """Return whether joint values (n,) put the tool at the target."""
+    """Return whether joint values (n,) bring the tool to the target."""
     return is_reached(arm, task_error_of(arm).at(q.tolist(), target)[2], target)
 
 
 def each_once(arm: Arm, candidates: Sequence[Polished], target: list[float]) -> list[Polished]:
-    """Return polished candidates without those that are one with a better one.
+    """Return polished candidates without those that coincide with a better one.
 
     Two are one when half-way between them the error is no larger than theirs, or rounding: where k solutions merge an
     error e of the pose is one of e^(1/k) of the joints, and no distance of the joints tells.
@@ -161,7 +164,7 @@ def _joined(arm: Arm, one: Polished, way: Vector, target: list[float]) -> bool:
 
 
 def distinct(arm: Arm, candidates: Sequence[Vector], tolerance: float = SAME) -> list[Vector]:
-    """Return configurations without those that repeat an earlier one, whole turns apart counting as the same."""
+    """Return configurations (n,) without those that repeat an earlier one, up to whole turns."""
     q = np.array(candidates).reshape(-1, arm.n)
     repeats = np.abs(_apart(arm, q[:, None], q)).max(axis=2) <= tolerance
     kept: list[int] = []
@@ -172,6 +175,6 @@ def distinct(arm: Arm, candidates: Sequence[Vector], tolerance: float = SAME) ->
 
 
 def _apart(arm: Arm, q: Vector, other: Vector) -> Vector:
-    """Return the way from one to the other, without whole turns, slides in length scales."""
+    """Return the difference of two configurations without whole turns, slides in length scales."""
     apart = q - other
     return np.where(arm.revolute, apart - math.tau * np.round(apart / math.tau), apart / arm.length_scale)

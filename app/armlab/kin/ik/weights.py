@@ -1,4 +1,4 @@
-"""Weights of task components: what counts how much where not everything can be had."""
+"""Weights of task components: their importance where not all can be reached."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.checks import as_floats, wrong
 Weights = tuple[float, ...]
 
 LEAST = 1e-6
-"""Smallest weight, relative to the largest, that numbers of 16 digits can still tell from nothing."""
+"""Smallest weight, relative to the largest, that is not lost in rounding with 16 digits."""
 
 
 def checked_weights(arm: Arm, weights: ArrayLike | None) -> Weights | None:
@@ -38,7 +38,7 @@ def checked_weights(arm: Arm, weights: ArrayLike | None) -> Weights | None:
 
 
 def positive_factors(values: ArrayLike, where: str, m: int) -> NDArray[np.float64]:
-    """Return m positive, finite numbers, one for each task component; `InputError` otherwise."""
+    """Return m positive, finite numbers (m,), one for each task component; `InputError` otherwise."""
     found = as_floats(values, where, f"{m} positive numbers")
     if found.shape != (m,) or not np.all(np.isfinite(found) & (found > 0.0)):
         raise wrong(where, f"{m} positive numbers", values)
@@ -46,7 +46,7 @@ def positive_factors(values: ArrayLike, where: str, m: int) -> NDArray[np.float6
 
 
 def one_for_the_orientation(values: Sequence[float] | NDArray[np.float64], where: str) -> None:
-    """Refuse different factors for the components of one turn, with which its slope would not be J^T e."""
+    """Refuse different factors for the components of one rotation, for which the slope would not be J^T e."""
     if len(values) and not all(value == values[0] for value in values):
         listed = [float(value) for value in values]
         raise InputError(f"{where}: expected one number for all components of the orientation, got {listed}")

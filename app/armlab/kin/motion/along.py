@@ -1,4 +1,4 @@
-"""A timing law shaped by bounds on a path, and stretched until it meets a limit of the joints."""
+"""A timing law within the bounds of a path, stretched until it meets a limit of the joints."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from armlab.kin.motion.scaling import as_fast_as_allowed
 from armlab.kin.motion.trajectory import Trajectory
 
 RESTLESS = ("sdot_start", "sdot_end")
-"""Options by which a law begins or ends with a speed: stretched in time it would be another one."""
+"""Options by which a law begins or ends with a speed: stretched in time it would be a different law."""
 
 
 def restless(options: dict[str, Any]) -> bool:
-    """Return whether a law is told to begin or to end with a speed."""
+    """Return whether the options make a law begin or end with a speed."""
     return any(options.get(name) for name in RESTLESS)
 
 
@@ -37,16 +37,16 @@ def fastest_along(
     Parameters
     ----------
     title : str
-        Of the law, which does not depend on the path.
+        Name of the law, which does not depend on the path.
     shaped : callable
         ``shaped(limits, **options)`` makes the law of a path whose length is 1.
     path : Path
     limits, shape : Limits
-        To be met, and to shape the law; with a number for each joint.
+        Limits that are met, and limits that shape the law; with a number for each joint.
     jumps : bool
         Whether limits count between jumps only.
     options : dict
-        Of the law.
+        Options of the law.
     """
     bounds = law_bounds(path, shape).usable
     law = shaped(Limits(bounds.V, bounds.A, bounds.jerk), **options)

@@ -1,4 +1,4 @@
-"""How fast a timing law may be on a path, from the limits of the joints (section 6.1.1 of the notes)."""
+"""Bounds on a timing law on a path, from the limits of the joints (section 6.1.1 of the notes)."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from armlab.kin.motion.path import Path
 Floats = NDArray[np.float64]
 
 BALANCED = math.sqrt(0.5)
-"""Of the largest speed with any room left for an acceleration: then half of each joint's limit goes to the bend of the
-path and half to speeding up."""
+"""Fraction of the largest speed that leaves any acceleration: half of each joint's limit is then used by the curvature
+of the path and half for speeding up."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,9 +30,9 @@ class LawBounds:
     M_v, M_a : ndarray, shape (m,)
         Largest |dq_i/ds| and |d²q_i/ds²| on [0, 1], end points included.
     M_v_at, M_a_at : ndarray, shape (m,)
-        Where they are.
+        Parameters s of these maxima.
     limits : Limits
-        Of the joints, a number for each.
+        Limits of the joints, one number for each.
     V : float
         Largest |s'|: the smallest v_i / M_v,i, or what the caller chose below it.
     V_joint : int
@@ -44,7 +44,7 @@ class LawBounds:
     V_bend : float
         The V above which no |s''| is left at all.
     explanation : str
-        What it means, in words.
+        Explanation in words.
     """
 
     M_v: Floats
@@ -61,22 +61,22 @@ class LawBounds:
 
     @property
     def possible(self) -> bool:
-        """Whether a law can use V and A: A is positive."""
+        """Whether a law can use V and A, which requires that A is positive."""
         return self.A > 0.0
 
     @property
     def jerk(self) -> float:
-        """A bound of the third derivative of s with M_v alone: it shapes a law, and keeps no limit by itself."""
+        """A bound of the third derivative of s with M_v alone: it shapes a law but does not ensure the limit."""
         moving = self.M_v > 0.0
         return float((self.limits.jerk[moving] / self.M_v[moving]).min())
 
     @property
     def usable(self) -> LawBounds:
-        """Itself where a law can use it, and otherwise with V lowered."""
+        """The bounds as a law can use them, with V lowered if necessary."""
         return self if self.possible else self.lowered()
 
     def lowered(self) -> LawBounds:
-        """Return the bounds with V lowered so that some A is left: to sqrt(1/2) of V_bend, if that is less than V."""
+        """Return the bounds with V lowered to sqrt(1/2) of V_bend, if that is less, so that some A is left."""
         return _bounds(self, min(self.V, BALANCED * self.V_bend))
 
 
@@ -86,9 +86,9 @@ def law_bounds(path: Path, limits: Limits | Arm, speed: float | None = None) -> 
     Parameters
     ----------
     path : Path
-        In joint space.
+        A path in joint space.
     limits : Limits or Arm
-        Of the joints; an arm stands for its own limits.
+        Limits of the joints; an arm stands for its own limits.
     speed : float, optional
         A V to work with that is smaller than the largest.
 

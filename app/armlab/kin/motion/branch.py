@@ -1,4 +1,4 @@
-"""One branch of the inverse kinematics along a tool path: predicted along it, corrected onto it, in adapted steps."""
+"""One branch of the inverse kinematics along a tool path, by prediction and correction with adaptive steps."""
 
 from __future__ import annotations
 
@@ -15,38 +15,41 @@ from armlab.kin.motion.tool_path import ToolPath
 Floats = NDArray[np.float64]
 
 LARGEST, SMALLEST = 1.0 / 16.0, 1e-7
-"""Steps in s. Below the smallest the branch has ended: to cross it a joint would turn 1e5 times as fast as usual."""
+"""Largest and smallest step in s. Below the smallest the branch has ended: a joint would turn 1e5 times as fast as
+usual."""
 
 SPARE = 4.0
-"""With spare joints steps are so much shorter: between nodes the way is interpolated, and what the spare joints do
-there is not corrected."""
+"""Factor by which steps are shorter with joints to spare: between nodes the way is interpolated, and the motion of the
+spare joints there is not corrected."""
 
 FAR = 0.35
-"""Largest change of a joint in one step, in radians or length scales: no other branch must be taken for this one."""
+"""Largest change of a joint in one step, in radians or length scales, so that no other branch is taken for this one."""
 
 ASIDE, LITTLE = 0.25, 2e-3
-"""A correction may be this part of the step, or so little: the prediction is then still of the same branch."""
+"""Largest correction, as a part of the step or at least this much, for which the prediction is on the same branch."""
 
 EASY = 0.25
-"""A correction that is this part of the largest allowed lets the next step be twice as long: they grow with squares."""
+"""Correction, as a part of the largest allowed, below which the next step may be twice as long (errors grow
+quadratically)."""
 
 CORRECTIONS = 7
-"""Of Newton's method for one step; it takes two or three on a branch."""
+"""Largest number of Newton steps at a node; on a branch two or three are enough."""
 
 CORRECTED = 1e-10
 """Scaled error of a node: 0.1 nm on a 2 m arm."""
 
 ASTRAY = 1.0
-"""Scaled error at which a correction is given up: Newton's method has jumped."""
+"""Scaled error at which a correction is given up, as Newton's method has jumped."""
 
 POLISHES = 6
-"""Of Newton's method for all samples together; the guesses between nodes are within 1e-3, it takes two or three."""
+"""Newton steps for all samples together; the guesses between nodes are within 1e-3, so two or three are enough."""
 
 POLISHED = 1e-11
-"""Scaled error at which those stop: rounding."""
+"""Scaled error at which these stop, as only rounding is left."""
 
 MOST_NODES, NODES_A_PIECE = 500, 20
-"""A branch that needs more, and more for each piece of the path, is circling a singularity: it ends there."""
+"""Largest number of nodes of a branch, and more for each piece of the path: beyond it circles a singularity and
+ends."""
 
 
 class Node(NamedTuple):
@@ -74,7 +77,7 @@ class Branch:
         self._most = MOST_NODES + NODES_A_PIECE * len(tool_path.pieces)
 
     def corrected(self, q: Floats, s: float) -> Floats | None:
-        """Return the configuration on the path near to a guess; None when Newton's method does not get there."""
+        """Return the configuration (n,) on the path near a guess; None when Newton's method does not get there."""
         wanted = self.tool_path.pose(s)[None]
         for _ in range(CORRECTIONS):
             tool = np.asarray(self.arm.fk(q), dtype=np.float64)[None]
@@ -99,7 +102,7 @@ class Branch:
         Parameters
         ----------
         q : ndarray, shape (n,)
-            On the path at s.
+            Configuration on the path at s.
         s : float
         """
         nodes = [Node(s, q, self.slope(q, s))]
@@ -158,7 +161,7 @@ class Branch:
         return q, rates, np.abs(error).max(axis=1)
 
     def _guessed(self, nodes: list[Node], s: Floats) -> Floats:
-        """Return cubic Hermite values between nodes."""
+        """Return values by cubic Hermite interpolation between nodes."""
         places = np.array([node.s for node in nodes])
         q, slopes = np.array([node.q for node in nodes]), np.array([node.slope for node in nodes])
         if len(nodes) == 1:

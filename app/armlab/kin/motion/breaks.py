@@ -1,4 +1,4 @@
-"""Where a derivative jumps, and to what order a function is continuous there."""
+"""Jumps of derivatives, and the order up to which a function is continuous there."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 ORDERS = (0, 1, 2, 3)
-"""Value and derivatives that paths, laws and motions offer."""
+"""Orders, 0 to 3, of the value and the derivatives that paths, laws and motions have."""
 
 SMOOTH = 3.0
-"""The class of a place where none of the derivatives offered jumps: C3 or smoother."""
+"""Class of a place where none of these derivatives jumps: C3 or smoother."""
 
 SMOOTH_ENOUGH = 2
-"""The class from and to rest for which the jerk is finite everywhere."""
+"""Class, from rest and to rest, for which the jerk is finite everywhere."""
 
 JUMP = 1e-8
-"""A jump below this part of the largest value of its derivative is rounding."""
+"""Jump, relative to the largest value of the derivative, below which it is rounding."""
 
 NOISE = 1e-10
-"""Rounding of a lower derivative, relative, which appears in a higher one divided by the length of a piece."""
+"""Relative rounding of a lower derivative, which appears in a higher one divided by the length of a piece."""
 
 
 def classes(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) -> Floats:
@@ -33,7 +33,7 @@ def classes(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) 
     before, after : sequences of ndarray, shape (k, m)
         Limits of the derivatives of orders 0, 1, 2, 3 from the left and from the right.
     lengths : ndarray, shape (k,)
-        Of the shorter neighbouring piece.
+        Length of the shorter neighbouring piece.
     """
     found = np.full(len(lengths), SMOOTH)
     for order, jumping in reversed(list(enumerate(jumps(before, after, lengths)))):
@@ -42,7 +42,7 @@ def classes(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) 
 
 
 def jumps(before: Sequence[Floats], after: Sequence[Floats], lengths: Floats) -> list[NDArray[np.bool_]]:
-    """Return for each order which components jump at which places, each (k, m); arguments as of `classes`."""
+    """Return for each order which components jump at which places, (k, m) each; arguments as in `classes`."""
     sizes = [max(_largest(a), _largest(b)) for a, b in zip(before, after, strict=True)]
     found = []
     for order, (left, right) in enumerate(zip(before, after, strict=True)):
@@ -71,7 +71,7 @@ def _largest(values: Floats) -> float:
 
 
 def merged(places: Sequence[Floats], low: float, high: float) -> Floats:
-    """Return places inside (low, high), sorted, those nearer than rounding taken as one."""
+    """Return the sorted places inside (low, high); those closer than rounding are one."""
     every = np.sort(np.concatenate([np.zeros(0), *places]))
     apart = 1e-12 * (high - low)
     every = every[(every > low + apart) & (every < high - apart)]
@@ -81,7 +81,7 @@ def merged(places: Sequence[Floats], low: float, high: float) -> Floats:
 
 
 def stopped(values: Sequence[Floats], before: bool) -> list[Floats]:
-    """Return derivatives (k, m) at the edges of a motion with standstill before the first and after the last edge."""
+    """Return derivatives (k, m) at the edges of a motion, with rest before the first and after the last edge."""
     found = [np.array(each) for each in values]
     for each in found[1:]:
         each[0 if before else -1] = 0.0

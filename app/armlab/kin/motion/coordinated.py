@@ -1,4 +1,4 @@
-"""From one configuration to another: all joints together on a straight line in joint space, or each by itself."""
+"""Motion from one configuration to another: all joints together on a line in joint space, or each by itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Largest and smallest values of a piecewise smooth function, and the intervals where it exceeds a limit."""
+"""Extreme values of a piecewise smooth function, and the intervals where it exceeds a limit."""
 
 from __future__ import annotations
 
@@ -15,21 +15,22 @@ from armlab.kin.motion.series import Function, Series, roots_inside, series_of
 Floats = NDArray[np.float64]
 
 FINER = 4
-"""Grid points for each degree of a polynomial."""
+"""Number of grid points for each degree of a polynomial."""
 
 BETWEEN = 1.0 / math.cos(math.pi / (2.0 * FINER))
-"""A polynomial of degree d is at most so many times as large as on d * `FINER` + 1 Chebyshev points (Ehlich and Zeller
-1964): what makes the search certain."""
+"""Largest ratio of a polynomial of degree d to its values on d * `FINER` + 1 Chebyshev points (Ehlich and Zeller 1964),
+which makes the search certain."""
 
 MANY, FINEST = 8, 64
-"""Pieces that may hold an extreme of which more than so many are looked at on grids 8 times as fine, and again, before
-any roots are found: of a motion that is at its limit all the time nearly every piece may."""
+"""Number of pieces that may hold an extreme above which they are examined on grids 8 times as fine, and again, up to
+the second number, before roots are found: for a motion that is at its limit all the time these may be nearly all
+pieces."""
 
 GAIN = 1e-15
-"""Relative gain below which a better extreme is not looked for."""
+"""Relative gain below which a better extreme is not sought."""
 
 SLACK = 1e-9
-"""A limit exceeded by less than this part of it is kept: what is scaled to meet a limit meets it but for rounding."""
+"""Relative excess over a limit that is ignored: a motion scaled to meet a limit meets it only up to rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,12 +51,12 @@ class Extremes:
 
     @property
     def peak(self) -> Floats:
-        """The largest absolute value of each, shape (m,)."""
+        """The largest absolute value of each component, shape (m,)."""
         return np.maximum(np.abs(self.lowest), np.abs(self.highest))
 
     @property
     def peak_at(self) -> Floats:
-        """Where it is, shape (m,)."""
+        """The argument of the largest absolute value of each component, shape (m,)."""
         return np.where(np.abs(self.highest) >= np.abs(self.lowest), self.highest_at, self.lowest_at)
 
 
@@ -65,10 +66,11 @@ def extremes(function: Function, edges: Floats, degree: int | None = None) -> Ex
     Parameters
     ----------
     function : callable
-        From (N,) to (N, m).
+        A function from (N,) to (N, m).
     edges : ndarray, shape (P+1,)
     degree : int, optional
-        Of the polynomials between the edges, if that is what they are; see `armlab.kin.motion.series.series_of`.
+        Degree of the polynomials between the edges, if the function consists of these; see
+        `armlab.kin.motion.series.series_of`.
     """
     return extremes_of_series(series_of(function, edges, degree))
 
@@ -90,7 +92,7 @@ def extremes_of_series(series: Series) -> Extremes:
 def _highest(
     series: Series, j: int, sign: float, grid: tuple[Floats, Floats, Floats], places: Floats
 ) -> tuple[float, float]:
-    """Return the largest value of sign times component j, and where it is."""
+    """Return the largest value of sign times component j, and its argument."""
     values, top, bottom = grid
     piece = int(np.argmax(top))
     point = int(np.argmax(values[piece]))
@@ -120,7 +122,7 @@ def _highest(
 
 
 def _finer(series: Series, j: int, pieces: NDArray[np.int_], factor: int) -> tuple[Floats, Floats, Floats]:
-    """Return component j of some pieces on a finer grid, (P, count), and its largest and smallest values, (P,)."""
+    """Return component j of some pieces on a finer grid, (P, count), and its extreme values there, (P,)."""
     degree = max(series.coefficients.shape[1] - 1, 1)
     some = Series(series.edges[pieces], series.coefficients[pieces, :, j : j + 1])
     values = some.on_grid(FINER * factor * degree + 1)[:, :, 0]
@@ -128,7 +130,7 @@ def _finer(series: Series, j: int, pieces: NDArray[np.int_], factor: int) -> tup
 
 
 def _between(factor: int) -> float:
-    """Return what `BETWEEN` is on a grid so many times as fine."""
+    """Return the factor `BETWEEN` for a grid ``factor`` times as fine."""
     return 1.0 / math.cos(math.pi / (2.0 * FINER * factor))
 
 
@@ -191,7 +193,7 @@ def _crossings(terms: Floats, level: float) -> Floats:
 
 
 def _append(intervals: list[tuple[float, float]], low: float, high: float) -> None:
-    """Add an interval, joined to the one before it where they touch."""
+    """Append an interval; one that touches the last is joined with it."""
     if intervals and low - intervals[-1][1] <= 1e-9 * max(abs(low), high - low):
         intervals[-1] = (intervals[-1][0], high)
     else:

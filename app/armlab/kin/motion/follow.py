@@ -1,4 +1,4 @@
-"""Inverse kinematics along a tool path: joint samples on one branch, and where and why it does not go on."""
+"""Inverse kinematics along a tool path: joint samples on one branch, and the places and reasons where it ends."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ from armlab.kin.motion.tool_path import ToolPath
 Floats = NDArray[np.float64]
 
 SEARCHES = 30
-"""Random starts when asking whether another branch goes on; 99.9 % of reachable poses need fewer."""
+"""Random starts when another branch is sought; 99.9 % of reachable poses need fewer."""
 
 AHEAD = 1e-3
-"""How far behind the end of a branch, in s, that is asked."""
+"""Distance in s behind the end of a branch at which another one is sought."""
 
 HALVINGS = 50
-"""Of the step in which a limit is passed."""
+"""Number of halvings of the step in which a limit is passed."""
 
 LEFT = 1e-9
 """Scaled error up to which a sample counts as on the path."""
 
 BESIDE = 0.01
-"""Smallest over largest singular value below which a configuration is called beside a singularity."""
+"""Ratio of smallest to largest singular value below which a configuration is beside a singularity."""
 
 ALIKE = 0.1
-"""Rad or length scales within which two configurations are alike but for whole turns."""
+"""Largest difference, in rad or length scales, of two configurations that are alike up to whole turns."""
 
 MOST_STOPS = 50
-"""Parts looked for at most, when carrying on."""
+"""Largest number of parts when the path is carried on after stops."""
 
 RESTARTS = 50
-"""Places at which the path is tried again after a stop, when carrying on."""
+"""Number of places at which the path is tried again after a stop."""
 
 
 def follow(
@@ -65,10 +65,10 @@ def follow(
     s : int or array_like, shape (N,)
         Number of even samples, or increasing places from 0 to 1.
     seed : int
-        Of the searches; the same call gives the same answer.
+        Seed of the searches; the same call gives the same answer.
     carry_on : bool
-        After a stop go on with another branch where there is one: for a picture of what is feasible. The parts are then
-        not one motion.
+        Whether to go on with another branch after a stop, for a picture of what is feasible; the parts are then not one
+        motion.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def _places(s: Any) -> Floats:
 
 
 class _Run:
-    """The work of `follow`."""
+    """State of `follow` while it runs."""
 
     def __init__(self, arm: Arm, tool_path: ToolPath, s: Floats, seed: int) -> None:
         self.arm, self.tool_path, self.s, self.seed = arm, tool_path, s, seed
@@ -142,7 +142,7 @@ class _Run:
         return solve(self.arm, self.tool_path.pose(s), near, seed=self.seed, searches=searches, complete=complete)
 
     def _fill(self, nodes: list[Node]) -> None:
-        """Solve all samples between the first and the last node."""
+        """Solve for all samples between the first and the last node."""
         first = int(np.searchsorted(self.s, nodes[0].s - SMALLEST))
         last = int(np.searchsorted(self.s, nodes[-1].s + 1e-12, side="right"))
         if last <= first:
@@ -155,7 +155,7 @@ class _Run:
         self.parts.append((first, last))
 
     def _limited(self, nodes: list[Node]) -> tuple[list[Node], Stop | None]:
-        """Cut the nodes where a joint passes its limit, and say so."""
+        """Return the nodes up to the place where a joint passes its limit, and the stop there, if any."""
         if self.arm.within_limits(nodes[-1].q):
             return nodes, None
         before, after = nodes[-2], nodes[-1]
@@ -188,12 +188,12 @@ class _Run:
         return self._stop(kind, node, 0, found.q, at)
 
     def _other(self, node: Node) -> Floats | None:
-        """Return a configuration inside the limits just behind a limit."""
+        """Return a configuration inside the limits just behind a limit, or None."""
         found = self._solve(min(node.s + AHEAD, 1.0), node.q)
         return found.q if found.success else None
 
     def _turned_back(self, node: Node, other: Floats) -> str:
-        """Return which joints are whole turns apart in two configurations that are otherwise alike, or ""."""
+        """Return a sentence on joints whole turns apart in two configurations that otherwise agree, or ""."""
         turn = 2.0 * np.pi
         change = other - node.q
         turns = np.where(self.arm.revolute, np.round(change / turn), 0.0)
@@ -215,7 +215,7 @@ class _Run:
         return Stop(kind, node.s, np.asarray(point, dtype=np.float64), node.q, joint, other, f"{at}; {rest}")
 
     def _unreachable(self, s: float, found: IkResult, node: Node | None = None) -> Stop:
-        """Return a stop where nothing reaches the path."""
+        """Return the stop at a place where the path is out of reach."""
         joints = found.verdict.limits
         q = found.q if node is None else node.q
         why = f" ({found.reason})" if found.verdict.status in ("limit", "beyond") else ""
@@ -226,7 +226,7 @@ class _Run:
         return Stop("reach", s, point, q, joints[0] + 1 if joints and node is None else 0, None, sentence)
 
     def _restart(self, stop: Stop) -> tuple[float, Floats | None]:
-        """Return the next place behind a stop where the arm can be on the path, and how."""
+        """Return the next place behind a stop that the arm can reach, and its configuration there."""
         behind = stop.s + AHEAD
         candidates = [behind, *np.linspace(0.0, 1.0, RESTARTS + 1)]
         for s in candidates:
@@ -237,7 +237,7 @@ class _Run:
         return 1.0, None
 
     def result(self) -> Followed:
-        """Return what was found."""
+        """Return the result."""
         reached = np.isfinite(self.q).all(axis=1)
         ratio = np.full(len(self.s), np.nan)
         if reached.any():
@@ -248,6 +248,6 @@ class _Run:
 
 
 def _conditioning(J: Floats) -> Floats:
-    """Return the smallest over the largest singular value, (N,) from (N, m, n)."""
+    """Return the ratio of smallest to largest singular value, (N,) from (N, m, n)."""
     sigma = np.linalg.svd(J, compute_uv=False)
     return np.asarray(sigma[:, -1] / np.where(sigma[:, 0] > 0.0, sigma[:, 0], 1.0))

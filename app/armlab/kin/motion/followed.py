@@ -1,4 +1,4 @@
-"""What following a tool path gives: joint samples, and the places where the arm cannot go on."""
+"""The result of following a tool path: joint samples, and the places where the arm cannot go on."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Stop:
     other : ndarray, shape (n,) or None
         A configuration inside the limits just behind the stop.
     sentence : str
-        What happened and what would help.
+        Sentence on what happened and what would help.
     """
 
     kind: Kind
@@ -63,7 +63,7 @@ class Followed:
         dq/ds = J# times the twist per unit of s (least squares, shortest); nan as ``q``.
     reached : ndarray of bool, shape (N,)
     stops : tuple of Stop
-        In the order of s; empty when all of the path is followed.
+        Stops in the order of s; empty when the whole path is followed.
     parts : tuple of (int, int)
         First sample and the one after the last of each part followed without a jump.
     singular_value : ndarray, shape (N,)
@@ -81,12 +81,12 @@ class Followed:
 
     @property
     def whole(self) -> bool:
-        """Whether all of the path is followed on one branch."""
+        """Whether the whole path is followed on one branch."""
         return not self.stops and bool(self.reached.all())
 
     @property
     def reason(self) -> str:
-        """The sentence of the first stop, or that there is none."""
+        """The sentence of the first stop, or the statement that there is none."""
         if self.stops:
             return self.stops[0].sentence
         if self.whole:
@@ -96,7 +96,7 @@ class Followed:
 
     @property
     def differences(self) -> Floats:
-        """dq/ds by central differences of the samples, (N, n): what ``slope`` is compared with; one-sided at ends."""
+        """dq/ds by central differences of the samples, (N, n), one-sided at the ends, to compare with ``slope``."""
         found = np.full(self.q.shape, np.nan)
         for first, last in self.parts:
             if last - first > 1:

@@ -1,4 +1,4 @@
-"""What a curve is like, whatever its parameter: length, direction, curvature, torsion, the Frenet frame."""
+"""The geometry of a curve, independent of its parameter: length, direction, curvature, torsion, the Frenet frame."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ from armlab.kin.motion.series import roots_inside, series_of
 Floats = NDArray[np.float64]
 
 STANDS = 1e-9
-"""p' smaller than this part of its largest value on the path counts as zero."""
+"""Size of p', relative to its largest value on the path, below which it counts as zero."""
 
 STRAIGHT = 1e-9
-"""Curvature smaller than this, relative to 1 / length of the path, counts as zero: the normal would be rounding."""
+"""Curvature, relative to 1 / length of the path, below which it counts as zero: the normal would be rounding."""
 
 ZERO_SQUARE = 1e-14
-"""Of the largest |p'|^2: below it is zero, as far as its series can tell."""
+"""Value of |p'|^2, relative to the largest, below which it is zero within the accuracy of its series."""
 
 ALONG = 1e-9
-"""Part of p'' across p' that counts as none: the direction of p' is not known better."""
+"""Part of p'' across p', relative to p'', below which it counts as zero: the direction of p' is no more accurate."""
 
 NOISE = 1e-13
-"""Rounding of p' and p'' relative to the largest p, p' and p'' of the path: some hundred times that of a number, as
-derivatives come from sums that cancel."""
+"""Rounding of p' and p'' relative to the largest p, p' and p'' of the path: some hundred times that of one number,
+since derivatives are sums with cancellation."""
 
 STEPS = 60
-"""Of Newton's method for the inverse of the arc length at most; it takes four."""
+"""Largest number of steps of Newton's method for the inverse of the arc length; four are usual."""
 
 ROUNDING = 1e-15
 
 TABLE = 8
-"""Points a piece from which those start."""
+"""Number of points on a piece from which these steps start."""
 
 
 def curvature(first: ArrayLike, second: ArrayLike) -> Floats:
@@ -87,11 +87,12 @@ class Frenet:
     tangent, normal, binormal : ndarray, shape (..., m)
         Unit vectors; zero where not defined. The binormal only in three coordinates, otherwise zero.
     curvature, torsion : ndarray, shape (...)
-        In 1/m for a path in space; torsion zero in fewer than three coordinates or where not defined.
+        Curvature and torsion, in 1/m for a path in space; torsion is zero in fewer than three coordinates or where
+        undefined.
     moves : ndarray of bool, shape (...)
-        Where p' is not zero: there is a tangent (the regularity condition, notes 6.12).
+        Places where p' is not zero: there is a tangent (the regularity condition, notes 6.12).
     bends : ndarray of bool, shape (...)
-        Where moreover the curvature is not zero: there are a normal and a binormal.
+        Places where, in addition, the curvature is not zero: there are a normal and a binormal.
     """
 
     position: Floats
@@ -105,7 +106,7 @@ class Frenet:
 
     @property
     def remark(self) -> str:
-        """Why something is not defined somewhere, or ""."""
+        """Sentence on where a quantity is not defined and why, or ""."""
         if not self.moves.all():
             return "Where p' = 0 the path has no direction: no tangent, no normal."
         if not self.bends.all():
@@ -122,7 +123,7 @@ def frenet(path: Path, s: ArrayLike) -> Frenet:
     ----------
     path : Path
     s : array_like, shape (...)
-        In [0, 1].
+        Parameters in [0, 1].
 
     References
     ----------
@@ -150,7 +151,7 @@ def frenet(path: Path, s: ArrayLike) -> Frenet:
 
 
 def _scales(path: Path) -> list[float]:
-    """Return the largest |p|, |p'| and |p''| on a coarse grid: what is small is small against these."""
+    """Return the largest |p|, |p'| and |p''| on a coarse grid, as scales for what counts as small."""
     grid = np.append(np.linspace(0.0, 1.0, 33), path.pieces[:1000])
     return [float(np.linalg.norm(values, axis=-1).max()) for values in path.derivatives(grid)[:3]]
 
@@ -185,7 +186,7 @@ def standstills(path: Path) -> Floats:
 
 
 class ArcLength:
-    """The distance gone along a path, and back: sigma(s), s(sigma).
+    """The arc length of a path and its inverse: sigma(s), s(sigma).
 
     Notes 6.13-6.17. |p'| is written as Chebyshev series between the ends of pieces and integrated exactly.
 
@@ -231,7 +232,7 @@ class ArcLength:
 
 
 class ByLength(Path):
-    """The same curve with s proportional to the distance gone: |p'| = L everywhere.
+    """The same curve with s proportional to the arc length: |p'| = L everywhere.
 
     With a law of distance L instead of 1 its first derivative is the speed along the path (notes 6.134).
 
@@ -262,7 +263,7 @@ class ByLength(Path):
         return [found[order] for order in orders]
 
     def _snapped(self, place: Floats) -> Floats:
-        """Return places with those within rounding of the end of a piece put there."""
+        """Return the places, with those within rounding of the end of a piece moved there."""
         edges = self.path.edges
         near = np.clip(np.searchsorted(edges, place), 1, len(edges) - 1)
         nearest = np.where(place - edges[near - 1] < edges[near] - place, edges[near - 1], edges[near])

@@ -1,4 +1,4 @@
-"""Waypoints and their times, checked; errors name the waypoint, counted from 1."""
+"""Waypoints and their times, checked; messages give the number of the waypoint, counted from 1."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from armlab.kin.field import Field
 Floats = NDArray[np.float64]
 
 SAME = 1e-12
-"""Waypoints nearer than this part of the largest coordinate difference are the same."""
+"""Distance, relative to the largest coordinate difference, below which two waypoints are the same."""
 
 UNTIMED = (("times", (None,)),)
-"""With given times, there is nothing to share out."""
+"""Condition for options on how time is divided: they are used only when no times are given."""
 
 TIMES = (
     Field("times", "t_k", "times of the waypoints; left out: by the way below", "list", unit="s"),
@@ -73,7 +73,7 @@ def _numbers(knots: ArrayLike) -> Floats:
 
 
 def _culprit(knots: Any) -> InputError:
-    """Return the error that names the waypoint which is not like the first."""
+    """Return the error for the waypoint that has another form than the first."""
     try:
         rows = list(knots)
         width = np.shape(np.array(rows[0], dtype=float))
@@ -91,7 +91,7 @@ def _culprit(knots: Any) -> InputError:
 
 
 def refuse_same(points: Floats) -> None:
-    """Raise `InputError` when a waypoint is the same as the one before it."""
+    """Raise `InputError` when two neighbouring waypoints are the same."""
     steps = np.abs(np.diff(points, axis=0)).max(axis=1)
     extent = float(np.ptp(points, axis=0).max())
     same = np.flatnonzero(steps <= SAME * extent)
@@ -123,7 +123,7 @@ def knot_times(points: Floats, options: dict[str, Any]) -> Floats:
 
 
 def checked_times(times: ArrayLike, count: int, where: str = "times") -> Floats:
-    """Return increasing times, one for each waypoint; `InputError` names the waypoint."""
+    """Return increasing times (N,), one for each waypoint, seconds; `InputError` names the waypoint."""
     values = as_floats(times, where, f"{count} numbers")
     if values.shape != (count,):
         raise InputError(f"{where}: expected {count}, one for each waypoint, got {values.size}")

@@ -1,4 +1,4 @@
-"""What a timing law is: s(t) from 0 to a distance in a duration, with derivatives with respect to t.
+"""Timing laws: s(t) from 0 to a distance in a duration, with derivatives with respect to t.
 
 Before it begins and after it ends s stands still: outside of [0, T] derivatives are zero. Inside and at both ends they
 are those of the law, so a law that starts with a jump of the acceleration shows it (notes 6.183: a cubic law is C1
@@ -23,7 +23,7 @@ from armlab.kin.motion.piecewise import Piecewise
 Floats = NDArray[np.float64]
 
 BACKWARDS = 1e-9
-"""A speed below zero by this part of the peak speed is rounding."""
+"""Negative speed, relative to the peak speed, that is rounding."""
 
 
 class Law(ABC):
@@ -36,7 +36,7 @@ class Law(ABC):
     pieces : ndarray, shape (k,)
         Interior times where one formula ends and the next begins.
     degree : int or None
-        Of the polynomials between them, if that is what they are.
+        Degree of the polynomials between them, if the law consists of these.
     remarks : tuple of str
     """
 
@@ -51,7 +51,7 @@ class Law(ABC):
 
     @abstractmethod
     def stretched(self, k: float) -> Law:
-        """Return the same law k times as slow: r = k t (notes 6.156)."""
+        """Return the same law slowed down by the factor k: r = k t (notes 6.156)."""
 
     def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS, *, before: bool = False) -> list[Floats]:
         """Return several derivatives with respect to t at once, each (...) like t.
@@ -63,7 +63,7 @@ class Law(ABC):
         orders : sequence of int
             0 to 3.
         before : bool
-            Where a derivative jumps, the value before the jump.
+            Whether to return the value before a jump of a derivative.
 
         Raises
         ------
@@ -88,7 +88,7 @@ class Law(ABC):
 
     @cached_property
     def _classes(self) -> Floats:
-        """Of 0, the ends of pieces, and T."""
+        """Classes of continuity at 0, at the ends of pieces and at T."""
         places = self.edges
         left, right = (
             stopped([values[:, None] for values in self._values(places, ORDERS, before)], before)
@@ -100,7 +100,7 @@ class Law(ABC):
 
     @property
     def edges(self) -> Floats:
-        """0, the ends of pieces, T."""
+        """Times 0, ends of pieces, T."""
         return np.concatenate([[0.0], self.pieces, [self.duration]])
 
     @property
@@ -115,7 +115,7 @@ class Law(ABC):
 
     @property
     def continuity_from_rest(self) -> float:
-        """The class of the whole motion with standstill before and after it: 0 where the speed jumps at an end."""
+        """The class of the whole motion with rest before and after it: 0 if the speed jumps at an end."""
         return float(self._classes.min())
 
     def _extremes(self, order: int) -> Extremes:
@@ -132,12 +132,12 @@ class Law(ABC):
 
     @property
     def span(self) -> tuple[float, float]:
-        """The smallest and largest s."""
+        """The smallest and the largest s."""
         return float(self._range.lowest[0]), float(self._range.highest[0])
 
     @property
     def distance(self) -> float:
-        """The s at the end."""
+        """The value of s at the end, 1 or a length."""
         return float(self.at(self.duration))
 
     @property
@@ -152,12 +152,12 @@ class Law(ABC):
 
     @cached_property
     def peak_jerk(self) -> float:
-        """The largest |s'''| between jumps of the acceleration; at those it is infinite."""
+        """The largest |s'''|; infinite where the acceleration jumps."""
         return float(self._extremes(3).peak[0])
 
     @property
     def monotone(self) -> bool:
-        """Whether s never goes back."""
+        """Whether s never decreases."""
         return float(self._speeds.lowest[0]) >= -BACKWARDS * self.peak_speed
 
 
@@ -179,5 +179,5 @@ class PolynomialLaw(Law):
         return [values[..., 0] for values in self.curve.at(t, orders, before)]
 
     def stretched(self, k: float) -> PolynomialLaw:
-        """Return the same law k times as slow."""
+        """Return the same law slowed down by the factor k."""
         return PolynomialLaw(self.curve.local(positive(k, "k")), self.remarks)

@@ -1,4 +1,4 @@
-"""The kinds of timing laws, found by folder, and the bounds within which one is as fast as allowed."""
+"""The kinds of timing laws, found by folder, and the limits within which a law is as fast as possible."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from armlab.kin.motion.path import Path
 from armlab.plugins import discover
 
 SHORTEST, LONGEST = 1e-30, 1e30
-"""Seconds of a law: powers of its time stay numbers in between."""
+"""Shortest and longest duration, seconds: powers of a time between them can be represented."""
 
 Make = Callable[[float, float, dict[str, Any]], Law]
 Fastest = Callable[[Limits, float, dict[str, Any]], Law]
@@ -70,7 +70,7 @@ class LawType:
         duration : float
             T, seconds, positive.
         distance : float
-            What s grows to: 1, or a length.
+            Final value of s: 1, or a length.
         **options
             By the keys of ``fields``.
 
@@ -88,9 +88,9 @@ class LawType:
         Parameters
         ----------
         limits : Limits
-            Of the absolute values of the first, second and third derivative of s.
+            Limits of the absolute values of the first, second and third derivative of s.
         distance : float
-            What s grows to.
+            Final value of s.
         **options
             By the keys of ``fields``.
 
@@ -110,7 +110,7 @@ class LawType:
         return law
 
     def shaped(self, limits: Limits, distance: float = 1.0, **options: Any) -> Law:
-        """Return the same as `within`, but a limit that this law cannot keep in any time does not count."""
+        """Return the same as `within`, but ignore a limit that this law cannot keep at any duration."""
         values = checked_options(self.key, self.fields, options)
         limits, length = limits.for_joints(1).of_joint(0), computable(distance, "distance")
         if not any(limits.bounded):
@@ -118,7 +118,7 @@ class LawType:
         for need in self.needs:
             if math.isinf(getattr(limits, need)):
                 raise InputError(f"limit of {need}: {self.title} needs one")
-        # What overflows here is refused below in words.
+        # An overflow here is refused below with a sentence.
         with np.errstate(all="ignore"):
             law = self._fastest(limits, length, values)
         computable(law.duration, "limits: the time within them")
@@ -135,9 +135,9 @@ class LawType:
         Parameters
         ----------
         path : Path
-            In joint space.
+            A path in joint space.
         limits : Limits or Arm
-            Of the joints; an arm stands for its own limits.
+            Limits of the joints; an arm stands for its own limits.
         shape : Limits, optional
             Limits from which a law takes its shape, such as a jerk by which it is rounded, but that need not be met;
             those of ``limits`` when left out.
@@ -193,12 +193,12 @@ def slowest(limits: Limits, law: Law) -> float:
 
 
 def jumping(title: str, what: str) -> str:
-    """Return why a limit cannot be kept by a law of which a derivative jumps."""
+    """Return a sentence why a law with a jumping derivative cannot keep a limit."""
     return f"the {what} of {title} jumps, so no time keeps it; take a smoother law, or no such limit"
 
 
 def computable(value: object, where: str) -> float:
-    """Return a positive number that can be computed with; `InputError` otherwise."""
+    """Return a positive number within the range of computation; `InputError` otherwise."""
     number = positive(value, where)
     if not SHORTEST <= number <= LONGEST:
         raise wrong(where, f"a number from {SHORTEST:g} to {LONGEST:g}", value)
@@ -213,7 +213,7 @@ def law_types() -> dict[str, LawType]:
 
 @cache
 def free_law_types() -> dict[str, LawType]:
-    """Return the kinds of laws that need no path: they can be looked at, and timed, by themselves."""
+    """Return the kinds of laws that need no path, so that they can be shown and timed by themselves."""
     return {key: kind for key, kind in law_types().items() if kind.make is not None}
 
 

@@ -1,4 +1,4 @@
-"""Limits of how fast coordinates may change: of velocity, acceleration and jerk, one spelling for all of motion."""
+"""Limits of the derivatives of coordinates: velocity, acceleration and jerk, in one form for all motions."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from armlab.kin.checks import as_floats, wrong
 Floats = NDArray[np.float64]
 
 NAMES = ("velocity", "acceleration", "jerk")
-"""What is limited, in the order of the derivatives 1, 2, 3."""
+"""Names of the limited derivatives of order 1, 2, 3."""
 
 LEAST, MOST = 1e-60, 1e60
-"""Of a finite limit: times made of others leave the range of numbers when they are multiplied."""
+"""Smallest and largest finite limit: products of times computed from others would leave the range of numbers."""
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -65,7 +65,7 @@ class Limits:
         acceleration: ArrayLike | None = None,
         jerk: ArrayLike | None = None,
     ) -> Limits:
-        """Return the limits an arm has of its own, with those given in their place."""
+        """Return the limits of an arm, with those given in their place."""
         return cls(
             arm.speed_limits if velocity is None else velocity,
             arm.acceleration_limits if acceleration is None else acceleration,
@@ -73,7 +73,7 @@ class Limits:
         ).for_joints(arm.n)
 
     def for_joints(self, m: int) -> Limits:
-        """Return the same limits with one number for each of m joints; `InputError` when they are of another number."""
+        """Return the same limits with one number for each of m joints; `InputError` if they are for another number."""
         each = []
         for name, values in zip(NAMES, self.each, strict=True):
             if values.shape not in ((), (m,)):
@@ -87,12 +87,12 @@ class Limits:
 
     @property
     def each(self) -> tuple[Floats, Floats, Floats]:
-        """Those of velocity, acceleration and jerk."""
+        """The limits of velocity, acceleration and jerk, each one number or (m,)."""
         return self.velocity, self.acceleration, self.jerk
 
     @property
     def bounded(self) -> tuple[bool, bool, bool]:
-        """Whether there is a finite limit of velocity, of acceleration, of jerk."""
+        """Whether there is a finite limit of velocity, acceleration and jerk."""
         v, a, j = (bool(np.isfinite(values).any()) for values in self.each)
         return v, a, j
 

@@ -1,4 +1,4 @@
-"""The intervals of a spline that make it fastest under bounds on velocity and acceleration."""
+"""The intervals of a spline that make it as fast as bounds on velocity and acceleration allow."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from armlab.kin.motion.trajectory import Trajectory
 Floats = NDArray[np.float64]
 
 MOST_KNOTS = 40
-"""Waypoints for which the intervals are optimised: each one costs a spline a step."""
+"""Largest number of waypoints for which intervals are optimised: each costs one spline per step."""
 
 STEPS = 80
-"""Of sequential quadratic programming at most."""
+"""Largest number of steps of sequential quadratic programming."""
 
 SHORTEST = 1e-3
-"""Of the mean interval: none becomes shorter."""
+"""Shortest interval, relative to the mean."""
 
 INSIDE = np.array([0.25, 0.5, 0.75])
-"""Where in an interval the velocity is looked at besides its ends, while optimising; the result is scaled by the exact
-peaks."""
+"""Fractions of an interval at which the velocity is examined besides its ends while optimising; the result is then
+scaled by the exact peaks."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,7 @@ class MinimumTime:
     Attributes
     ----------
     trajectory : Trajectory
-        At constant s', so that its path's time is time; one limit is met, none is exceeded.
+        The trajectory with constant s', so that the time of its path is time; one limit is met, none is exceeded.
     intervals : ndarray, shape (N-1,)
         h_k, seconds.
     by_distance : float
@@ -108,7 +108,7 @@ def minimum_time_spline(knots: ArrayLike, limits: Limits | Arm, **ends: Any) -> 
 
 
 def _intervals(trajectory: Trajectory) -> Floats:
-    """Return h_k between waypoints (virtual knots left out), in the time of the trajectory."""
+    """Return h_k between waypoints (virtual knots removed), in the time of the trajectory."""
     path: Any = trajectory.path
     inner = np.delete(path.curve.knots, [k - 1 for k in path.virtual])
     return np.diff(inner) * trajectory.duration
@@ -135,7 +135,7 @@ def _optimised(points: Floats, h: Floats, v: Floats, a: Floats, ends: dict[str, 
     unit = float(np.mean(h))
 
     def room(shares: Floats) -> Floats:
-        """Return what is left of each limit, relative: velocities in each interval, accelerations at knots."""
+        """Return the relative margin to each limit: of velocities in each interval, of accelerations at knots."""
         curve: Any = _spline(points, shares * unit, ends)
         cubics = curve.in_time
         lengths = np.diff(cubics.knots)

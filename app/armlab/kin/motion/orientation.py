@@ -31,10 +31,11 @@ from armlab.kin.rotations import (
 Floats = NDArray[np.float64]
 
 HALF_TURN = 1e-7
-"""So near to pi, in radians, both ways round are as short: matrices with eight decimals cannot tell."""
+"""Distance from pi, in radians, within which both directions of turning are equally short, as for matrices with eight
+decimals."""
 
 STILL = 1e-12
-"""Radians below which there is no turn."""
+"""Angle, in radians, below which there is no rotation."""
 
 
 class Orientation(ABC):
@@ -56,7 +57,7 @@ class Orientation(ABC):
 
     @abstractmethod
     def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return omega and d omega / ds per unit of s, each (..., 3), world axes."""
+        """Return omega and d omega / ds per unit of s, (..., 3) each, in world axes."""
 
     def in_time(self, law: Law, t: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Return rotation (..., 3, 3), angular velocity in rad/s and angular acceleration in rad/s², (..., 3)."""
@@ -91,7 +92,7 @@ class AxisAngle(Orientation):
         return np.asarray(self.start @ rotation_from_axis_angle(self.axis, turned))
 
     def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return the constant omega and zeros."""
+        """Return the constant omega and zeros, (..., 3) each."""
         shape = np.shape(s)
         omega = np.broadcast_to(self.start @ self.axis * self.angle, (*shape, 3))
         return np.array(omega), np.zeros((*shape, 3))
@@ -158,7 +159,7 @@ class EulerAngles(Orientation):
         return np.asarray(rotation_from_sequence(self.axes, self.angles(s), fixed=self.fixed))
 
     def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return omega, the sum of rates times axes, each turned by those before it, and its derivative."""
+        """Return omega, the sum of rates times axes after the turns before them, and its derivative, (..., 3) each."""
         angles = self.angles(s)
         order = (2, 1, 0) if self.fixed else (0, 1, 2)
         turned = np.broadcast_to(np.eye(3), (*angles.shape[:-1], 3, 3))
@@ -249,21 +250,21 @@ class Through(Orientation):
         return np.asarray(self._starts[k] @ rotation_from_axis_angle(self._axes[k], turned))
 
     def angular(self, s: ArrayLike) -> tuple[Floats, Floats]:
-        """Return omega, constant between waypoints, and zeros."""
+        """Return omega, constant between waypoints, and zeros, (..., 3) each."""
         k = np.searchsorted(self.pieces, np.asarray(s, dtype=float), side="right")
         omega = (self._starts[k] @ self._axes[k][..., None])[..., 0] * self._rates[k][..., None]
         return omega, np.zeros_like(omega)
 
 
 def wandering(one: Orientation, other: Orientation, count: int = 201) -> float:
-    """Return the largest angle in radians between two orientations at the same s: how far Euler angles wander."""
+    """Return the largest angle in radians between two orientations at equal s, a measure of how they deviate."""
     s = np.linspace(0.0, 1.0, count)
     between = np.swapaxes(one.rotation(s), -1, -2) @ other.rotation(s)
     return float(axis_angle(between)[1].max())
 
 
 def swept(orientation: Orientation, count: int = 401) -> float:
-    """Return the whole angle turned through in radians, the integral of |omega| over s: least about one axis."""
+    """Return the total angle turned through in radians, the integral of |omega| over s; it is least about one axis."""
     nodes, weights = np.polynomial.legendre.leggauss(20)
     edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, max(count // 20, 1) + 1), orientation.pieces]))
     low, width = edges[:-1, None], np.diff(edges)[:, None]
@@ -280,5 +281,5 @@ def _rotation(R: ArrayLike, where: str) -> Floats:
 
 
 def held(R: ArrayLike) -> AxisAngle:
-    """Return an orientation that stays."""
+    """Return an orientation that is constant."""
     return AxisAngle(_rotation(R, "R"), np.array([0.0, 0.0, 1.0]), 0.0)

@@ -1,4 +1,4 @@
-"""What a geometric path is: a curve q(s) or p(s) over s in [0, 1], with derivatives with respect to s.
+"""Geometric paths: a curve q(s) or p(s) over s in [0, 1], with derivatives with respect to s.
 
 A path has no time. Together with a timing law s(t) it is a trajectory (notes 6.1-6.4; `armlab.kin.motion.trajectory`).
 """
@@ -19,7 +19,7 @@ from armlab.kin.motion.piecewise import Piecewise
 Floats = NDArray[np.float64]
 
 OUTSIDE = 1e-9
-"""An s so little outside of [0, 1] is rounding."""
+"""Distance of s outside [0, 1] that is rounding."""
 
 
 class Path(ABC):
@@ -32,11 +32,11 @@ class Path(ABC):
     pieces : ndarray, shape (k,)
         Interior s where one formula ends and the next begins.
     degree : int or None
-        Of the polynomials between them, if that is what they are.
+        Degree of the polynomials between them, if the path consists of these.
     duration : float or None
         Seconds the path was made for, where its waypoints have times: with s = t / duration it meets them.
     remarks : tuple of str
-        What a student should know about this path.
+        Remarks for students on this path.
     """
 
     m: int
@@ -53,13 +53,13 @@ class Path(ABC):
         unit : str
             Such as ``"mm"``.
         size : float
-            Of that unit in units of the coordinates.
+            Size of the unit in units of the coordinates.
         """
         return self.remarks
 
     @abstractmethod
     def _values(self, s: Floats, orders: Sequence[int], before: bool) -> list[Floats]:
-        """Return derivatives (..., m) at s in [0, 1]; ``before``: from the left at the ends of pieces."""
+        """Return derivatives (..., m) at s in [0, 1]; with ``before`` from the left at the ends of pieces."""
 
     def derivatives(self, s: ArrayLike, orders: Sequence[int] = ORDERS, *, before: bool = False) -> list[Floats]:
         """Return several derivatives with respect to s at once, each (..., m).
@@ -67,11 +67,11 @@ class Path(ABC):
         Parameters
         ----------
         s : array_like, shape (...)
-            In [0, 1].
+            Parameters in [0, 1].
         orders : sequence of int
             0 to 3.
         before : bool
-            Where a derivative jumps, the value before the jump and not the one after it.
+            Whether to return the value before a jump of a derivative, instead of the one after it.
 
         Raises
         ------
@@ -115,7 +115,7 @@ class Path(ABC):
 
     @property
     def edges(self) -> Floats:
-        """0, the ends of pieces, 1."""
+        """Parameters 0, ends of pieces, 1."""
         return np.concatenate([[0.0], self.pieces, [1.0]])
 
 
@@ -140,12 +140,12 @@ class PolynomialPath(Path):
 
     @property
     def in_time(self) -> Piecewise:
-        """The same polynomials over t in [0, duration], or over s where there is none: the a_ki of the notes 6.97."""
+        """The same polynomials over t in [0, duration], or over s without a duration: the a_ki of the notes 6.97."""
         return self.curve.local(self.duration or 1.0)
 
 
 def timed(curve: Piecewise, remarks: Sequence[str] = ()) -> PolynomialPath:
-    """Return the path of a function of time over its knots: s = (t - t_1) / T."""
+    """Return the path of a function of time between its first and last knot: s = (t - t_1) / T."""
     duration = float(curve.knots[-1] - curve.knots[0])
     knots = (curve.knots - curve.knots[0]) / duration
     knots[-1] = 1.0

@@ -50,7 +50,7 @@ class PathType:
     formula : str
         LaTeX, with X for what runs along it.
     says : str
-        What it is, in a sentence.
+        Description in a sentence.
     """
 
     key: str
@@ -115,7 +115,7 @@ def path_type(key: str) -> PathType:
 
 
 def coordinates(value: Any, where: str, m: int) -> Floats:
-    """Return a vector option as m numbers, zeros where it was left out; `InputError` for another length."""
+    """Return a vector option (m,), zeros when it was left out; `InputError` for another length."""
     if value is None:
         return np.zeros(m)
     vector = as_floats(value, where, f"{m} numbers")

@@ -26,7 +26,7 @@ Quantity = Literal["position", "velocity", "acceleration", "jerk"]
 QUANTITIES: tuple[Quantity, ...] = ("position", "velocity", "acceleration", "jerk")
 
 LIMIT_SLACK = 1e-9
-"""Rad or m beyond a joint limit that count as rounding."""
+"""Excess over a joint limit, rad or m, that counts as rounding."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ def violations(
     ----------
     motion : Motion
     limits : Limits or Arm, optional
-        Of the absolute values of the rates; an arm stands for its own.
+        Limits of the absolute values of the rates; an arm stands for its own limits.
     positions : array_like, shape (m, 2), optional
         Smallest and largest value of each coordinate; those of an arm when left out.
     from_rest : bool
@@ -108,7 +108,7 @@ def violations(
 
 
 def _jumping(motion: Motion, order: int, bounds: Floats, known: list[Violation], from_rest: bool) -> list[Violation]:
-    """Return the instants at which a lower derivative jumps, but for those at which the limit is exceeded anyway."""
+    """Return the violations by jumps of the lower derivative, except where the limit is exceeded already."""
     found = set()
     for lower in range(1, order):
         for joint, time in motion.jumps(lower):

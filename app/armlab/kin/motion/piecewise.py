@@ -1,4 +1,4 @@
-"""Polynomials piece by piece, with vector coefficients: what most paths and laws are made of."""
+"""Piecewise polynomials with vector coefficients, of which most paths and laws are made."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 SAMPLES_A_PIECE = 40
-"""With so many sorted samples a piece, piece after piece is faster than gathering the coefficients of each sample."""
+"""Number of sorted samples in a piece from which evaluating piece by piece is the faster way."""
 
 SHORTEST = 1e-13
-"""Of the whole: a piece so short is rounding of one that is not there."""
+"""Length of a piece, relative to the whole, below which it is only rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +28,7 @@ class Piecewise:
     knots : ndarray, shape (k+1,)
         Increasing.
     coefficients : ndarray, shape (k, d+1, m)
-        Of piece i, in rising powers of ``x - knots[i]``: the a_ki of the notes (6.89, 6.97).
+        Coefficients of piece i, in rising powers of ``x - knots[i]``: the a_ki of the notes (6.89, 6.97).
     """
 
     knots: Floats
@@ -49,7 +49,7 @@ class Piecewise:
             Outside of the knots the first and last piece go on.
         orders : sequence of int
         before : bool
-            At a knot take the piece that ends there and not the one that begins.
+            Whether to take, at a knot, the piece that ends there instead of the one that begins.
         """
         flat = x.reshape(-1)
         m = self.coefficients.shape[2]
@@ -68,7 +68,7 @@ class Piecewise:
 
     @staticmethod
     def _whole(u: Floats, coefficients: Floats) -> Floats:
-        """Return one polynomial; of a constant only a view, which a batch need not fill."""
+        """Return values of one polynomial; of a constant only a view, without a copy for each sample."""
         if len(coefficients) == 1:
             return np.broadcast_to(coefficients[0], (len(u), coefficients.shape[1]))
         return np.asarray((coefficients.T @ _powers(u, 0, len(coefficients) - 1)).T)
@@ -101,7 +101,7 @@ class Piecewise:
         return self._derived[order]
 
     def local(self, unit: float) -> Piecewise:
-        """Return the same function of ``x * unit``: knots stretched, coefficients scaled."""
+        """Return the same function of ``x * unit``: knots multiplied, coefficients scaled."""
         scales = unit ** -np.arange(self.degree + 1.0)
         return Piecewise(self.knots * unit, self.coefficients * scales[:, None])
 
@@ -132,7 +132,7 @@ def integrated(durations: Sequence[float], highest: Sequence[float], start: Sequ
     Parameters
     ----------
     durations : sequence of float
-        Of the pieces, seconds; pieces of none, but for rounding, are left out.
+        Durations of the pieces, seconds; pieces of zero duration, up to rounding, are left out.
     highest : sequence of float
         The constant of each piece.
     start : sequence of float

@@ -1,4 +1,4 @@
-"""A path run through by a law: as fast as limits allow, or in a given time that keeps them."""
+"""A path with a timing law: as fast as limits allow, or in a given time that keeps them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def run_along(
     law : str
         Key of a timing law.
     limits : Limits or Arm, optional
-        Of the joints; an arm stands for its own limits. May be left out only with a duration.
+        Limits of the joints; an arm stands for its own limits. They may be left out only with a duration.
     duration : float, optional
         Seconds; left out: as fast as the limits allow.
     **options
@@ -76,7 +76,7 @@ def run_along(
 def _stretched(
     kind: LawType, path: Path, limits: Limits | Arm | None, duration: float, options: dict[str, Any]
 ) -> Trajectory:
-    """Return a law that depends on the path, slowed down to a duration."""
+    """Return the trajectory with a law that depends on the path, slowed down to a duration."""
     if limits is None:
         raise InputError(f"limits: {kind.title} takes its shape from them; give Limits(...) or an arm")
     law = kind.along(path, limits, **options)

@@ -1,4 +1,4 @@
-"""A path laid in other units of its coordinates: lengths in it then need no radian and metre in one sum."""
+"""A path in other units of its coordinates, so that lengths along it need not add radians and metres."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class ScaledPath(Path):
     Parameters
     ----------
     path : Path
-        In other units.
+        The path in other units.
     scales : ndarray, shape (m,)
         The size of its unit of each coordinate.
     """
@@ -44,7 +44,7 @@ def in_scales(fields: Mapping[str, Field], options: Options, scales: Floats) -> 
     for key, value in options.items():
         field = fields[key].seen(options)
         each = field.kind in ("vector", "rows") and field.unit.startswith("q")
-        # Of another length the maker of the path refuses it by name.
+        # With another length the maker of the path refuses the option by name.
         if each and value is not None and value.shape[-1] == len(scales):
             found[key] = value / scales
     return found

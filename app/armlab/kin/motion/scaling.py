@@ -1,4 +1,4 @@
-"""Uniform time scaling: as fast as the limits allow, without touching the path (section 6.3.4 of the notes)."""
+"""Uniform time scaling: as fast as the limits allow, on the same path (section 6.3.4 of the notes)."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Scaling:
 
     @property
     def explanation(self) -> str:
-        """The same in words."""
+        """Sentence on which limit determines the factor."""
         change = "slower" if self.k > 1.0 else "faster" if self.k < 1.0 else "as fast"
         return f"{change}: k = {self.k:.4g}, and joint {self.joint} meets its limit of {self.quantity}"
 
@@ -79,7 +79,7 @@ def optimal_scaling(
 
 
 def scaled(motion: Motion, k: float) -> Motion:
-    """Return the motion k times as slow; the path stays. A trajectory stays one, with its law stretched."""
+    """Return the motion slowed down by k on the same path. A trajectory remains one, with its law stretched."""
     if isinstance(motion, Trajectory):
         return Trajectory(motion.path, motion.law.stretched(k))
     return Slowed(motion, k)
@@ -113,7 +113,7 @@ def as_fast_as_allowed(motion: Motion, limits: Limits | Arm, *, jumps: bool = Fa
 
 
 def refuse_jumps(motion: Motion, limits: Limits) -> None:
-    """Raise `InputError` where a jump of a motion lets no limit of the next derivative be kept, at any speed."""
+    """Raise `InputError` where a jump prevents a limit of the next derivative from being kept at any speed."""
     for order, what in ((1, "velocity"), (2, "acceleration")):
         for joint, time in motion.jumps(order):
             for name, values in zip(NAMES[order:], limits.each[order:], strict=True):

@@ -1,4 +1,4 @@
-"""Motions one after the other, side by side, and slowed down."""
+"""Motions in sequence, side by side, and slowed down."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armlab.kin.motion.trajectory import Motion, in_time
 Floats = NDArray[np.float64]
 
 GAP = 1e-9
-"""Rad or m by which one motion may begin elsewhere than the one before ends."""
+"""Largest difference, rad or m, between the end of a motion and the beginning of the next."""
 
 
 class Sequential(Motion):
@@ -52,12 +52,12 @@ class Sequential(Motion):
 
     @cached_property
     def pieces(self) -> Floats:  # type: ignore[override]
-        """Interior times of all motions, and where one ends."""
+        """Interior times of all motions, and the times between two motions."""
         inner = [start + motion.pieces for start, motion in zip(self.starts, self.motions, strict=False)]
         return merged([*inner, self.starts[1:-1]], 0.0, self.duration)
 
     def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
-        """Return derivatives of the motion that is on at each time; see `Motion.derivatives`."""
+        """Return derivatives of the motion that runs at each time; see `Motion.derivatives`."""
         times = np.asarray(t, dtype=float)
         flat = times.reshape(-1)
         index = np.searchsorted(self.starts[1:-1], flat, side="right")
@@ -106,7 +106,7 @@ class Separate(Motion):
 
     @cached_property
     def pieces(self) -> Floats:  # type: ignore[override]
-        """Interior times of all laws, and where one ends."""
+        """Interior times of all laws, and the times at which one ends."""
         return merged([law.edges for law in self.laws if law is not None], 0.0, self.duration)
 
     def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
@@ -138,7 +138,7 @@ class Separate(Motion):
 
 
 class Slowed(Motion):
-    """The same motion k times as slow: r = k t.
+    """The same motion slowed down by the factor k: r = k t.
 
     References
     ----------
@@ -152,7 +152,7 @@ class Slowed(Motion):
 
     @property
     def pieces(self) -> Floats:  # type: ignore[override]
-        """Those of the motion, k times as late."""
+        """Interior times of the motion, multiplied by k."""
         return self.motion.pieces * self.k
 
     def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:

@@ -17,22 +17,22 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Function = Callable[[Floats], Floats]
-"""From (N,) arguments to (N, m) values."""
+"""A function from (N,) arguments to (N, m) values."""
 
 COUNT = 21
-"""Coefficients of a piece of unknown degree."""
+"""Number of coefficients of a piece of unknown degree."""
 
 TAIL = 1e-14
-"""The last coefficients of a piece, relative to the largest value, when it is resolved."""
+"""Size of the last coefficients, relative to the largest value, at which a piece is resolved."""
 
 NOISE = 1e-9
-"""The same, below which a tail that halving a piece does not shrink is the rounding of the function itself."""
+"""Size of the last coefficients, likewise, below which they are rounding if halving the piece does not reduce them."""
 
 HALVINGS = 40
-"""Of a piece at most: a kink is then closed in to 1e-12 of it."""
+"""Largest number of halvings of a piece: a kink is then located to 1e-12 of it."""
 
 MOST_PIECES = 20_000
-"""Pieces that may be unresolved at a time; what is left then stays as it is (its tail is rounding)."""
+"""Largest number of unresolved pieces at a time; beyond it they stay as they are (the tail is rounding)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ class Series:
     edges : ndarray, shape (P, 2)
         Ends of each piece, sorted.
     coefficients : ndarray, shape (P, n, m)
-        In x mapped to [-1, 1].
+        Chebyshev coefficients in x mapped to [-1, 1].
     """
 
     edges: Floats
@@ -63,14 +63,14 @@ class Series:
         return places
 
     def at(self, x: Floats) -> Floats:
-        """Return values, shape (N, m); arguments outside belong to the first and last piece."""
+        """Return values, shape (N, m); arguments outside are evaluated on the first or last piece."""
         index = np.searchsorted(self.edges[1:, 0], x, side="right")
         low, high = self.edges[index].T
         u = (2.0 * x - low - high) / (high - low)
         return _clenshaw(self.coefficients[index], u[:, None])
 
     def integral(self) -> Series:
-        """Return the integral from the first edge."""
+        """Return the integral from the first edge on."""
         half = np.diff(self.edges, axis=1)[:, :, None] / 2.0
         padded = np.moveaxis(self.coefficients, 1, 0)
         raised = np.moveaxis(chebyshev.chebint(padded, lbnd=-1.0), 0, 1) * half
@@ -89,7 +89,7 @@ def series_of(function: Function, edges: Floats, degree: int | None = None) -> S
     edges : ndarray, shape (P+1,)
         Increasing.
     degree : int, optional
-        Of the polynomials between the edges, if that is what they are.
+        Degree of the polynomials between the edges, if the function consists of these.
     """
     pieces = np.stack([edges[:-1], edges[1:]], axis=1)
     if degree is not None and degree < COUNT:

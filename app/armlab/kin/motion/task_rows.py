@@ -1,4 +1,4 @@
-"""The components of twists, Jacobians and pose errors that an arm's task controls, for many configurations at once."""
+"""The components of twists, Jacobians and pose errors in an arm's task, for many configurations at once."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.kin.arm import Arm
 Floats = NDArray[np.float64]
 
 FLOOR = 1e-13
-"""Keeps normal equations of a pure-number Jacobian invertible; see `armlab.kin.ik.problem.FLOOR`."""
+"""Damping that keeps normal equations of a dimensionless Jacobian invertible; see `armlab.kin.ik.problem.FLOOR`."""
 
 
 def task_rows(arm: Arm, columns: Floats, tool: Floats) -> Floats:
@@ -41,7 +41,7 @@ def task_rows(arm: Arm, columns: Floats, tool: Floats) -> Floats:
 
 
 def scaled_jacobian(arm: Arm, q: Floats, tool: Floats) -> Floats:
-    """Return task Jacobians of pure numbers, (N, m, n): positions in length scales, prismatic joints as well."""
+    """Return dimensionless task Jacobians, (N, m, n): positions and prismatic joints in length scales."""
     # One configuration alone is much faster without the machinery of batches.
     whole = arm.jacobian(q[0])[None] if len(q) == 1 else arm.jacobian(q)
     J = task_rows(arm, np.asarray(whole, dtype=np.float64), tool)
@@ -50,12 +50,12 @@ def scaled_jacobian(arm: Arm, q: Floats, tool: Floats) -> Floats:
 
 
 def joint_scales(arm: Arm) -> Floats:
-    """Return rad or m for one unit of each scaled joint variable, (n,)."""
+    """Return the size of one unit of each scaled joint variable, (n,), rad or m."""
     return np.where(arm.revolute, 1.0, arm.length_scale)
 
 
 def scaled_rates(arm: Arm, twists: Floats, tool: Floats) -> Floats:
-    """Return the controlled components of twists (N, 6) as pure numbers, (N, m)."""
+    """Return the controlled components of twists (N, 6), dimensionless, (N, m)."""
     rates = task_rows(arm, twists[:, :, None], tool)[:, :, 0]
     rates[:, : len(arm.task.position)] /= arm.length_scale
     return rates
@@ -64,7 +64,7 @@ def scaled_rates(arm: Arm, twists: Floats, tool: Floats) -> Floats:
 def scaled_error(arm: Arm, tool: Floats, wanted: Floats) -> Floats:
     """Return the motion from tool to wanted poses (N, 4, 4) in controlled components, pure numbers, (N, m).
 
-    Of a turn by theta about r it is 2 sin(theta/2) r, which grows up to a half turn.
+    For a rotation by theta about r it is 2 sin(theta/2) r, which grows up to a half turn.
     """
     if arm.task.rotation == "none":
         turn = np.zeros((len(tool), 3))

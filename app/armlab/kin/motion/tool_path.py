@@ -1,4 +1,4 @@
-"""A tool that moves and turns: a path for a point of it, an orientation, one parameter."""
+"""The motion of a tool: a path of its tool point and an orientation over one parameter."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ class ToolPath:
     Parameters
     ----------
     position : Path
-        Of the point, in the world, metres, three coordinates.
+        Path of the point, in the world, metres, three coordinates.
     orientation : Orientation
-        Of the tool in the world.
+        Orientation of the tool in the world.
     point : array_like, shape (3,), optional
         The point of the tool that follows the path, in tool axes, metres; the tool point itself when left out.
 
@@ -36,7 +36,7 @@ class ToolPath:
     pieces : ndarray, shape (k,)
         Interior s between which everything is smooth.
     corners : ndarray, shape (c,)
-        Those of them where the twist jumps.
+        The places at which the twist jumps.
     remarks : tuple of str
 
     Raises

@@ -21,15 +21,15 @@ from armlab.kin.motion.series import roots_inside, series_of
 Floats = NDArray[np.float64]
 
 OUTSIDE = 1e-9
-"""A law may leave [0, 1] by so much: rounding."""
+"""Distance of a law outside [0, 1] that is rounding."""
 
 SAME_PLACE = 1e-13
-"""Two s that differ by no more are the same place."""
+"""Largest difference of two s that are the same place."""
 
 MOST_SAMPLES = 1_000_000
 
 HALVINGS = 60
-"""Of a time interval: to the last digit."""
+"""Number of halvings of a time interval: to the last digit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class Motion(ABC):
     pieces : ndarray, shape (k,)
         Interior times between which every derivative is smooth.
     degree : int or None
-        Of the polynomials between them, if that is what they are.
+        Degree of the polynomials between them, if the motion consists of these.
     remarks : tuple of str
     """
 
@@ -93,12 +93,12 @@ class Motion(ABC):
 
     @property
     def edges(self) -> Floats:
-        """0, the ends of pieces, T."""
+        """Times 0, ends of pieces, T."""
         return np.concatenate([[0.0], self.pieces, [self.duration]])
 
     @cached_property
     def _sides(self) -> tuple[list[Floats], list[Floats], Floats]:
-        """Derivatives from the left and from the right at the edges, and the lengths of the shorter pieces there."""
+        """Derivatives from the left and the right at the edges, and the lengths of the shorter neighbouring pieces."""
         places = self.edges
         left, right = (stopped(self.limits_at(places, before), before) for before in (True, False))
         lengths = np.diff(places)
@@ -131,7 +131,7 @@ class Motion(ABC):
 
     @property
     def continuity_from_rest(self) -> float:
-        """The class with standstill before and after: 0 where a velocity jumps at an end."""
+        """The class with rest before and after: 0 if a velocity jumps at an end."""
         return float(self._classes.min())
 
     def sample(self, count: int | None = None, rate: float | None = None) -> Samples:
@@ -166,7 +166,7 @@ class Trajectory(Motion):
     ----------
     path : Path
     law : Law
-        From 0 to 1.
+        A law from 0 to 1.
 
     Raises
     ------
@@ -192,7 +192,7 @@ class Trajectory(Motion):
 
     @cached_property
     def pieces(self) -> Floats:  # type: ignore[override]
-        """Interior times of the law, and those at which s passes the end of a piece of the path."""
+        """Interior times of the law, and times at which s passes the end of a piece of the path."""
         return merged([self.law.pieces, times_at(self.law, self.path.pieces)], 0.0, self.duration)
 
     def derivatives(self, t: ArrayLike, orders: Sequence[int] = ORDERS) -> list[Floats]:
@@ -206,7 +206,7 @@ class Trajectory(Motion):
         return [in_time(q, s, order, (*times.shape, self.m)) for order in orders]
 
     def _wanted(self, orders: Sequence[int]) -> list[int]:
-        """Return the orders of path derivatives that matter: those above the degree of a polynomial are zero."""
+        """Return the orders of path derivatives that are needed: above the degree of a polynomial they are zero."""
         most = max(orders, default=0)
         flat = most if self.path.degree is None else min(most, self.path.degree)
         return [order for order in range(flat + 1) if order > 0 or 0 in orders]
@@ -226,7 +226,7 @@ class Trajectory(Motion):
 
 
 def times_at(law: Law, places: Floats) -> Floats:
-    """Return the times at which a law passes places between 0 and 1, sorted, shape (k,)."""
+    """Return the times, sorted, at which a law passes places between 0 and 1, shape (k,)."""
     if len(places) == 0:
         return np.zeros(0)
     if law.monotone:
@@ -247,7 +247,7 @@ def times_at(law: Law, places: Floats) -> Floats:
 
 
 def _snapped(law: Law, places: Floats, times: Floats) -> Floats:
-    """Return times, those at which a piece of the law ends put there: where s stands still it tells no time."""
+    """Return times, with those near the end of a piece of the law moved there: where s rests it gives no time."""
     if len(law.pieces) == 0:
         return times
     passed = law.at(law.pieces)
@@ -269,7 +269,7 @@ def in_time(q: dict[int, Floats], s: Sequence[Floats], order: int, shape: tuple[
     order : int
         0 to 3.
     shape : tuple of int
-        Of the result.
+        Shape of the result.
 
     References
     ----------
@@ -286,7 +286,7 @@ def in_time(q: dict[int, Floats], s: Sequence[Floats], order: int, shape: tuple[
 
 
 def _factors(s: Sequence[Floats], order: int, known: set[int]) -> list[tuple[int, Floats]]:
-    """Return with which factor each derivative of the path enters."""
+    """Return the orders of path derivatives and the factors with which they enter, by the chain rule."""
     if order == 1:
         every = [(1, s[1])]
     elif order == 2:

@@ -1,1 +1,1 @@
-"""Geometric paths: one file a kind; each holds a constant ``PATH``. What a path is: `armlab.kin.motion.path_types`."""
+"""Geometric paths, one file each, with a constant ``PATH``; see `armlab.kin.motion.path_types`."""

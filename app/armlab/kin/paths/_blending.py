@@ -85,7 +85,7 @@ def check_room(room: Floats, after: Floats, before: Floats, unit: str) -> None:
     Parameters
     ----------
     room, after, before : ndarray, shape (N-1,)
-        Of each line its length, what the blend at its start takes, and what that at its end takes.
+        For each line, its length, the part taken by the blend at its start, and the part taken by that at its end.
     unit : str
         ``"s"``; empty for lengths, whose unit is not known here: then parts of the line are told.
     """
@@ -106,7 +106,7 @@ def _times_the_line(share: float) -> str:
 
 
 def for_each(value: Any, where: str, count: int, each: str) -> Floats:
-    """Return one number for each of ``count``; one number alone stands for all. `InputError` otherwise."""
+    """Return one number for each of ``count``; a single number stands for all. `InputError` otherwise."""
     values = np.atleast_1d(np.asarray(value, dtype=float))
     if values.size not in (1, count):
         raise InputError(f"{where}: expected one number, or {count}: one for each {each}; got {values.size}")

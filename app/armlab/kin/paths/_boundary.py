@@ -1,4 +1,4 @@
-"""The one polynomial with given derivatives at both ends of [0, 1]."""
+"""The polynomial of least degree with given derivatives at both ends of [0, 1]."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 MOST_DEGREE = 15
-"""Higher ones lose more than the last six digits in powers of s, and swing without use."""
+"""Largest degree: higher ones lose more than the last six digits in powers of s, and oscillate without use."""
 
 
 def boundary_polynomial(start: Sequence[Floats], end: Sequence[Floats]) -> Floats:
@@ -36,5 +36,5 @@ def boundary_polynomial(start: Sequence[Floats], end: Sequence[Floats]) -> Float
 
 
 def in_seconds(values: Sequence[Floats], duration: float) -> list[Floats]:
-    """Return derivatives with respect to s from those with respect to t = s T: the k-th times T^k."""
+    """Return derivatives with respect to s from those with respect to t = s T: the k-th is multiplied by T^k."""
     return [value * duration**k for k, value in enumerate(values)]

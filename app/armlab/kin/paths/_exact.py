@@ -21,7 +21,7 @@ from armlab.kin.motion.piecewise import Piecewise
 
 Floats = NDArray[np.float64]
 Rows = Sequence[Sequence[Fraction]]
-"""Of each coordinate the coefficients in rising powers."""
+"""Coefficients of each coordinate, in rising powers."""
 
 
 class ExactPolynomial(PolynomialPath):
@@ -30,7 +30,7 @@ class ExactPolynomial(PolynomialPath):
     Parameters
     ----------
     rows : sequence of m sequences of d + 1 Fraction
-        In rising powers of s.
+        Coefficients in rising powers of s.
     duration : float
     """
 
@@ -62,7 +62,7 @@ def _centred(row: Sequence[Fraction]) -> list[Fraction]:
 
 
 def _derived(row: Sequence[Fraction], order: int) -> list[float]:
-    """Return the coefficients of a derivative with respect to s, each rounded once; of a constant one zero."""
+    """Return the coefficients of a derivative with respect to s, each rounded once; one zero for a constant."""
     if order >= len(row):
         return [0.0]
     return [float(2**order * math.perm(j, order) * row[j]) for j in range(order, len(row))]

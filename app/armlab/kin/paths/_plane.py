@@ -1,4 +1,4 @@
-"""A direction across a chord, chosen when none is given."""
+"""A direction perpendicular to a chord, chosen when none is given."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.errors import InputError
 Floats = NDArray[np.float64]
 
 ALONG = 1e-9
-"""Sine below which a given direction is along the chord."""
+"""Sine of the angle with the chord below which a given direction is along it."""
 
 
 def across(chord: Floats, given: Floats | None, where: str) -> Floats:

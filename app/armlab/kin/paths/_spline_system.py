@@ -1,4 +1,4 @@
-"""The tridiagonal system of a cubic spline for the velocities at its knots, and the cubics from them."""
+"""The tridiagonal system for the velocities at the knots of a cubic spline, and the cubics from them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armlab.errors import InputError
 Floats = NDArray[np.float64]
 
 MOST_SHOWN = 2000
-"""Rows of the full matrix at most; the system itself is solved by its three diagonals."""
+"""Largest number of rows of a full matrix that is shown; the system is solved by its three diagonals."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +36,7 @@ class SplineSystem:
 
     @property
     def matrix(self) -> Floats:
-        """The full matrix, shape (n, n); `InputError` when it is too large to be looked at."""
+        """The full matrix, shape (n, n); `InputError` when it is too large to be shown."""
         n = len(self.diagonal)
         if n > MOST_SHOWN:
             raise InputError(f"matrix: {n} rows; at most {MOST_SHOWN} are written out")

@@ -1,4 +1,4 @@
-"""A straight way from one waypoint to another with a scalar function as its course: q_i + (q_f - q_i) f(s)."""
+"""A straight path from one waypoint to another with a scalar function f as its course: q_i + (q_f - q_i) f(s)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armlab.kin.motion.path import Path
 
 Floats = NDArray[np.float64]
 Course = Callable[[Floats, int], Floats]
-"""``f(s, order)``: the derivative of an order, with f(0) = 0 and f(1) = 1."""
+"""``f(s, order)``: the derivative of a given order of a function with f(0) = 0 and f(1) = 1."""
 
 
 class Template(Path):

@@ -1,4 +1,4 @@
-"""Linear segments with parabolic blends: through the neighbourhood of timed waypoints in joint space."""
+"""Linear segments with parabolic blends, past timed waypoints in joint space."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.motion.path_types import PathType
 from armlab.kin.paths._blending import SHAPE, blended, check_room, for_each
 
 SHARE = 0.4
-"""Blend time, of the shorter neighbouring interval, when none is given."""
+"""Default blend time, relative to the shorter neighbouring interval."""
 
 REMARK = (
     "Inner waypoints are not met: the arm passes at |v_k − v_(k−1)| Δt/8 from each. The acceleration is constant in a "
@@ -27,8 +27,8 @@ def make(knots: NDArray[np.float64], options: dict[str, Any]) -> PolynomialPath:
 
     References
     ----------
-    Notes 6.86-6.88, with one parameter: they mix a velocity per unit of s with a blend time in seconds. What they leave
-    out: the blend begins half its time before the waypoint's.
+    Notes 6.86-6.88, with one parameter: they mix a velocity per unit of s with a blend time in seconds. They do not
+    mention that the blend begins half its time before the waypoint's.
     """
     times = knot_times(knots, options)
     steps = np.diff(times)

@@ -17,10 +17,10 @@ from armlab.kin.motion.path_types import PathType
 Floats = NDArray[np.float64]
 
 IN_LINE = 1e-9
-"""Sine of the angle between the chords below which three points are on a line: the radius would have no digits."""
+"""Sine of the angle of the chords below which three points are on a line: the radius would have no digits."""
 
 LARGEST_RADIUS = 1000.0
-"""Times the longest chord: a larger circle is a straight line to the eye, and swings far with the last digit typed."""
+"""Largest radius, relative to the longest chord: a larger circle looks straight and depends on the last digit typed."""
 
 
 class Arc(Path):

@@ -1,4 +1,4 @@
-"""The clothoid (Euler spiral): its curvature grows in proportion to the distance gone."""
+"""The clothoid (Euler spiral): its curvature grows in proportion to the arc length."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The cycloidal course s - sin(2 pi s) / (2 pi): acceleration is one wave of a sine, zero at both ends."""
+"""The cycloidal course s - sin(2 pi s) / (2 pi): the acceleration is one sine wave, zero at both ends."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 
 def course(s: Floats, order: int) -> Floats:
-    """Return the derivative of an order of s - sin(2 pi s) / (2 pi)."""
+    """Return the derivative of a given order of s - sin(2 pi s) / (2 pi)."""
     wave = 2.0 * math.pi
     turned = np.sin(wave * s + order * math.pi / 2.0) * wave ** (order - 1)
     straight = (s, 1.0, 0.0, 0.0)[order]

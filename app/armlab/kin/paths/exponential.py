@@ -1,4 +1,4 @@
-"""The exponential course (1 - e^(-lambda s)) / (1 - e^(-lambda)): fast first, slow at the end."""
+"""The exponential course (1 - e^(-lambda s)) / (1 - e^(-lambda)): fast at first, slow at the end."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from armlab.kin.paths._template import Template
 Floats = NDArray[np.float64]
 
 MOST_RATE = 50.0
-"""Beyond this the whole change happens in the first tenth."""
+"""Largest rate: beyond it the whole change happens in the first tenth."""
 
 
 def make(knots: Floats, options: dict[str, Any]) -> Template:
-    """Return the path; a negative rate is slow first. One of the classes named in the notes, section 6.2."""
+    """Return the path; with a negative rate it is slow at first. One of the classes in the notes, section 6.2."""
     rate: float = options["rate"]
     if rate == 0.0:
         raise InputError("rate: expected a number that is not 0 (that is the straight line), got 0")

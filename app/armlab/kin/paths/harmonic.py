@@ -1,4 +1,4 @@
-"""The harmonic course (1 - cos pi s) / 2: a half wave of a cosine."""
+"""The harmonic course (1 - cos pi s) / 2: half a wave of a cosine."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 
 def course(s: Floats, order: int) -> Floats:
-    """Return the derivative of an order of (1 - cos pi s) / 2, with respect to s."""
+    """Return the derivative of a given order of (1 - cos pi s) / 2 with respect to s."""
     if order == 0:
         return 0.5 - 0.5 * np.cos(math.pi * s)
     # Derivatives of -cos turn it by a quarter wave each.
@@ -23,7 +23,7 @@ def course(s: Floats, order: int) -> Floats:
 
 
 def make(knots: Floats, options: dict[str, Any]) -> Template:
-    """Return the path. Notes 6.57-6.64; the last condition of 6.60 is meant at 1, not at T."""
+    """Return the path. Notes 6.57-6.64; the last condition of 6.60 must be at 1, not at T."""
     return Template(knots, course)
 
 

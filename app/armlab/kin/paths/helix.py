@@ -26,9 +26,9 @@ class Helix(Path):
     start : ndarray, shape (3,)
         First waypoint.
     advance : ndarray, shape (3,)
-        From the first to the last waypoint, along the axis.
+        Displacement from the first to the last waypoint, along the axis.
     x, y : ndarray, shape (3,)
-        From the axis to the first waypoint, and the direction in which it first goes round.
+        Vector from the axis to the first waypoint, and initial direction around the axis.
     radius, angle : float
         Metres; radians turned from s = 0 to 1.
     """

@@ -1,4 +1,4 @@
-"""Cubics between timed waypoints with given velocities: what a table of samples with their rates says."""
+"""Cubics between timed waypoints with given velocities, such as a table of samples with their rates."""
 
 from __future__ import annotations
 

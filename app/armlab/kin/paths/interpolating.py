@@ -1,4 +1,4 @@
-"""One polynomial through all waypoints: it wanders between them."""
+"""One polynomial through all waypoints, which oscillates between them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.kin.motion.path_types import PathType
 Floats = NDArray[np.float64]
 
 MOST_KNOTS = 31
-"""With more evenly spaced waypoints rounding alone moves the curve visibly."""
+"""Largest number of waypoints: with more, evenly spaced, rounding alone moves the curve visibly."""
 
 
 class Interpolating(Path):

@@ -1,4 +1,4 @@
-"""Lift-off, travel, set-down: polynomials of degree 4, 3, 4 for picking and placing."""
+"""Lift-off, travel, set-down: polynomials of degree 4, 3, 4 for pick and place."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Floats = NDArray[np.float64]
 
 DEGREES = (4, 3, 4)
 FIRST = (0, 5, 9)
-"""Where the coefficients of each polynomial begin among the 14."""
+"""Index of the first coefficient of each polynomial among the 14."""
 
 
 class Lts(PolynomialPath):
@@ -26,10 +26,10 @@ class Lts(PolynomialPath):
     Attributes
     ----------
     matrix : ndarray, shape (14, 14)
-        Of the coefficients, in rising powers of the local time of each polynomial, one after the other.
+        Matrix of the coefficients, in rising powers of the local time of each polynomial, one after the other.
     right : ndarray, shape (14, m)
     names : tuple of str
-        What each equation says.
+        Description of each equation.
     """
 
     def __init__(
@@ -77,7 +77,7 @@ def make(knots: Floats, options: dict[str, Any]) -> Lts:
 
 
 def _row(piece: int, t: float, order: int) -> Floats:
-    """Return the row of the derivative of one polynomial at its local time."""
+    """Return the row of a derivative of one polynomial at its local time."""
     row = np.zeros(14)
     for power in range(order, DEGREES[piece] + 1):
         row[FIRST[piece] + power] = math.perm(power, order) * t ** (power - order)

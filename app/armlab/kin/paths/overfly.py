@@ -1,4 +1,4 @@
-"""Lines at constant speeds with the corners flown over: parabolic blends of constant acceleration."""
+"""Lines at constant speeds with rounded corners: parabolic blends of constant acceleration."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.kin.paths._blending import SHAPE, blended, check_room, for_each
 Floats = NDArray[np.float64]
 
 SHARE = 0.25
-"""Distance d1, of the shorter neighbouring line, when nothing is given."""
+"""Default distance d1, relative to the shorter neighbouring line."""
 
 QUARTIC = "The acceleration is zero at both ends of each blend, and 1.5 times that of a parabola in its middle."
 PARABOLA = (
@@ -33,7 +33,7 @@ class Overfly(PolynomialPath):
     blend_times : ndarray, shape (N-2,)
         Delta T of each inner waypoint.
     d1, d2 : ndarray, shape (N-2,)
-        How far before and after the waypoint the line is left and the next one met.
+        Distances before and after each waypoint at which the line is left and the next one met.
     accelerations : ndarray, shape (N-2, m)
         The constant one of a parabolic blend, (v2 k_BC - v1 k_AB) / Delta T: it jumps from zero to this and back.
     """
@@ -54,7 +54,7 @@ class Overfly(PolynomialPath):
         self.accelerations = np.diff(v, axis=0) / times[:, None]
 
     def remarks_in(self, unit: str, size: float) -> tuple[str, ...]:
-        """Return the remarks, with the largest jump of a parabolic blend in numbers."""
+        """Return the remarks, with the largest jump of a parabolic blend as a number."""
         jump = float(np.linalg.norm(self.accelerations, axis=1).max())
         # Three digits, and never with an exponent that a length would not have.
         known = PARABOLA.format(jump=f" by up to {float(f'{jump / size:.3g}'):g} {unit}/s²")
@@ -64,7 +64,7 @@ class Overfly(PolynomialPath):
 def make(knots: Floats, options: dict[str, Any]) -> Overfly:
     """Return the lines and blends over time.
 
-    Of d1, d2 and Delta T one is chosen and the others follow: Delta T = 2 d1 / v1 = 2 d2 / v2.
+    One of d1, d2 and Delta T is chosen, and the others follow: Delta T = 2 d1 / v1 = 2 d2 / v2.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Polynomials with any number of conditions at both ends, and the doubly normalised form."""
+"""Polynomials with any number of conditions at both ends, and their doubly normalised form."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def rest_coefficients(degree: int) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class Rules:
-    """Whether coefficients keep the rules of the notes for symmetric conditions.
+    """The check of the notes' rules for the coefficients under symmetric conditions.
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class Rules:
 
     @property
     def kept(self) -> bool:
-        """Whether all four hold."""
+        """Whether all four rules hold."""
         return self.integers and self.alternating and self.sum_one and self.low_zero
 
 
@@ -110,7 +110,7 @@ def doubly_normalised(
     Parameters
     ----------
     q_start, q_end : float
-        Of one joint.
+        Start and end of one joint.
     start, end : sequence of float
         Velocity, acceleration, ... at the ends, in units per second, per second squared, ...
     duration : float
@@ -139,7 +139,7 @@ def doubly_normalised(
 
 
 ANY_DEGREE = (("degree", (None,)),)
-"""Derivatives at the ends decide the degree."""
+"""Condition for options at the ends: they are used only while no degree is given."""
 
 
 def make(knots: Floats, options: dict[str, Any]) -> PolynomialPath:

@@ -1,4 +1,4 @@
-"""The cubic spline through timed waypoints: continuous up to the acceleration, and calm between them."""
+"""The cubic spline through timed waypoints: continuous up to the acceleration, with little oscillation."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 VELOCITIES, ACCELERATIONS, BOTH = (
     (("ends", kinds),) for kinds in (("clamped", "both"), ("natural", "both"), ("both",))
 )
-"""Kinds of ends with which something can be given."""
+"""Conditions for options at the ends: the kinds of ends with which each can be given."""
 
 
 class Spline(PolynomialPath):
@@ -31,9 +31,9 @@ class Spline(PolynomialPath):
     system : SplineSystem
         Tridiagonal matrix and right side (notes 6.93-6.95), time in seconds.
     times : ndarray, shape (K,)
-        Of all knots, with the virtual ones.
+        Times of all knots, virtual ones included.
     positions, velocities : ndarray, shape (K, m)
-        At them.
+        Positions and velocities at these times.
     virtual : tuple of int
         Numbers (from 1) of the virtual knots among them.
     """
@@ -48,15 +48,15 @@ class Spline(PolynomialPath):
 
     @property
     def equations(self) -> int:
-        """How many conditions, and coefficients, it has: 4 for each cubic."""
+        """Number of conditions, which is that of the coefficients: 4 for each cubic."""
         return 4 * (len(self.times) - 1)
 
 
 def make(knots: Floats, options: dict[str, Any]) -> Spline:
     """Return the spline.
 
-    Of all curves with continuous second derivative through the waypoints, with these end velocities (or with free ones,
-    natural), it has the smallest integral of the squared acceleration.
+    Among all curves with continuous second derivative through the waypoints, with these end velocities (or with free
+    ones, natural), it has the smallest integral of the squared acceleration.
 
     References
     ----------
@@ -79,7 +79,7 @@ def make(knots: Floats, options: dict[str, Any]) -> Spline:
 
 
 def _refuse_unused(options: dict[str, Any], ends: str) -> None:
-    """Raise `InputError` when something is given that this kind of spline cannot keep."""
+    """Raise `InputError` when something is given that this kind of ends cannot satisfy."""
     for field in PATH.fields:
         given_up = field.only and field.only[0][0] == "ends" and not field.usable(options)
         if given_up and options[field.key] is not None:

@@ -1,1 +1,1 @@
-"""Timing laws: one file a kind; each holds a constant ``LAW``. What a law is: `armlab.kin.motion.law_types`."""
+"""Timing laws, one file each, with a constant ``LAW``; see `armlab.kin.motion.law_types`."""

@@ -1,4 +1,4 @@
-"""The limits of joints along a path, as bands of the squared speed of s on a grid."""
+"""The limits of joints along a path, as bounds on the squared speed of s on a grid."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from armlab.kin.timing._phase_plane import Bands, tops
 Floats = NDArray[np.float64]
 
 LOOKED = 5
-"""Chebyshev points of a step at which limits are looked at, ends and middle included."""
+"""Number of Chebyshev points in a step at which limits are examined, ends and middle included."""
 
 KEPT = (0, LOOKED // 2, LOOKED - 1)
-"""Those of them at which limits are kept: both ends and the middle. An acceleration is a parabola through these but for
-the third power of the step."""
+"""Indices of the points at which limits are enforced: both ends and the middle. Up to the third power of the step, an
+acceleration is a parabola through these."""
 
 BESIDE = 2.0
-"""Times the distance from that parabola at the points by which it may be left between them; of a cubic it is 1.1."""
+"""Factor from the deviation from that parabola at the points to the largest one between them; for a cubic it is 1.1."""
 
 LEAST_STEPS = 4
-"""Of each piece of the path."""
+"""Least number of steps on each piece of the path."""
 
 STANDS = 1e-12
-"""Of its largest value: a dq/ds below it is zero but for rounding."""
+"""Value of dq/ds, relative to the largest, below which it is rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class Grid:
     bend : ndarray, shape (N, LOOKED, m)
         d²q/ds² in parts of the limit of acceleration.
     stops : ndarray of bool, shape (N+1,)
-        Where s must stand still.
+        Grid points at which s must stand still.
     still : (bool, bool)
         Whether dq/ds is zero at the start and at the end, so that any speed of s is rest there.
     """
@@ -61,7 +61,7 @@ class Grid:
     still: tuple[bool, bool]
 
     def bands(self, tight: Floats) -> Bands:
-        """Return the limits as bands, made tighter by a factor for each step, (N,)."""
+        """Return the limits as bands, tightened by a factor for each step, (N,)."""
         t, h = self.places[list(KEPT)][:, None], 2.0 * self.h[:, None, None]
         kept = np.array(KEPT)
         push, bend = self.second[:, kept] / h, self.bend[:, kept]
@@ -74,11 +74,11 @@ class Grid:
         return Bands(A, B)
 
     def most_at_end(self, bands: Bands) -> float:
-        """Return the largest squared speed at the end."""
+        """Return the largest squared speed allowed at the end."""
         return float(tops(Bands(bands.B[-1:], bands.A[-1:]))[0][0])
 
     def used(self, x: Floats) -> Floats:
-        """Return the largest part of a limit of each step, (N,): of an acceleration, or of the square of a velocity."""
+        """Return the largest used fraction of a limit in each step, (N,): of acceleration, or of squared velocity."""
         u = (np.diff(x) / (2.0 * self.h))[:, None, None]
         between = x[:-1, None] + np.diff(x)[:, None] * self.places
         acceleration = self.second * u + self.bend * between[:, :, None]
@@ -87,7 +87,7 @@ class Grid:
 
 
 def _largest(values: Floats, places: Floats) -> Floats:
-    """Return the largest absolute value of (N, LOOKED, m) over each step, (N,), between the places as well."""
+    """Return the largest absolute value of (N, LOOKED, m) over each step, (N,), also between the points."""
     start, middle, end = (values[:, k] for k in KEPT)
     slope, bend = 4.0 * middle - 3.0 * start - end, 2.0 * (start + end) - 4.0 * middle
     t = places[:, None]
@@ -99,7 +99,7 @@ def _largest(values: Floats, places: Floats) -> Floats:
 
 
 def grid_of(path: Path, limits: Limits, steps: int) -> Grid:
-    """Return a path on a grid of about so many steps, with the ends of its pieces among its places."""
+    """Return a path on a grid of about ``steps`` steps; the ends of its pieces are among the grid points."""
     edges = path.edges
     lengths = np.diff(edges)
     least = LEAST_STEPS if LEAST_STEPS * len(lengths) <= 2 * steps else 2

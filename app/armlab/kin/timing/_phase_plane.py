@@ -1,8 +1,8 @@
-"""The fastest squared speed x = s'^2 along a path, on a grid: a pass back for what can still be braked, one forward.
+"""The fastest squared speed x = s'^2 along a path, on a grid, by a backward pass (braking) and a forward pass.
 
 Between two places x is a straight line over s, so that s'' = (y - x) / (2 h) is constant there, with y the x at the end
-and h the step. Every limit of a velocity or an acceleration is then a band of the plane: |A x + B y| <= 1. What follows
-is linear programming in one unknown, in closed form, a band for each joint and place.
+and h the step. Every limit of a velocity or an acceleration is then a band of the plane: |A x + B y| <= 1. This is
+linear programming in one unknown, in closed form, with a band for each joint and place.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 NOTHING = 1e-12
-"""Of the largest coefficient of a step: a band with one below it does not depend on that unknown, but for rounding."""
+"""Coefficient, relative to the largest in a step, below which a band does not depend on that unknown."""
 
 
 ROUNDING = 1e-13
-"""Relative height above the top at which two lines count as meeting there."""
+"""Height above the top, relative, up to which two lines count as meeting there."""
 
 HUGE = 1e60
-"""Larger than any squared speed."""
+"""Value larger than any squared speed."""
 
 RUSH = 1e4
-"""Times the median of the largest squared speeds: where the path itself stands still, s may become as fast as one
-likes. Beyond this, a hundred times its usual speed, it would gain less than a hundredth of the time."""
+"""Factor of the median of the largest squared speeds: where the path stands still, s may become arbitrarily fast.
+Beyond a hundred times its usual speed it would gain less than a hundredth of the time."""
 
 
 class Bands(NamedTuple):
@@ -50,7 +50,7 @@ class Controllable(NamedTuple):
 
 
 def solved_for(one: Floats, other: Floats) -> tuple[Floats, Floats]:
-    """Return e and f (N, R) with -e + f v <= u <= e + f v for bands |one u + other v| <= 1; infinite e without u."""
+    """Return e and f (N, R) with -e + f v <= u <= e + f v for bands |one u + other v| <= 1; e is infinite without u."""
     size = np.maximum(np.abs(one), np.abs(other)).max(axis=1, keepdims=True, initial=0.0)
     known = np.abs(one) > NOTHING * size
     safe = np.where(known, one, 1.0)
@@ -111,7 +111,7 @@ def _back(e: Floats, f: Floats, y: Floats) -> Floats:
 
 
 def controllable(bands: Bands, end: tuple[float, float], stops: NDArray[np.bool_]) -> Controllable:
-    """Return from where the end can be reached, by a pass back.
+    """Return the squared speeds from which the end can be reached, by a backward pass.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def controllable(bands: Bands, end: tuple[float, float], stops: NDArray[np.bool_
     end : (float, float)
         Least and most squared speed at the end.
     stops : ndarray of bool, shape (N+1,)
-        Where the speed must be zero.
+        Grid points at which the speed must be zero.
 
     Notes
     -----

@@ -1,4 +1,4 @@
-"""Bang-bang: half the time full acceleration, half the time full deceleration. The fastest with a bound on it alone."""
+"""Bang-bang: full acceleration for half the time, then full deceleration; the fastest law for bounded acceleration."""
 
 from __future__ import annotations
 

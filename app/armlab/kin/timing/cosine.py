@@ -36,7 +36,7 @@ class Cosine(Law):
 
 
 def make(duration: float, distance: float, options: dict[str, Any]) -> Law:
-    """Return the law. Notes 6.62-6.64. Peaks: pi/2 d/T and pi^2/2 d/T^2, the latter at both ends, where it jumps."""
+    """Return the law. Notes 6.62-6.64. Peaks: pi/2 d/T, and pi^2/2 d/T^2 at both ends, where acceleration jumps."""
     return Cosine(duration, distance)
 
 

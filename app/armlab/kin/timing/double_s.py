@@ -1,4 +1,4 @@
-"""The double S of speed: bounded jerk, so that the acceleration has no jumps."""
+"""The double-S speed profile: the jerk is bounded, so the acceleration has no jumps."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from armlab.kin.motion.piecewise import integrated
 from armlab.kin.timing.trapezoidal import END_SPEEDS, check_end_speeds, ramps_of, refuse_short
 
 HALVINGS = 200
-"""Of the interval of the peak speed at most; about 60 reach the last digit."""
+"""Largest number of halvings of the interval of the peak speed; about 60 reach the last digit."""
 
 
 def make(duration: float, distance: float, options: dict[str, Any]) -> Law:
-    """Return the law with ramps of a given share of the time, rounded by jerk for a given share of each."""
+    """Return the law whose ramps take a given share of the time, a given share of each with constant jerk."""
     t_a, t_d, v = ramps_of(duration, distance, options)
     v_0, v_1, share = options["sdot_start"], options["sdot_end"], options["rounding"]
     times: list[float] = []
@@ -65,7 +65,7 @@ def fastest(limits: Limits, distance: float, options: dict[str, Any]) -> Law:
 
 
 def _ramp(change: float, a: float, j: float) -> tuple[float, float, float]:
-    """Return the times of growing, constant and falling acceleration for a change of speed."""
+    """Return the times of rising, constant and falling acceleration for a change of speed."""
     if change >= a * a / j:
         return a / j, change / a - a / j, a / j
     part = math.sqrt(change / j)
@@ -73,12 +73,12 @@ def _ramp(change: float, a: float, j: float) -> tuple[float, float, float]:
 
 
 def _covered(v_0: float, v_1: float, a: float, j: float) -> float:
-    """Return the distance of a ramp: symmetric, so its mean speed is that of its ends."""
+    """Return the distance of a ramp: it is symmetric, so the mean speed is that of its ends."""
     return 0.5 * (v_0 + v_1) * sum(_ramp(abs(v_1 - v_0), a, j))
 
 
 def _root(missing: Any, low: float, high: float) -> float:
-    """Return the largest speed at which nothing is missing yet, by halving."""
+    """Return the largest speed at which nothing is missing, by bisection."""
     if math.isinf(high):
         high = max(2.0 * low, 1e-3)
         while missing(high) > 0.0:

@@ -1,4 +1,4 @@
-"""A piecewise constant acceleration, typed as rows."""
+"""A piecewise constant acceleration, given as rows."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from armlab.kin.motion.piecewise import Piecewise, integrated
 Rows = tuple[tuple[float, float, float], ...]
 
 PLUS_MINUS_ONE: Rows = ((0, 1, 1), (1, 3, -1), (3, 4, 1), (4, 5, -1), (5, 7, 1), (7, 8, -1))
-"""The profile of 1.41: from, to, acceleration. The notes print 3/8, 5/8, 7/8 for 3, 5, 7, which leaves gaps; read so,
-speed and place at t = 8 are zero as 1.42 says."""
+"""Rows (from, to, acceleration) of the profile of 1.41. The notes print 3/8, 5/8, 7/8 for 3, 5, 7, which leaves gaps;
+with these, speed and place at t = 8 are zero as 1.42 says."""
 
 BANG_COAST_BANG: Rows = ((0, 1, 1), (1, 2, 0), (2, 3, -1))
 
 PRESETS: Mapping[str, Rows] = MappingProxyType({"plus_minus_one": PLUS_MINUS_ONE, "bang_coast_bang": BANG_COAST_BANG})
-"""Ready tables by name."""
+"""Ready tables, by name."""
 
 
 def acceleration_law(rows: Any, sdot_first: float = 0.0) -> PolynomialLaw:

@@ -1,4 +1,4 @@
-"""The fastest law along a given path: at every place some joint is at a limit of velocity or acceleration."""
+"""The fastest law along a given path: at each place some joint is at a limit of velocity or acceleration."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from armlab.kin.timing._phase_plane import Bands, controllable, fastest_speeds
 Floats = NDArray[np.float64]
 
 ROUNDS = 12
-"""Of making limits tighter where they are exceeded between the places at which they are kept; two or three do."""
+"""Rounds in which limits are tightened where they are exceeded between grid points; two or three are enough."""
 
 HELD = 1e-10
-"""Relative excess that is left as rounding: a tenth of what counts as exceeding a limit."""
+"""Relative excess that is rounding: a tenth of what counts as exceeding a limit."""
 
 NEAR = 1e-6
-"""Relative excess that is taken away by slowing down the whole, where it begins and ends at rest."""
+"""Relative excess that is removed by slowing down the whole law, if it begins and ends at rest."""
 
 ALIKE, ROUNDING = 1e-12, 1e-13
-"""Neighbouring steps whose s'' differs by less than this part of it, and by the rounding of the squared speeds it comes
-from, are one piece of the law."""
+"""Relative difference of s'' of neighbouring steps, and rounding of the squared speeds it comes from, below which two
+steps are one piece of the law."""
 
 REMARK = "The acceleration jumps wherever another joint or another limit takes over."
 
@@ -80,7 +80,7 @@ def on_path(path: Path, limits: Limits, options: dict[str, Any]) -> Law:
 
 
 def _speeds(grid: Grid, bands: Bands, options: dict[str, Any]) -> Floats:
-    """Return the squared speeds at the places of the grid."""
+    """Return the squared speeds at the grid points."""
     start, end = options["sdot_start"], options["sdot_end"]
     most = grid.most_at_end(bands)
     if end is not None and not end * end <= most * (1.0 + HELD):
@@ -102,7 +102,7 @@ def _speeds(grid: Grid, bands: Bands, options: dict[str, Any]) -> Floats:
 
 
 def _law(grid: Grid, x: Floats) -> PolynomialLaw:
-    """Return the law of constant s'' in each step from the squared speeds at their ends."""
+    """Return the law with constant s'' in each step, from the squared speeds at the ends of the steps."""
     speed = np.sqrt(x)
     if not (speed[:-1] + speed[1:] > 0.0).all():
         raise InputError("steps: within the limits the motion comes to a halt on the path; take more steps")

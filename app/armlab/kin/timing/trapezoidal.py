@@ -1,4 +1,4 @@
-"""The trapezoid of speed: full acceleration, constant speed, full deceleration (bang-coast-bang)."""
+"""The trapezoidal speed profile: full acceleration, constant speed, full deceleration (bang-coast-bang)."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def check_end_speeds(v_start: float, v_end: float, most: float) -> None:
 
 
 def refuse_short(needed: float, distance: float, v_start: float, v_end: float) -> None:
-    """Raise `InputError` when the way is too short for the change of speed."""
+    """Raise `InputError` when the distance is too short for the change of speed."""
     if needed > distance * (1.0 + 1e-12):
         raise InputError(
             f"distance: to get from speed {v_start:g} to {v_end:g} within the limits takes at least {needed:.6g}, got "

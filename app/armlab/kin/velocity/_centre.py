@@ -1,4 +1,4 @@
-"""Why arms with a spherical wrist and no planar part are singular: Stanford's, and those of seven turns."""
+"""Reasons of singularities of arms with a spherical wrist and no planar part: Stanford's, and 7R arms."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from armlab.kin.velocity._layout import Layout, Posture
 
 Array = NDArray[np.float64]
 Reason = tuple[Literal["shoulder", "elbow", "wrist"], str, tuple[int, ...], Array | None, bool]
-"""Kind, sentences, joints (1-based), lost direction in the world, whether it is of turning."""
+"""Kind, sentences, joints (1-based), lost direction in the world, whether this is a rotation."""
 
 VANISHES = 1e-5
-"""Sine, or part of the largest singular value, that counts as none; the rank has decided before."""
+"""Sine, or singular value relative to the largest, that counts as zero; the rank is decided before."""
 
 
 def reasons(posture: Posture, layout: Layout) -> tuple[Reason, ...]:
     """Return why the arm is singular: its first joints do not move the wrist centre every way, or the wrist is flat.
 
-    Of the Jacobian at the wrist centre the last three columns only turn the hand. It loses rank where the first ones
-    lose a motion of the centre, or where the axes of the wrist lie in a plane and no joint speeds that leave the
-    centre in place turn the lower arm across that plane.
+    The last three columns of the Jacobian at the wrist centre only turn the hand. The Jacobian loses rank where the
+    first ones lose a motion of the centre, or where the axes of the wrist lie in a plane and no joint speeds that leave
+    the centre in place turn the lower arm across that plane.
 
     References
     ----------
@@ -45,7 +45,7 @@ def reasons(posture: Posture, layout: Layout) -> tuple[Reason, ...]:
 
 
 def _elbow(posture: Posture, lost: Array | None) -> Reason | None:
-    """Return that shoulder, axis 4 and wrist centre are in line."""
+    """Return the reason that shoulder, axis 4 and wrist centre are in line, or None."""
     shoulder, centre = posture.shoulder_centre, posture.centre
     if shoulder is None or centre is None:
         return None
@@ -63,7 +63,7 @@ def _elbow(posture: Posture, lost: Array | None) -> Reason | None:
 
 
 def _lost_pair(posture: Posture, U: Array, rank: int) -> tuple[Array | None, Array | None]:
-    """Return of two directions that the wrist centre lost the one along the lower arm, and the one across it."""
+    """Return the two lost directions of the wrist centre, along the lower arm and across it; None each otherwise."""
     centre = posture.centre
     if rank != 1 or centre is None:
         return None, None
@@ -75,7 +75,7 @@ def _lost_pair(posture: Posture, U: Array, rank: int) -> tuple[Array | None, Arr
 
 
 def _still(posture: Posture, J: Array, lost: Array | None) -> Reason:
-    """Return why the joints of the shoulder add no second direction to that in which joint 4 moves the centre."""
+    """Return the reason that the shoulder adds no second direction to the one in which joint 4 moves the centre."""
     floor = VANISHES * posture.arm.length_scale
     still = [k + 1 for k in range(3) if float(np.linalg.norm(J[:, k])) <= floor]
     if len(still) == 3:

@@ -1,4 +1,4 @@
-"""What of an arm's structure tells its singularities apart: a planar part, the wrist, and the points that matter."""
+"""The parts of an arm's structure that distinguish its singularities: planar part, wrist, and important points."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from armlab.kin.wrist import wrist_centre
 Array = NDArray[np.float64]
 
 IN_LINE = 1e-6
-"""Of two axes in one configuration: sine of their angle, and distance over the length scale, that count as none."""
+"""Sine of the angle of two axes, or distance in length scales, that counts as zero in one configuration."""
 
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """What holds in every configuration.
+    """The properties that hold in every configuration.
 
     Attributes
     ----------
     rank : int
-        Of the task Jacobian where the arm is not singular.
+        Rank of the task Jacobian where the arm is not singular.
     usual : ndarray, shape (s, m, n)
         Scaled task Jacobians of some configurations.
     run : tuple of int
@@ -44,7 +44,7 @@ class Layout:
     ends_at_centre : bool
         Whether the centre ends the planar part: else the last of its axes does.
     shoulder : ndarray, shape (3,), or None
-        Where the first three axes meet, in the world, of an arm of seven turns with a spherical wrist.
+        The point where the first three axes meet, in the world, for a 7R arm with a spherical wrist.
     """
 
     rank: int
@@ -59,13 +59,13 @@ class Layout:
 
     @property
     def end_name(self) -> str:
-        """What ends the planar part, where that is none of its axes."""
+        """The end of the planar part, in words, when it is none of its axes."""
         return self.centre_name if self.ends_at_centre else ""
 
 
 @lru_cache(maxsize=64)
 def layout_of(arm: Arm) -> Layout:
-    """Return the layout of an arm, found in configurations of no special position."""
+    """Return the layout of an arm, computed from random configurations."""
     spare = spare_joints(arm)
     samples = [_lines(arm, q) for q in spare.samples[:3]]
     run = _run(arm, samples)
@@ -92,14 +92,14 @@ def layout_of(arm: Arm) -> Layout:
 
 
 def _lines(arm: Arm, q: Array) -> tuple[Array, Array]:
-    """Return directions and points of the joint axes, (n, 3) each, in the world."""
+    """Return the directions and points of the joint axes, (n, 3) each, in the world."""
     whole = np.asarray(arm.frames(q), dtype=np.float64)
     frames = whole[:-1] if arm.convention == "standard" else whole[1:]
     return frames[:, :3, 2], frames[:, :3, 3]
 
 
 def _run(arm: Arm, samples: list[tuple[Array, Array]]) -> tuple[int, ...]:
-    """Return the longest run of turns about parallel axes, with slides along them allowed between; at least two."""
+    """Return the longest run of parallel revolute axes, at least two, with prismatic ones along them in between."""
     best: list[int] = []
     for first in range(arm.n):
         run: list[int] = []
@@ -114,7 +114,7 @@ def _run(arm: Arm, samples: list[tuple[Array, Array]]) -> tuple[int, ...]:
 
 
 def _meeting(lines: tuple[Array, Array], scale: float) -> Array | None:
-    """Return the point (3,) where the first three axes meet; None where they do not."""
+    """Return the point (3,) where the first three axes meet; None when they do not."""
     z, points = lines[0][:3], lines[1][:3]
     across = np.eye(3) - z[:, :, None] * z[:, None, :]
     point = np.linalg.lstsq(across.sum(axis=0), (across @ points[:, :, None]).sum(axis=0)[:, 0], rcond=None)[0]
@@ -123,7 +123,7 @@ def _meeting(lines: tuple[Array, Array], scale: float) -> Array | None:
 
 
 def _crossing(arm: Arm, samples: Array) -> Array | None:
-    """Return where the axes of joints 5 and 6 meet, in tool axes; None where they do not."""
+    """Return the point where the axes of joints 5 and 6 meet, in tool axes; None when they do not."""
     found = []
     for q in samples[:2]:
         z, points = _lines(arm, q)
@@ -146,7 +146,7 @@ class Posture:
     arm : Arm
     q : ndarray, shape (n,)
     axes, points : ndarray, shape (n, 3)
-        Of each joint: the direction of its axis and a point of it.
+        Direction of each joint axis and a point on it.
     """
 
     def __init__(self, arm: Arm, q: Array, layout: Layout) -> None:
@@ -174,18 +174,18 @@ class Posture:
 
     @property
     def shoulder_centre(self) -> Array | None:
-        """Where the first three axes meet; None where that is not known."""
+        """The point where the first three axes meet; None when it is not known."""
         return self._layout.shoulder
 
     @property
     def shoulder_point(self) -> Array | None:
-        """What joint 1 carries across the planar part; None where the arm has no such joint."""
+        """The point that joint 1 moves across the planar part; None when the arm has no such joint."""
         turned = self._layout.run[:1] == (1,) and bool(self.arm.revolute[0])
         return self.centre if turned else None
 
     @property
     def elbow_points(self) -> Array | None:
-        """The points (k, 3) of a planar part that are in line when it is stretched or folded, seen along its axes."""
+        """The points (k, 3) of a planar part that are in line, seen along its axes, when it is stretched or folded."""
         layout = self._layout
         if not layout.run or (layout.centre is None and len(layout.run) < 3):
             return None

@@ -17,15 +17,15 @@ Turns = tuple[int, ...]
 Terms = dict[tuple[Powers, Turns], complex]
 
 LONGEST = 1500
-"""Products of two terms in one multiplication; sums that need more are of no use to a reader, and take seconds."""
+"""Largest number of products of terms in one multiplication; longer sums do not help a reader, and take seconds."""
 
 
 class TooLong(Exception):
-    """A sum has too many terms to be worked with."""
+    """A sum has too many terms."""
 
 
 NOTHING = 1e-12
-"""A factor of a term below this is the rounding of zero."""
+"""Factor of a term below which it is the rounding of zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,12 +45,10 @@ class Trigonometric:
 
     @classmethod
     def number(cls, value: float, joints: int) -> Trigonometric:
-        """Return a constant."""
         return cls({((), (0,) * joints): complex(value)} if value else {}, joints)
 
     @classmethod
     def symbol(cls, name: str, joints: int) -> Trigonometric:
-        """Return a symbol."""
         return cls({(((name, 1),), (0,) * joints): 1.0 + 0.0j}, joints)
 
     @classmethod
@@ -64,7 +62,7 @@ class Trigonometric:
 
     @property
     def is_zero(self) -> bool:
-        """Whether nothing is left."""
+        """Whether the sum has no terms."""
         return not self.terms
 
     def __neg__(self) -> Trigonometric:
@@ -151,7 +149,7 @@ class Reader:
         raise ValueError(f"no sum of products: {operation}")
 
     def _turns(self, index: int) -> Turns:
-        """Return the multiples of the joint angles in the argument of a sine or a cosine."""
+        """Return the multiples of the joint angles in the argument of a sine or cosine."""
         node = self._graph.nodes[index]
         if node[0] == "variable" and self._revolute[node[1]]:
             return tuple(int(k == node[1]) for k in range(self._joints))
@@ -181,7 +179,7 @@ class Product:
 
     @classmethod
     def of(cls, whole: Trigonometric) -> Product:
-        """Return a sum as a product: what is common to all terms stands before it."""
+        """Return a sum as a product, with common factors of all terms in front."""
         if whole.is_zero:
             return cls(0.0, (), ())
         common: dict[str, int] = dict(next(iter(whole.terms))[0])
@@ -197,19 +195,18 @@ class Product:
         return cls(number, tuple(sorted(common.items())), () if plain else (scaled,))
 
     def times(self, other: Product) -> Product:
-        """Return the product of both."""
         if self.number == 0.0 or other.number == 0.0:
             return Product(0.0, (), ())
         return Product(self.number * other.number, _times(self.powers, other.powers), self.factors + other.factors)
 
     @property
     def terms(self) -> int:
-        """How many terms its factors have when they are printed."""
+        """Number of terms of its factors when they are printed."""
         return sum(len(_waves(factor)) for factor in self.factors)
 
     @property
     def size(self) -> tuple[int, int]:
-        """How long it is: terms, then angles in them."""
+        """Length of the printed form: number of terms, then of angles in them."""
         angles = sum(abs(k) for factor in self.factors for _, turns, _, _ in _waves(factor) for k in turns)
         return self.terms, angles
 
@@ -220,7 +217,7 @@ def _without(powers: Powers, common: dict[str, int]) -> Powers:
 
 
 def _scale(terms: Terms) -> float:
-    """Return the factor of the first wave, with its sign, if all are the same but for their signs; else the sign."""
+    """Return the signed factor of the first wave if all are equal in magnitude; else only the sign."""
     waves = _waves(Trigonometric(terms, 0))
     sizes = [factor for _, _, _, factor in waves]
     if max(map(abs, sizes)) - min(map(abs, sizes)) <= NOTHING:
@@ -250,7 +247,7 @@ def _waves(whole: Trigonometric) -> list[Wave]:
 
 @dataclass(frozen=True)
 class Names:
-    """How joint variables are called.
+    """Names of the joint variables.
 
     Attributes
     ----------

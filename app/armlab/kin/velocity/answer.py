@@ -1,4 +1,4 @@
-"""Which joint speeds give a wanted velocity: none, one or infinitely many; the shortest, and what it reaches."""
+"""The joint speeds for a wanted velocity: none, one or infinitely many; the shortest, and the velocity it reaches."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 Verdict = Literal["none", "one", "many"]
 
 REACHED = 1e-9
-"""A velocity is reached when what is missing, scaled, is not above this times the wanted one."""
+"""Missing velocity, scaled and relative to the wanted one, up to which it counts as reached."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +26,7 @@ class Answer:
     Attributes
     ----------
     verdict : "none", "one" or "many"
-        How many joint speeds give exactly v.
+        The number of joint speeds that give exactly v.
     qdot : ndarray, shape (n,)
         The shortest of those that come nearest to v (notes 5.116-5.124, 5.128): of what `subspaces` scales, scaled.
     reached : ndarray, shape (m,)
@@ -60,7 +60,7 @@ def answer(
     J, length, speeds, tolerance
         As of `subspaces`.
     v : array_like, shape (m,)
-        In the units of the rows of J.
+        Wanted velocity, in the units of the rows of J.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def answer(
 
 
 def answer_in(spaces: Subspaces, J: ArrayLike, v: ArrayLike) -> Answer:
-    """Return the same with the subspaces of J already known."""
+    """Return the answer from subspaces of J that are already known."""
     matrix = np.asarray(J, dtype=np.float64)
     wanted = finite_floats(v, "v", (len(matrix),), f"{len(matrix)} finite numbers")
     qdot = spaces.inverse @ wanted

@@ -1,4 +1,4 @@
-"""Whether a Jacobian is singular, by every test of the course, and which of its columns have become dependent."""
+"""Singularity of a Jacobian by every test of the course, and the columns that have become dependent."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from armlab.kin.ellipsoid import RANK_TOLERANCE
 Array = NDArray[np.float64]
 
 MOST_MINORS = 1000
-"""Minors that are computed at most; twelve joints and six rows have 924."""
+"""Largest number of minors that are computed; twelve joints and six rows have 924."""
 
 LARGEST_SET = 4
-"""Columns of a set that is tried for dependence."""
+"""Largest number of columns that are tried for dependence."""
 
 PART = 1e-6
-"""A coefficient of a dependence below this times the largest counts as zero."""
+"""Coefficient of a dependence, relative to the largest, below which it counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Minor:
     Attributes
     ----------
     chosen : tuple of int
-        Which columns, or rows of a tall matrix, 1-based.
+        The columns, or rows of a tall matrix, 1-based.
     value : float
     """
 
@@ -56,7 +56,7 @@ class DeterminantTests:
         All of them; J has full rank when one is not zero. By Cauchy and Binet their squares add up to the
         determinant above. Empty where there are more than `MOST_MINORS`.
     count : int
-        How many there are.
+        Number of minors.
     sigma_min : float
     """
 
@@ -173,14 +173,14 @@ def dependent_columns(J: ArrayLike, usual: ArrayLike | None = None) -> tuple[Dep
 
 
 def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Dependence, ...]:
-    """Return so many dependences of which none follows from the others, as small as they are found, if there are.
+    """Return up to ``count`` dependences, none of which follows from the others, as small as they are found.
 
     Where the small sets of `dependent_columns` are too few, sets of more columns from the null space follow.
 
     Parameters
     ----------
     J, usual : array_like
-        As of `dependent_columns`.
+        As in `dependent_columns`.
     count : int
     """
     matrix, others = np.asarray(J, dtype=np.float64), np.asarray(usual, dtype=np.float64)
@@ -199,7 +199,7 @@ def independent_sets(J: ArrayLike, usual: ArrayLike, count: int) -> tuple[Depend
 
 
 def _by_elimination(matrix: Array, floor: float) -> tuple[Dependence, ...]:
-    """Return a basis of the null space with many zeros: the reduced row echelon form, with pivots as they are large."""
+    """Return a basis of the null space with many zeros: the reduced row echelon form, with the largest pivots."""
     _, sigma, V_T = np.linalg.svd(matrix)
     rows = V_T[int(np.sum(sigma > floor)) :].copy()
     for i in range(len(rows)):
@@ -217,7 +217,7 @@ def _by_elimination(matrix: Array, floor: float) -> tuple[Dependence, ...]:
 
 
 def _dependence(columns: Array, floor: float) -> Array | None:
-    """Return the factors of a sum that is zero, all of them of some size; None where there is none."""
+    """Return the coefficients of a vanishing sum, none of them small; None when there is none."""
     _, sigma, V_T = np.linalg.svd(columns)
     if sigma[-1] > floor:
         return None

@@ -1,4 +1,4 @@
-"""Determinants of small arms in symbols: l1 l2 sin q2 and its kin, from the graph of the arm's own formulas."""
+"""Determinants of small arms in symbols, such as l1 l2 sin q2, from the arm's own formulas."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from armlab.kin.velocity._trigonometric import (
 )
 
 MOST_JOINTS = 4
-"""Which move the tool in its task, of an arm without a wrist."""
+"""Largest number of joints that move the tool in its task, for an arm without a wrist."""
 
 NEVER = 1e-9
-"""Part of the scaled Jacobian below which a joint never moves the tool in its task: its columns have no minors."""
+"""Size of a column of the scaled Jacobian below which the joint never moves the tool: it has no minors."""
 
 MOST_TERMS = 40
-"""A determinant with more terms is of no use to a reader."""
+"""Largest number of terms of a determinant that is shown."""
 
 Rows = list[list[Trigonometric]]
 
@@ -51,7 +51,7 @@ class SymbolicMinor:
     text : str
         Python with ``sin``, ``cos``, the joint variables ``q1`` ... and the `constants` of the arm.
     latex : str
-        With ``c_{23}`` for the cosine of q2 + q3, as in the notes.
+        The same in LaTeX, with ``c_{23}`` for the cosine of q2 + q3, as in the notes.
     """
 
     joints: tuple[int, ...]
@@ -61,7 +61,7 @@ class SymbolicMinor:
 
 @dataclass(frozen=True)
 class SymbolicDeterminant:
-    """What must vanish where an arm is singular.
+    """The symbolic determinant, which vanishes where an arm is singular.
 
     Attributes
     ----------
@@ -142,7 +142,7 @@ def _shortest(arm: Arm, columns: Sequence[int], products: Sequence[Product]) -> 
 
 
 def _decoupled(arm: Arm) -> SymbolicDeterminant | None:
-    """Return det J = det J_11 det J_22: the first three joints move the centre of the wrist, the last turn the hand."""
+    """Return det J = det J_11 det J_22: the first three joints move the wrist centre, the last three turn the hand."""
     firsts, lasts = [], []
     for view in (None, *range(6)):
         graph, axes, _ = _symbolic_axes(arm, view)
@@ -156,7 +156,7 @@ def _decoupled(arm: Arm) -> SymbolicDeterminant | None:
 
 
 def _three_parallel(arm: Arm) -> SymbolicDeterminant | None:
-    """Return det J where axes 2, 3 and 4 are parallel and axes 5 and 6 meet in a point, which neither of them moves."""
+    """Return det J where axes 2, 3, 4 are parallel and axes 5, 6 meet in a point that neither of them moves."""
     products = []
     for view in (None, *range(6)):
         graph, axes, _ = _symbolic_axes(arm, view)
@@ -184,7 +184,7 @@ def _task_rows(arm: Arm, view: int | None, columns: tuple[int, ...]) -> Rows:
 
 
 def _symbolic_axes(arm: Arm, view: int | None) -> tuple[Graph, list[Frame], Walker]:
-    """Return the joint axes in the axes of frame 0, or those joint ``view`` has before it moves."""
+    """Return the joint axes in axes of frame 0, or in those of joint ``view`` before it moves."""
     graph, offsets = Graph(), angle_offsets(arm)
     rows = [replace(row, theta=0.0) if i + 1 in offsets else row for i, row in enumerate(arm.rows)]
     chain = Chain(graph, rows, arm.convention, lambda name, _value: graph.parameter(name))
@@ -207,7 +207,7 @@ def _columns(arm: Arm, axes: Sequence[Frame], point: Vector) -> tuple[list[Vecto
 
 
 def determinant_of(rows: Rows) -> Product:
-    """Return the determinant as a product: what stands alone in a row, a column or a block is a factor."""
+    """Return the determinant as a product: single entries of a row, columns and blocks become factors."""
     n = len(rows)
     for i, j in _places(n):
         row = [k for k in range(n) if not rows[i][k].is_zero]
@@ -227,7 +227,7 @@ def determinant_of(rows: Rows) -> Product:
 
 
 def _block(rows: Rows, chosen: Sequence[int], filled: Sequence[int]) -> Product:
-    """Return the determinant where the chosen rows are zero but for as many columns: that of both blocks."""
+    """Return the determinant where the chosen rows have as many non-zero columns: the product of both blocks."""
     n = len(rows)
     others, rest = [i for i in range(n) if i not in chosen], [k for k in range(n) if k not in filled]
     sign = 1.0 if (sum(chosen) + sum(filled)) % 2 == 0 else -1.0

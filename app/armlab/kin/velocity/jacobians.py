@@ -24,7 +24,7 @@ Floats = NDArray[np.float64]
 Axes = Literal["world", "base", "tool"]
 
 AXES: tuple[Axes, ...] = ("world", "base", "tool")
-"""In whose axes the rows of a Jacobian can be: the world's, those of frame 0, or those of the tool."""
+"""Axes in which the rows of a Jacobian can be given: the world's, those of frame 0, or the tool's."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +36,7 @@ class ToolMotion:
     twist : ndarray, shape (..., 6)
         ``(v; omega)``, m/s and rad/s.
     acceleration : ndarray, shape (..., 6)
-        Of the tool point, and the derivative of omega: m/s² and rad/s².
+        Acceleration of the tool point, m/s², and derivative of omega, rad/s².
     jerk : ndarray, shape (..., 6)
         m/s³ and rad/s³.
     """
@@ -55,9 +55,9 @@ def jacobian_at(arm: Arm, q: ArrayLike, axes: str = "world", point: ArrayLike | 
     q : array_like, shape (..., n)
         Radians and metres.
     axes : "world", "base" or "tool"
-        Of both blocks of rows.
+        The axes of both blocks of rows.
     point : array_like, shape (3,), optional
-        In the axes of the tool's frame, metres; its origin when left out.
+        The point in the axes of the tool's frame, metres; its origin by default.
 
     Returns
     -------
@@ -99,7 +99,7 @@ def link_jacobian(arm: Arm, q: ArrayLike, link: int, point: ArrayLike = (0.0, 0.
     link : int
         0 is the base, link i moves with joints 1 to i.
     point : array_like, shape (3,)
-        In the axes of frame ``link``, metres; its origin when left out.
+        The point in the axes of frame ``link``, metres; its origin by default.
 
     Returns
     -------
@@ -257,7 +257,7 @@ def tool_motion(
 
 @dataclass(frozen=True, eq=False)
 class _Rate:
-    """Jdot, and the sums it came from: angular velocity up to each joint, and linear velocity from the later ones."""
+    """Jdot and its partial sums: angular velocity up to each joint, and linear velocity of the later ones."""
 
     rate: Floats
     carried: Floats
@@ -280,7 +280,7 @@ def _rate(J: Floats, speeds: Floats) -> _Rate:
 
 
 def _second(J: Floats, found: _Rate, speeds: Floats, second: Floats) -> Floats:
-    """Return Jddot: the derivative of what `_rate` adds up."""
+    """Return Jddot, the derivative of the sums in `_rate`."""
     linear, angular = J[..., :3, :], J[..., 3:, :]
     linear_rate, angular_rate = found.rate[..., :3, :], found.rate[..., 3:, :]
     fast, faster = speeds[..., None, :], second[..., None, :]
@@ -303,7 +303,7 @@ def _after(columns: Floats) -> Floats:
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
-    """Return cross products of columns, shapes (..., 3, n); several times as quick as NumPy's."""
+    """Return cross products of columns, shapes (..., 3, n); several times as fast as NumPy's."""
     x, y, z = a[..., 0, :], a[..., 1, :], a[..., 2, :]
     u, v, w = b[..., 0, :], b[..., 1, :], b[..., 2, :]
     return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-2)

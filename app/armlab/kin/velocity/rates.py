@@ -1,4 +1,4 @@
-"""How fast three angles change, and how fast the body turns: ``omega = T(phi) phidot``.
+"""Rates of three orientation angles and angular velocity: ``omega = T(phi) phidot``.
 
 phi is no vector and its derivative is not the angular velocity (notes 5.13): the columns of T are the axes of the three
 turns where they stand at present, in the fixed axes. The sequences and their names are those of `armlab.kin.euler`.
@@ -91,7 +91,7 @@ def rate_determinant(angles: ArrayLike, axes: str = "zyz", fixed: bool = False) 
 
 
 def singular_angles(axes: str) -> tuple[float, float]:
-    """Return the second angles, in (-pi, pi], at which the first and the third axis are one line and det T is 0."""
+    """Return the second angles, in (-pi, pi], at which first and third axis coincide and det T is 0."""
     return (0.0, math.pi) if _sequence(axes) in PROPER else (0.5 * math.pi, -0.5 * math.pi)
 
 
@@ -101,7 +101,7 @@ def angle_rates(omega: ArrayLike, angles: ArrayLike, axes: str = "zyz", fixed: b
     Parameters
     ----------
     omega : array_like, shape (..., 3)
-        In the fixed axes, rad/s.
+        Angular velocity in the fixed axes, rad/s.
     angles : array_like, shape (..., 3)
     axes : str
     fixed : bool
@@ -127,7 +127,7 @@ def angle_rates(omega: ArrayLike, angles: ArrayLike, axes: str = "zyz", fixed: b
 
 
 def singular_sentence(axes: str) -> str:
-    """Return what is lost where det T is 0.
+    """Return a sentence on the angular velocity that is lost where det T is 0.
 
     >>> singular_sentence("zyz").split(":")[0]
     'the second angle is 0° or 180°'

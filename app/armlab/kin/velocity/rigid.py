@@ -24,11 +24,11 @@ def point_velocity(v: ArrayLike, omega: ArrayLike, r: ArrayLike) -> Floats:
     Parameters
     ----------
     v : array_like, shape (..., 3)
-        Of the first point, m/s.
+        Velocity of the first point, m/s.
     omega : array_like, shape (..., 3)
-        Of the body, rad/s.
+        Angular velocity of the body, rad/s.
     r : array_like, shape (..., 3)
-        From the first point to the second, metres, in the same axes.
+        Vector from the first point to the second, metres, in the same axes.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def twist_at(twist: ArrayLike, r: ArrayLike) -> Floats:
     twist : array_like, shape (..., 6)
         ``(v; omega)`` at the first point.
     r : array_like, shape (..., 3)
-        From the first point to the second, metres, in the same axes.
+        Vector from the first point to the second, metres, in the same axes.
 
     Returns
     -------
@@ -82,7 +82,7 @@ def rotation_rate(R: ArrayLike, omega: ArrayLike) -> Floats:
     R : array_like, shape (..., 3, 3)
         Orientation of the body in the fixed axes.
     omega : array_like, shape (..., 3)
-        In the fixed axes, rad/s.
+        Angular velocity in the fixed axes, rad/s.
 
     References
     ----------
@@ -94,8 +94,8 @@ def rotation_rate(R: ArrayLike, omega: ArrayLike) -> Floats:
 def angular_velocity(R: ArrayLike, Rdot: ArrayLike) -> Floats:
     """Return omega (..., 3) of ``S(omega) = Rdot R^T``, in the fixed axes, rad/s.
 
-    What ``Rdot R^T`` has besides its skew part, which is none for the derivative of a rotation, is left out: numeric
-    derivatives have a little of it.
+    Only the skew part of ``Rdot R^T`` is used. The rest is zero for the derivative of a rotation, and small for numeric
+    derivatives.
 
     Parameters
     ----------

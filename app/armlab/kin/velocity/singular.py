@@ -2,7 +2,7 @@
 
 Where position and orientation separate, the determinant is a product, and each factor has a name: the shoulder (the
 centre of the wrist in the plane through axis 1), the elbow (a planar part stretched or folded) and the wrist (two of
-its axes in line). Of any other arm the columns that have become dependent are named.
+its axes in line). For any other arm the columns that have become dependent are named.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ Array = NDArray[np.float64]
 Kind = Literal["shoulder", "elbow", "wrist", "dependent"]
 
 VANISHES = 1e-5
-"""A factor of the determinant, as a sine or a length over the length scale, that is the one which vanishes. The rank
-has decided before that one does; this only tells which."""
+"""Value of a factor of the determinant, as a sine or in length scales, below which it is the vanishing one. The rank is
+decided before; this only selects the factor."""
 
 BOUNDARY = " The tool is at a boundary: joint values near these take it to one side only. Others may reach beyond."
-"""Told by the second derivatives, so of what is near; all of the workspace may be larger."""
+"""Sentence on a boundary found from second derivatives, which are local: the whole workspace may be larger."""
 
 CURVED = 1e-6
-"""Second derivatives over the length scale above this bend the way the tool takes."""
+"""Second derivative, in length scales, above which the path of the tool is curved."""
 
 DIFFERENCE, FAR = 1e-4, 0.3
-"""Steps, rad or m: of the central differences of the Jacobian, with an error of 1e-8, and of a motion that is not
-small."""
+"""Step of the central differences of the Jacobian, with an error of 1e-8, and size of a motion that is not small; rad
+or m."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,7 +215,7 @@ def _wrist(posture: Posture, layout: Layout) -> Singularity | None:
 
 
 def _turned_by_others(posture: Posture, normal: Array) -> bool:
-    """Return whether joint speeds before the wrist that leave its centre in place turn the hand about a direction."""
+    """Return whether joint speeds before the wrist that keep its centre in place turn the hand about a direction."""
     J = posture.centre_jacobian
     _, sigma, V_T = np.linalg.svd(J)
     still = V_T[int(np.sum(sigma > VANISHES * sigma[0])) :] * posture.arm.revolute[: J.shape[1]]
@@ -247,13 +247,13 @@ def _dependent(posture: Posture, layout: Layout, spaces: Subspaces, boundary: bo
 def _more(
     posture: Posture, layout: Layout, spaces: Subspaces, named: tuple[Singularity, ...], missing: int, boundary: bool
 ) -> tuple[Singularity, ...]:
-    """Return so many further reasons, each a set of columns that none of the others makes dependent."""
+    """Return up to ``missing`` further reasons, each a set of columns that the others do not make dependent."""
     if missing <= 0:
         return ()
     arm = posture.arm
     count = missing + len(named)
     sets = [*independent_sets(_scaled(arm, posture.q), layout.usual, arm.n)]
-    # What has a name is told already.
+    # Sets with a name are reported already.
     told = [each for each in sets if any(set(each.joints) <= set(known.joints) for known in named)]
     sets = [each for each in sets if not any(each is one for one in told)]
     sets = [*sets, *told[len(named) :]][:missing]
@@ -274,7 +274,7 @@ def _more(
 
 
 def _pure_directions(posture: Posture, spaces: Subspaces) -> list[tuple[Array, bool]]:
-    """Return lost directions in the world that are purely of moving, or purely of turning, and whether they turn."""
+    """Return lost directions in the world that are pure translations or rotations, and whether they are rotations."""
     lost, p = spaces.lost * spaces.lengths[:, None], len(posture.arm.task.position)
     found = []
     for part, other, turning in ((slice(0, p), slice(p, None), False), (slice(p, None), slice(0, p), True)):
@@ -288,7 +288,7 @@ def _pure_directions(posture: Posture, spaces: Subspaces) -> list[tuple[Array, b
 
 
 def _what(posture: Posture, found: Dependence) -> str:
-    """Return in words why some columns are dependent."""
+    """Return a sentence on why some columns are dependent."""
     joints = [joint - 1 for joint in found.joints]
     turns = posture.arm.revolute[joints]
     only_moves = posture.arm.task.rotation == "none"
@@ -306,7 +306,7 @@ def _what(posture: Posture, found: Dependence) -> str:
 
 
 def _pure(arm: Arm, posture: Posture, spaces: Subspaces) -> tuple[Array | None, bool]:
-    """Return the lost direction in the world where it is one, and purely of moving or of turning."""
+    """Return the lost direction in the world if there is one, and it is purely of translation or rotation."""
     if spaces.lost.shape[1] != 1:
         return None, False
     lost, p = spaces.lost[:, 0] * spaces.lengths, len(arm.task.position)

@@ -65,7 +65,7 @@ class Subspaces:
 
     @property
     def sigma_min(self) -> float:
-        """The smallest singular value, exactly as computed."""
+        """The smallest singular value, as computed."""
         return float(self.sigma[-1])
 
     @property
@@ -150,7 +150,7 @@ def task_matrix(arm: Arm, q: ArrayLike) -> Array:
 
 
 def task_axes(arm: Arm, q: ArrayLike) -> Array:
-    """Return what the rows of the task Jacobian are components along: unit vectors in the world, shape (m, 3)."""
+    """Return the directions of the components of the task: unit vectors in the world, shape (m, 3)."""
     base = arm.base[:3, :3]
     position = base.T[arm.task.coordinates]
     if arm.task.rotation == "none":
@@ -162,7 +162,7 @@ def task_axes(arm: Arm, q: ArrayLike) -> Array:
 
 
 def task_lengths(arm: Arm) -> Array:
-    """Return what the rows of the task Jacobian are divided by, (m,): the length scale where units are mixed."""
+    """Return the divisors of the rows of the task Jacobian, (m,): the length scale where units are mixed."""
     task = arm.task
     lengths = np.ones(task.m)
     if task.position and task.rotation != "none":
@@ -200,6 +200,6 @@ def _lengths(length: ArrayLike | None, m: int) -> Array:
 
 
 def _signs(rows: Array) -> Array:
-    """Return the sign of the largest component of each row: with it the decomposition does not jump between poses."""
+    """Return the sign of the largest component of each row, so that the decomposition is continuous between poses."""
     largest = np.argmax(np.abs(rows) > np.abs(rows).max(axis=1, keepdims=True) - 1e-9, axis=1)
     return np.asarray(np.where(rows[np.arange(len(rows)), largest] < 0.0, -1.0, 1.0))

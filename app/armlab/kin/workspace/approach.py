@@ -19,10 +19,11 @@ from armlab.kin.arm import Arm
 Floats = NDArray[np.float64]
 
 MOST = 64
-"""Bins that fit into the bits of one word."""
+"""Largest number of bins: the bits of one word."""
 
 SEED, SAMPLES, UPRIGHT = 5, 128, 1e-9
-"""Of the random configurations that tell whether the tool's z axis keeps its line, and how nearly."""
+"""Seed and number of the random configurations that tell whether the tool's z axis keeps its line, and the
+tolerance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,11 +43,11 @@ class Directions:
 
     @property
     def count(self) -> int:
-        """How many there are."""
+        """Number of directions."""
         return len(self.axes)
 
     def bins(self, directions: ArrayLike) -> NDArray[np.intp]:
-        """Return the bin of each direction (..., 3), not necessarily of length one: the nearest axis, shape (...)."""
+        """Return the bin of each direction (..., 3), of any length: the one with the nearest axis, shape (...)."""
         given = np.asarray(directions)
         if self.circle:
             turns = np.arctan2(given[..., 1], given[..., 0]) / math.tau
@@ -97,11 +98,11 @@ def keeps_upright(arm: Arm) -> bool:
 
 
 _ONES = np.array([bin(byte).count("1") for byte in range(256)], dtype=np.intp)
-"""How many bits of a byte are set."""
+"""Number of bits that are set in each byte."""
 
 
 class Approaches:
-    """Which directions were met in each cell of a grid, one bit each; memory is that of the grid.
+    """Directions met in each cell of a grid, one bit each; the memory is that of the grid.
 
     Parameters
     ----------
@@ -125,7 +126,7 @@ class Approaches:
         return np.where(inside, flat, -1)
 
     def add(self, points: ArrayLike, axes: ArrayLike) -> NDArray[np.intp]:
-        """Note the directions (k, 3) met at points (k, d), metres; returns the cells, -1 for points outside."""
+        """Mark the directions (k, 3) met at points (k, d), metres; return the cells, -1 for points outside."""
         cells = self.cells(points)
         inside = cells >= 0
         bits = np.uint64(1) << self.bins.bins(axes)[inside].astype(np.uint64)
@@ -134,10 +135,10 @@ class Approaches:
 
     @property
     def counts(self) -> NDArray[np.intp]:
-        """How many directions were met in each cell, of the grid's shape."""
+        """Number of directions met in each cell, in the grid's shape."""
         return np.asarray(_ONES[self.met.view(np.uint8)].reshape(-1, 8).sum(axis=1).reshape(self.shape))
 
     @property
     def coverage(self) -> Floats:
-        """The same as a fraction of all, 0 to 1."""
+        """Fraction of all directions met in each cell, 0 to 1, in the grid's shape."""
         return self.counts / self.bins.count

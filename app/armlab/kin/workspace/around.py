@@ -1,7 +1,7 @@
-"""How much of s, the number that joint 1 changes, is covered at each place of a section.
+"""The covered values of s, the number that joint 1 changes, at each place of a section.
 
 A place (u, v) is reached at some values of s with q_1 = 0 (left and right shoulder give two; a redundant arm gives
-intervals). Joint 1 carries each to all of s + [low, high]. What is covered is the union.
+intervals). Joint 1 carries each to all of s + [low, high]. Their union is covered.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 MOST_ARCS = 4
-"""Separate intervals of s at one place that are kept; of more the smallest gaps are missing, but for their size."""
+"""Largest number of separate intervals of s kept at one place; of further gaps only the size counts."""
 
 
 class Around(Met):
@@ -32,7 +32,7 @@ class Around(Met):
     Attributes
     ----------
     row : ndarray, shape (C,)
-        Where in the rows the coarse cells are; -1 for one that was not met.
+        Row of each coarse cell; -1 for one that was not met.
     """
 
     def __init__(self, grid: Grid) -> None:
@@ -45,12 +45,12 @@ class Around(Met):
         self.known = 0
 
     def coarse(self, cells: Indices) -> Indices:
-        """Return the coarse cells in which cells of the section lie."""
+        """Return the coarse cells (k,) that contain cells (k,) of the section, as flat indices."""
         columns = self.grid.shape[1]
         return np.asarray((cells // columns) // self.width * self.shape[1] + (cells % columns) // self.width)
 
     def add(self, cells: Indices, s: Floats, q: NDArray[np.floating]) -> None:
-        """Count values of s (k,) of configurations (k, n) with q_1 = 0 in cells of the section (k,)."""
+        """Count the values of s (k,) of configurations (k, n) with q_1 = 0 in cells of the section (k,)."""
         coarse = self.coarse(cells)
         fresh = np.unique(coarse[self.row[coarse] < 0])
         self.row[fresh] = self.known + np.arange(len(fresh))
@@ -58,7 +58,7 @@ class Around(Met):
         self.put(self.row[coarse], s, q)
 
     def arcs(self) -> Arcs:
-        """Return what joint 1 makes of it."""
+        """Return the intervals that joint 1 covers."""
         least, most = (np.full((len(self.row), BINS), sign * np.inf) for sign in (1.0, -1.0))
         met = np.flatnonzero(self.row >= 0)
         least[met], most[met] = self.least[self.row[met]], self.most[self.row[met]]
@@ -66,7 +66,7 @@ class Around(Met):
 
 
 def _span(grid: Grid) -> tuple[float, float]:
-    """Return between which s samples were met, m, and a little more on each side."""
+    """Return the range of s in which samples were met, m, with a small margin."""
     q = random_configurations(grid.joint, FIRST_LOOK, np.random.default_rng(0))
     s = grid.joint.split(grid.joint.arm.position(q))[:, 2]
     more = 0.05 * float(np.ptp(s)) + grid.step
@@ -75,7 +75,7 @@ def _span(grid: Grid) -> tuple[float, float]:
 
 @dataclass(frozen=True, eq=False)
 class Arcs:
-    """Which s are covered in each of C coarse cells.
+    """The covered intervals of s in each of C coarse cells.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class Arcs:
 
 
 def all_zero(cells: int, joint: FirstJoint) -> Arcs:
-    """Return arcs of so many cells with zeros everywhere, which are there at once, however many."""
+    """Return arcs of ``cells`` cells with zeros everywhere, in memory that is not filled until it is used."""
     period = math.tau if joint.revolute else math.inf
     return Arcs(np.zeros((cells, MOST_ARCS)), np.zeros((cells, MOST_ARCS)), np.zeros(cells), period)
 
@@ -115,7 +115,7 @@ def arcs_of(least: Floats, most: Floats, joint: FirstJoint, closed: float = 0.0)
     Parameters
     ----------
     least, most : ndarray, shape (C, k)
-        Of s in intervals in turn, by where they begin, rad or m; (inf, -inf) in one without.
+        Least and greatest s of successive intervals, by their start, rad or m; (inf, -inf) for missing ones.
     joint : FirstJoint
     closed : float
         Gaps between them up to so large count as found, rad or m.
@@ -135,7 +135,7 @@ def arcs_of(least: Floats, most: Floats, joint: FirstJoint, closed: float = 0.0)
 
 
 def _between(gaps: Floats, ends: Floats, last: Floats, any_found: Bools, joint: FirstJoint) -> Arcs:
-    """Return the intervals between the widest gaps; where joint 1 slides, what is outside is a gap as well."""
+    """Return the intervals between the widest gaps; with a prismatic joint 1 the outside is a gap as well."""
     row, order = np.arange(len(gaps))[:, None], np.argsort(-gaps, axis=1)
     others, order = order[:, MOST_ARCS:], order[:, :MOST_ARCS]
     width, begin = gaps[row, order], ends[row, order]

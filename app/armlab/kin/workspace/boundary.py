@@ -1,4 +1,4 @@
-"""Where a workspace ends: which points are inside, and how far it is from a point to the boundary.
+"""The boundary of a workspace: which points are inside, and the distance of a point from the boundary.
 
 The boundary is the outline of the section carried round (or along) by joint 1 and, where joint 1 is limited, the walls
 at which it ends.
@@ -25,13 +25,13 @@ Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 ON_AXIS = 1e-9
-"""Of a cell: an edge of the section nearer to the axis of joint 1 than that is no boundary."""
+"""Distance from the axis of joint 1, in cells, below which an edge of the section is no boundary."""
 
 SPANNED = 1 << 18
-"""Pairs of a point and an edge at its height that are looked at together: they bound the memory."""
+"""Pairs of a point and an edge at its height that are examined together: they limit the memory."""
 
 WALLS = 16
-"""Coarse cells at the walls of joint 1, the nearest ones, in whose finer cells the foot is looked for."""
+"""Number of coarse cells, the nearest at the walls of joint 1, in whose finer cells the foot is looked for."""
 
 
 class To(NamedTuple):
@@ -50,7 +50,7 @@ class To(NamedTuple):
 
 
 class Boundary:
-    """Made from a section; computes what it needs when it is first asked for, or before in pieces (`preparing`)."""
+    """The boundary of a section; each part is computed at first use, or before that in pieces (`preparing`)."""
 
     def __init__(self, grid: Grid, outline: Outline, arcs: Arcs | None, filled: Bools) -> None:
         self.grid, self.outline, self.arcs, self.filled = grid, outline, arcs, filled
@@ -62,7 +62,7 @@ class Boundary:
         if not self.grid.flat:
             found = with_axis(self.outline, self.grid).contours
             large = tuple(found[k] for k in np.flatnonzero(np.abs(enclosed(found)) >= self.grid.step**2))
-            # What is smaller than a cell is more likely a cell that was missed; a thin region is nothing else.
+            # A line smaller than a cell is more likely a missed cell; a thin region consists of nothing else.
             return large or found
         v = self.grid.v[0]
         return tuple(np.array([[a, v], [b, v], [a, v]]) for a, b in self.spans)
@@ -79,7 +79,7 @@ class Boundary:
 
     @cached_property
     def edges(self) -> tuple[Floats, Floats]:
-        """Begins and ends of the pieces of the outline, (k, 2) each; without what lies on the axis of joint 1."""
+        """Begins and ends of the pieces of the outline, (k, 2) each, without those on the axis of joint 1."""
         if self.grid.flat:
             ends = self.spans.reshape(-1)
             a = np.stack([ends, np.full_like(ends, self.grid.v[0])], axis=1)
@@ -95,7 +95,7 @@ class Boundary:
 
     @cached_property
     def edge_cells(self) -> Indices:
-        """Coarse cell of each piece of the outline: where s is looked up."""
+        """Coarse cell of each piece of the outline, in which its s is looked up."""
         a, b = self.edges
         rows, columns = self.filled.shape
         place = 0.5 * (a + b)
@@ -110,7 +110,7 @@ class Boundary:
 
     @cached_property
     def walls(self) -> tuple[Floats, Floats, Floats]:
-        """Where joint 1 ends: points (k, 3) in the world, for each coarse cell and end, their (u, v) and their s."""
+        """Ends of the range of joint 1 in each coarse cell: points (k, 3) in the world, their (u, v) and their s."""
         arcs = self.arcs
         assert arcs is not None
         cells = np.unique(self._coarse(*np.nonzero(self.filled)))
@@ -127,7 +127,7 @@ class Boundary:
 
     @cached_property
     def faces(self) -> Faces:
-        """Where s is covered in one of two neighbouring coarse cells only."""
+        """Faces where s is covered in only one of two neighbouring coarse cells."""
         assert self.arcs is not None
         return result_of(finding_faces(self.grid, self.arcs))
 
@@ -137,7 +137,7 @@ class Boundary:
         return self.joint.join(np.column_stack([edges.mean(axis=1), spans.mean(axis=1)]))
 
     def preparing(self) -> Work[None]:
-        """Compute what `distance` needs, in pieces of at most some 30 ms."""
+        """Compute in advance what `distance` needs, in pieces of at most some 30 ms."""
         for name in ("contours", "edges", "edge_cells"):
             getattr(self, name)
             yield
@@ -151,7 +151,7 @@ class Boundary:
         _ = self._face_points
 
     def holds(self, points: Floats) -> Bools:
-        """Return which points of the world (..., 3) are inside."""
+        """Return a mask of the points of the world (..., 3) that are inside."""
         coordinates = self.joint.split(points)
         uv = coordinates[..., :2]
         inside = self._in_outline(uv)
@@ -160,7 +160,7 @@ class Boundary:
         return np.asarray(inside & self.arcs.holds(self._cells(uv), coordinates[..., 2]))
 
     def distance(self, point: Floats) -> To:
-        """Return the way to the boundary from a point of the world (3,)."""
+        """Return the shortest way to the boundary from a point of the world (3,)."""
         u, v, s = self.joint.split(point)
         candidates = [self._to_edges(u, v, s)]
         if self.arcs is not None:
@@ -209,7 +209,7 @@ class Boundary:
         return To(float(away[k]), points[k])
 
     def _foot_in(self, uv: Floats, at: Floats, point: Floats, foot: Floats) -> Floats:
-        """Return the place of a wall nearest to a point, in the filled cells of some coarse cells with their s."""
+        """Return the place of a wall nearest to a point, among the filled cells of some coarse cells with their s."""
         step, steps = self.grid.step, (np.arange(self.grid.coarser) - 0.5 * (self.grid.coarser - 1)) * self.grid.step
         du, dv = (each.reshape(-1) for each in np.meshgrid(steps, [0.0] if self.grid.flat else steps))
         fine = uv[:, None, :] + np.stack([du, dv], axis=1)
@@ -224,7 +224,7 @@ class Boundary:
         return np.array([*(wanted if nearest[2] == foot[2] else nearest[:2]), nearest[2]])
 
     def _on_wall(self, foot: Floats) -> bool:
-        """Return whether joint 1 ends at (u, v) with about the s of (u, v, s)."""
+        """Return whether the range of joint 1 ends at (u, v) with about the s of (u, v, s)."""
         assert self.arcs is not None
         cells, on = self.grid.cell_of(foot[:2])
         if not on or not self.filled.reshape(-1)[cells]:
@@ -255,7 +255,7 @@ class Boundary:
 
 
 def with_axis(outline: Outline, grid: Grid) -> Outline:
-    """Return the region up to the axis of joint 1, which is no boundary; the outline itself where that is far."""
+    """Return the region extended to the axis of joint 1, which is no boundary; the outline itself when that is far."""
     if not grid.at_axis:
         return outline
     first = outline.inside[:1]
@@ -270,7 +270,7 @@ def with_axis(outline: Outline, grid: Grid) -> Outline:
 
 
 def lonely(filled: Bools, inside: Bools) -> Bools:
-    """Return the filled cells that have no centre inside beside them, both of shape (Nu, Nv)."""
+    """Return the filled cells with no inner centre beside them, both arrays of shape (Nu, Nv)."""
     wide = np.pad(inside, 1)
     near = np.zeros_like(filled)
     rows, columns = filled.shape
@@ -281,7 +281,7 @@ def lonely(filled: Bools, inside: Bools) -> Bools:
 
 
 def enclosed(lines: tuple[Floats, ...]) -> Floats:
-    """Return the areas inside closed polylines (k, 2), positive where they run counter-clockwise, one for each."""
+    """Return the areas inside closed polylines (k, 2), one for each, positive when they run counter-clockwise."""
     if not lines:
         return np.zeros(0)
     u, v = np.concatenate(lines).T
@@ -293,7 +293,7 @@ def enclosed(lines: tuple[Floats, ...]) -> Floats:
 
 
 def inside_polygons(uv: Floats, contours: tuple[Floats, ...]) -> Bools:
-    """Return whether points (..., 2) are inside closed polylines: an odd number of edges lie beyond them along u."""
+    """Return which points (..., 2) are inside closed polylines: an odd number of edges lies beyond them along u."""
     given = uv.reshape(-1, 2)
     beyond = np.zeros(len(given), dtype=np.intp)
     if not contours:

@@ -20,17 +20,17 @@ Array = NDArray[np.floating]
 Singles = NDArray[np.float32]
 
 CHUNK = 65_536
-"""Samples of a piece at most: some 15 ms of work, and what is held in memory at a time."""
+"""Largest number of samples in one piece: some 15 ms of work, and the memory held at a time."""
 
 FIRST = 4_096
-"""Samples of the first piece at most, so that something is soon there to see."""
+"""Largest number of samples in the first piece, so that something is soon visible."""
 
 SINGLE = 4e-6
-"""Of the reach plus the distance of the base: how far a point in single precision may lie from its exact place."""
+"""Error of a point in single precision, relative to the reach plus the distance of the base."""
 
 
 class Samples(NamedTuple):
-    """Some configurations and where they lead.
+    """Configurations with their tool points.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Where the boundary of a section crosses the lines between the centres of its cells, found by inverse kinematics."""
+"""Crossings of the boundary of a section with the lines between cell centres, found by inverse kinematics."""
 
 from __future__ import annotations
 
@@ -15,28 +15,28 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 HALVINGS = {False: 6, True: 12}
-"""Of a line between two centres, in search of the boundary, by whether the grid is flat: then crossings are few, and
-nothing but they makes the error."""
+"""Number of halvings of a line between two centres when the boundary is looked for, by whether the grid is flat: then
+there are few crossings, and they alone make the error."""
 
 REACHED = 1.0 / 64.0
-"""Of what a crossing may be off: as near to a point as that is there. What is nearly reached lies outside: it is to
-move no crossing."""
+"""Distance from a point, as a fraction of the error of a crossing, at which it is reached. A point that is only nearly
+reached counts as outside, and moves no crossing."""
 
 
 def fineness(grid: Grid) -> float:
-    """Return what a crossing may be off, of a cell."""
+    """Return the largest error of a crossing, in cells."""
     return float(0.5 ** HALVINGS[grid.flat])
 
 
 class Crossings:
-    """Where, between neighbouring centres, the boundary lies.
+    """Crossings of the boundary with the lines between neighbouring centres.
 
     Attributes
     ----------
     inside : ndarray, shape (Nu, Nv)
         Whether the centre of a cell is reached.
     along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
-        Where the boundary is between a centre and the next, 0 to 1; 0 where it is not between them.
+        Position of the boundary between a centre and the next, 0 to 1; 0 when it is not between them.
     """
 
     def __init__(self, filling: Filling) -> None:
@@ -48,7 +48,7 @@ class Crossings:
         self.along_v = np.zeros((rows, max(columns - 1, 0)))
 
     def find(self) -> Iterator[None]:
-        """Find all, a piece at a time."""
+        """Find all crossings, a piece of work at a time."""
         for axis, where in ((0, self.along_u), (1, self.along_v)):
             first, second = (
                 (self.inside[:-1], self.inside[1:]) if axis == 0 else (self.inside[:, :-1], self.inside[:, 1:])
@@ -71,7 +71,7 @@ class Crossings:
         yield
 
     def _part(self, reached: Indices, beyond: Indices) -> Iterator[Floats | None]:
-        """Yield None a piece of work, then how far from reached centres towards others one can go, (k,) of 0 to 1."""
+        """Yield None after each piece of work, and at last fractions (k,) of the way from reached centres to others."""
         filling = self.filling
         a, b = filling.grid.centres(reached), filling.grid.centres(beyond)
         low, high = np.zeros(len(a)), np.ones(len(a))

@@ -1,4 +1,4 @@
-"""What an elbow of three turns reaches, joint limits included, in closed form.
+"""The points that an elbow of three revolute joints reaches inside its limits, in closed form.
 
 Joint 1 turns the plane in which the parallel joints 2 and 3 move the point; the plane may pass beside axis 1, and axis
 2 may have any distance from it. A point is reached in up to four ways: facing it or backwards, elbow up or down.
@@ -32,7 +32,7 @@ BLOCK = 65_536
 
 @dataclass(frozen=True, eq=False)
 class ElbowPoints:
-    """What an elbow of three turns reaches, in closed form.
+    """The points that an elbow of three revolute joints reaches, in closed form.
 
     In the plane that joint 1 turns, complex numbers: ``w = shoulder + e^{i q2} (upper + e^{i q3} fore)``.
 
@@ -40,7 +40,7 @@ class ElbowPoints:
     ----------
     limits : ndarray, shape (3, 2)
     axes : ndarray, shape (3, 3)
-        In the world, columns: in the plane outward, along axis 1, along axes 2 and 3.
+        Axes in the world, as columns: in the plane outward, along axis 1, along axes 2 and 3.
     foot : ndarray, shape (3,)
         A point of axis 1 in the world, metres.
     beside : float
@@ -60,7 +60,7 @@ class ElbowPoints:
 
     @property
     def centre(self) -> Floats:
-        """Centre of a ball around all that is reached, world, metres: on axis 1."""
+        """Centre (3,) of a ball around all reached points, on axis 1, metres, in the world."""
         return np.asarray(self.foot + self.axes[:, 1] * self.shoulder.imag)
 
     @property
@@ -69,7 +69,7 @@ class ElbowPoints:
         return math.hypot(abs(self.shoulder.real) + abs(self.upper) + abs(self.fore), self.beside)
 
     def holds(self, points: ArrayLike) -> Bools:
-        """Return which points (..., 3) in the world, metres, are reached."""
+        """Return a mask of the points (..., 3) in the world, metres, that are reached."""
         given = np.asarray(points, dtype=np.float64)
         found = np.zeros(given.shape[:-1], dtype=bool)
         flat, out = given.reshape(-1, 3), found.reshape(-1)
@@ -89,7 +89,7 @@ class ElbowPoints:
         Yields
         ------
         rows : ndarray, shape (m,)
-            Which points.
+            Indices of the points.
         q1, bend : ndarray, shape (m,)
             Angles by which joint 1, and by which joints 2 and 3 together, turn the forearm, rad; see `forearm`.
         inside : ndarray of bool, shape (m,)
@@ -107,12 +107,12 @@ class ElbowPoints:
                 yield rows, q1, q2 + q3, real & within(self.limits[1], q2) & within(self.limits[2], q3)
 
     def forearm(self, q1: Floats, bend: Floats) -> Floats:
-        """Return by how much the forearm is turned in the world from where all joints are at 0, shape (k, 3, 3)."""
+        """Return the rotation of the forearm in the world, relative to all joints at 0, shape (k, 3, 3)."""
         about = [_turns(self.axes[:, k], angle) for k, angle in ((1, q1), (2, bend))]
         return np.asarray(about[0] @ about[1])
 
     def _bent(self, w: NDArray[np.complex128]) -> list[tuple[Floats, Floats, Bools]]:
-        """Return (q2, q3, whether the triangle closes) for both elbows."""
+        """Return (q2, q3, whether the triangle closes) for both positions of the elbow."""
         upper, fore = abs(self.upper), abs(self.fore)
         cosine = (np.abs(w) ** 2 - upper**2 - fore**2) / (2.0 * upper * fore)
         real = np.abs(cosine) <= 1.0
@@ -133,7 +133,7 @@ def _turns(axis: Floats, angles: Floats) -> Floats:
 
 
 def elbow_of(arm: Arm) -> ElbowPoints | None:
-    """Return what an elbow of three joints reaches; None where the arm is not one."""
+    """Return the points that a three-joint elbow reaches; None when the arm is not one."""
     screws = screws_of(arm)
     if screws.kinds != "RRR" or not _is_elbow(screws):
         return None

@@ -1,4 +1,4 @@
-"""What joint 1 makes of one place of each coarse cell: the s met there, found by inverse kinematics with u, v held.
+"""Ranges of s at one place of each coarse cell, found by inverse kinematics with u, v held.
 
 Samples tell about which s are met somewhere in a cell, and together they always make of it too much: where a branch
 ends inside a cell, it would count for all of it. So what is met is pulled to one place, and only what arrives counts.
@@ -23,43 +23,43 @@ Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 PULLED = 512
-"""Configurations pulled in a piece of work."""
+"""Configurations pulled in one piece of work."""
 
 HOPPING = 256
-"""Configurations pulled along s in a piece of work: that takes more iterations."""
+"""Configurations pulled along s in one piece of work: fewer, as this takes more iterations."""
 
 TOGETHER = 1024
-"""Places that are looked at together."""
+"""Places that are examined together."""
 
 EMPTIED = 1 << 17
-"""Coarse cells that are marked as not reached in a piece of work."""
+"""Coarse cells that are marked as not reached in one piece of work."""
 
 MOST_BINS = 4 * BINS
-"""Of s at a place, where the stroke of joint 1 is so short that there are to be more than `BINS`."""
+"""Largest number of bins of s at a place, where a short stroke of joint 1 needs more than `BINS`."""
 
 THERE = 1e-3
-"""Of a cell: as near to a place as that is there."""
+"""Distance from a place, in cells, at which it is reached."""
 
 AHEAD = 1.0
-"""Radians, or length scales, that an end is pulled onward."""
+"""Distance, in radians or length scales, by which an end is pulled onward."""
 
 HOP = 0.8
-"""Of the stroke of joint 1: so near to each other what lies between is covered without a doubt."""
+"""Distance of two values of s, relative to the stroke of joint 1, within which all between is certainly covered."""
 
 ONWARD = 0.1
-"""Of what was asked for: an end that moved by less is one."""
+"""Fraction of the wanted motion below which an end stays: it is an end of the range."""
 
 HOPS = 8
-"""Times that an end is pulled onward, at most."""
+"""Largest number of times that an end is pulled onward."""
 
 LIGHT = 0.05
-"""Weight of s beside u and v in a pull along s."""
+"""Weight of s beside u and v when pulling along s."""
 
 ALONG, HOME = 16, 10
 """Iterations of a pull along s, and of one to the place."""
 
 BESIDE = 1e-3
-"""Radians or metres inside a gap: what was met nearer to its ends beside a place is not tried there."""
+"""Depth inside a gap, radians or metres, from which values met beside a place are tried there."""
 
 
 class Ends:
@@ -72,7 +72,7 @@ class Ends:
     places : ndarray, shape (C, 2)
         (u, v), metres.
     met : Met
-        What was met at the places, a row for each.
+        Values of s met at the places, one row for each.
     closed : float
         Gaps up to so large count as met, rad or m.
     """
@@ -96,7 +96,7 @@ class Ends:
         self._arcs = all_zero(self.around.shape[0] * self.around.shape[1], self.joint)
 
     def find(self) -> Iterator[None]:
-        """Find what is met at the places, a piece at a time."""
+        """Find the values of s at all places, a piece of work at a time."""
         for first in range(0, len(self._arcs.length), EMPTIED):
             self._arcs.length[first : first + EMPTIED] = -1.0
             yield
@@ -110,7 +110,7 @@ class Ends:
             yield
 
     def arcs(self) -> Arcs:
-        """Return what joint 1 makes of it, for all coarse cells."""
+        """Return the intervals that joint 1 covers, for all coarse cells."""
         return self._arcs
 
     def _blocks(self) -> Iterator[Indices]:
@@ -118,7 +118,7 @@ class Ends:
             yield np.arange(first, min(first + TOGETHER, len(self.cells)))
 
     def _look(self, rows: Indices) -> Iterator[None]:
-        """Find what is met at some places from what fills their cells, and onward from there."""
+        """Find values of s at some places from the configurations in their cells, and onward from there."""
         at_home = self.filling.at(self.fine[rows])
         yield from self._try(at_home, rows)
         missed = ~self.met.found(rows).any(axis=1)
@@ -136,14 +136,14 @@ class Ends:
             yield from self._onward(*self._ends(rows))
 
     def _try_bins(self, rows: Indices, which: Bools) -> Iterator[None]:
-        """Pull what was met somewhere in a cell, bins (len(rows), BINS), to its place."""
+        """Pull configurations of a cell, in bins (len(rows), BINS), to its place."""
         i, b = np.nonzero(which)
         for some in pieces(self.joint, len(i), PULLED):
             starts = self.around.q.at(self.row[rows[i[some]]], b[some]).astype(np.float64)
             yield from self._try(starts, rows[i[some]])
 
     def _try(self, starts: Floats, of: Indices) -> Iterator[None]:
-        """Pull configurations (k, n) to places, and count what arrives."""
+        """Pull configurations (k, n) to places, and count those that arrive."""
         limits = self.joint.arm.limits
         tolerance = THERE * self.filling.grid.step
         for some in pieces(self.joint, len(starts), PULLED):
@@ -161,18 +161,18 @@ class Ends:
         return np.asarray(self.joint.split(self.joint.arm.position(q))[:, 2])
 
     def _gaps(self, rows: Indices) -> Floats:
-        """Return the gaps that joint 1 does not close, before each bin at some places; -inf for the others."""
+        """Return the gaps not closed by joint 1 before each bin at some places; -inf for the other bins."""
         gaps = gaps_before(self.met.least[rows], self.met.most[rows], self.joint)
         return np.where(gaps > self.gap, gaps, -np.inf)
 
     def _in_gaps(self, rows: Indices) -> Bools:
-        """Return which bins of what surrounds some places lie in gaps that joint 1 does not close, (k, BINS)."""
+        """Return which bins met in surrounding cells lie in gaps here that joint 1 does not close, (k, BINS)."""
         around = self.row[rows]
         s = np.where(self.around.found(around), self.around.least[around], 0.0)
         return self._in_gap(np.repeat(rows[:, None], s.shape[1], axis=1), s, 0.0)
 
     def _in_gap(self, rows: Indices, s: Floats, deep: float) -> Bools:
-        """Return which s lie in a gap at places, and so deep; any common shape."""
+        """Return which s lie in a gap at places, at least ``deep`` from its ends; any common shape."""
         some, at = np.unique(rows, return_inverse=True)
         at = at.reshape(rows.shape)
         gaps = self._gaps(some)
@@ -195,7 +195,7 @@ class Ends:
         return np.asarray(inside)
 
     def _ends(self, rows: Indices) -> tuple[Floats, Indices, Floats]:
-        """Return configurations where gaps end and begin at some places, whose they are, and the way into the gap."""
+        """Return configurations at the ends of gaps at some places, the places' rows, and the ways into the gaps."""
         gaps = self._gaps(rows)
         i, b = np.nonzero(gaps > 0.0)
         last = last_found(self.met.found(rows))
@@ -205,7 +205,7 @@ class Ends:
         return q, np.tile(rows[i], 2), np.repeat([-1.0, 1.0], len(i))
 
     def _onward(self, q: Floats, of: Indices, sign: Floats) -> Iterator[None]:
-        """Pull configurations at places on into gaps, as far as they go, by hops that joint 1 closes."""
+        """Pull configurations at places onward into gaps as far as they go, in steps that joint 1 closes."""
         for some in pieces(self.joint, len(q), HOPPING):
             # Asked for much it goes farthest; by hops it meets what lies between.
             yield from self._hopping(q[some], of[some], sign[some], AHEAD)
@@ -231,7 +231,7 @@ class Ends:
             q, of, sign = far[on], of[on], sign[on]
 
     def _from_beside(self, rows: Indices, shift: tuple[int, int]) -> Iterator[None]:
-        """Try at some places what was met at those beside them and lies in a gap here."""
+        """Try at some places the configurations met at neighbouring ones that lie in a gap here."""
         columns = self.around.shape[1]
         gaping = rows[(self._gaps(rows) > 0.0).any(axis=1)]
         i, j = self.cells[gaping] // columns + shift[0], self.cells[gaping] % columns + shift[1]
@@ -258,7 +258,7 @@ class Ends:
 
 
 def along(joint: FirstJoint, q: Floats, places: Floats, wanted: Floats) -> Floats:
-    """Return configurations (k, n) pulled towards s (k,) about where (u, v) stay as they are, (k, 2)."""
+    """Return configurations (k, n) pulled towards s (k,) with (u, v), (k, 2), nearly unchanged."""
     weight = LIGHT * joint.measure(np.maximum(places[:, 0], 0.05 * joint.arm.length_scale))
 
     def residual(values: Floats, rows: Indices) -> Floats:
@@ -305,7 +305,7 @@ def _representatives(filling: Filling, around: Around, rng: np.random.Generator)
 
 
 def _stones(least: Floats, most: Floats, joint: FirstJoint, hop: float) -> Bools:
-    """Return some bins that were met, (C, BINS): both ends of each run, and between them as few as hops are long."""
+    """Return some bins that were met, (C, BINS): both ends of each run, and as few between them as steps allow."""
     found = np.asarray(most >= least)
     start = gaps_before(least, most, joint) > hop
     chosen = np.zeros(found.shape, dtype=bool)

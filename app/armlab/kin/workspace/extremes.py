@@ -1,4 +1,4 @@
-"""The largest and smallest values that a number of the tool point takes inside the limits, to all digits."""
+"""The extreme values of a function of the tool point inside the joint limits, to all digits."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ Floats = NDArray[np.float64]
 Objective = Callable[[Floats], Floats]
 
 STEPS = 12
-"""Of Newton's method; from a neighbouring cell a few are enough."""
+"""Largest number of Newton steps; from a neighbouring cell a few are enough."""
 
 DIFFERENCE = 1e-4
-"""Radians, or length scales: of central differences."""
+"""Step of the central differences, radians or length scales."""
 
 FLAT = 1e-7
-"""Of the largest curvature: directions that bend less do not bend."""
+"""Curvature, relative to the largest, below which a direction counts as straight."""
 
 STRAIGHT = 1e-3
-"""Of the slope: a slide goes straight on, and its step is cut at `LONGEST`."""
+"""Curvature, relative to the slope, below which Newton's step is too long; it is then cut at `LONGEST`."""
 
 LONGEST = 0.3
-"""Radians, or length scales, of one step of a joint."""
+"""Largest change of a joint in one step, radians or length scales."""
 
 SHORTENED = (1.0, 0.5, 0.1, 0.01)
-"""Of a step; the best is taken."""
+"""Fractions of a step that are tried; the best is used."""
 
 
 def climbed(joint: FirstJoint, q: Floats, objective: Objective) -> Floats:
@@ -42,7 +42,7 @@ def climbed(joint: FirstJoint, q: Floats, objective: Objective) -> Floats:
     q : ndarray, shape (n,)
         Inside the limits but for joint 1, which stays.
     objective : callable
-        Of (u, v), shape (k, 2), giving (k,), metres.
+        A function of (u, v), shape (k, 2), with values (k,), metres.
     """
     moving = list(joint.moving)
     low, high = joint.arm.limits[moving].T
@@ -84,7 +84,7 @@ def _derivatives(value: Objective, x: Floats) -> tuple[Floats, Floats]:
 
 
 def _uphill(g: Floats, H: Floats) -> Floats:
-    """Return Newton's step with every curvature taken as downward, so that it leads uphill."""
+    """Return Newton's step with every curvature taken as negative, so that it leads uphill."""
     if not len(g):
         return g
     values, vectors = np.linalg.eigh(H)

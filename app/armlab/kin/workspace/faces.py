@@ -1,4 +1,4 @@
-"""Where a workspace ends between neighbouring coarse cells, because joint 1 covers s in one of them only."""
+"""Faces of a workspace between neighbouring coarse cells, where joint 1 covers s in only one of them."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 COMPARED = 144
-"""Values of s at which neighbouring cells are compared."""
+"""Number of values of s at which neighbouring cells are compared."""
 
 TOGETHER = 1024
-"""Cells, or pairs of them, that are looked at in a piece of work."""
+"""Cells, or pairs of them, that are examined in one piece of work."""
 
 
 class Faces(NamedTuple):
@@ -31,7 +31,7 @@ class Faces(NamedTuple):
     edges : ndarray, shape (k, 2, 2)
         Both ends, in (u, v), of the side that two cells share.
     s : ndarray, shape (k, 2)
-        From where to where, rad or m.
+        Start and end of the range of s, rad or m.
     """
 
     edges: Floats
@@ -39,7 +39,7 @@ class Faces(NamedTuple):
 
 
 def finding_faces(grid: Grid, arcs: Arcs) -> Work[Faces]:
-    """Return, after pieces of work, where s is covered in one of two neighbouring coarse cells that are reached."""
+    """Return, in pieces of work, the faces where s is covered in only one of two neighbouring reached coarse cells."""
     known = np.flatnonzero(arcs.covered > 0.0)
     if not known.size:
         return Faces(np.zeros((0, 2, 2)), np.zeros((0, 2)))
@@ -64,7 +64,7 @@ def finding_faces(grid: Grid, arcs: Arcs) -> Work[Faces]:
 
 
 def _compared(grid: Grid, arcs: Arcs, known: Indices) -> tuple[Floats, float]:
-    """Return the values of s at which coverage is compared, and how far apart they are."""
+    """Return the values of s at which coverage is compared, and the distance between them."""
     low, high = -math.pi, math.pi
     if not grid.joint.revolute:
         start, length = arcs.start[known], arcs.length[known]
@@ -75,7 +75,7 @@ def _compared(grid: Grid, arcs: Arcs, known: Indices) -> tuple[Floats, float]:
 
 
 def _neighbours(grid: Grid, known: Indices, axis: int) -> tuple[Indices, Indices]:
-    """Return pairs of coarse cells, in ascending order, that lie beside each other along an axis, by their places."""
+    """Return pairs of coarse cells that are neighbours along an axis, by their places, in ascending order."""
     columns = -(-grid.shape[1] // grid.coarser)
     wanted = known + (columns if axis == 0 else 1)
     at = np.minimum(np.searchsorted(known, wanted), len(known) - 1)
@@ -87,7 +87,7 @@ def _neighbours(grid: Grid, known: Indices, axis: int) -> tuple[Indices, Indices
 
 
 def _sides(grid: Grid, cells: Indices, axis: int) -> Floats:
-    """Return both ends (k, 2, 2) of the side between coarse cells and the next along an axis."""
+    """Return both ends (k, 2, 2) of the side between coarse cells and their next neighbours along an axis."""
     i, j = np.divmod(cells, -(-grid.shape[1] // grid.coarser))
     side, low = grid.coarser * grid.step, grid.low
     begin = np.stack([low[0] + side * (i + 1 - axis), low[1] + side * (j + axis)], axis=1)

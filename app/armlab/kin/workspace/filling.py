@@ -23,22 +23,22 @@ Indices32 = NDArray[np.int32]
 Bools = NDArray[np.bool_]
 
 SAMPLED = 16384
-"""Samples in a piece of work."""
+"""Samples in one piece of work."""
 
 PULLED = 1024
-"""Configurations pulled in a piece of work: some 20 ms."""
+"""Configurations pulled in one piece of work: some 20 ms."""
 
 SPARE = 3
-"""Further configurations kept of each cell: other branches may go on where the first one ends."""
+"""Further configurations kept for each cell: other branches may go on where the first one ends."""
 
 AT_CENTRE = 1e-3
-"""Of a cell: as near to its centre as that is there."""
+"""Distance from the centre of a cell, in cells, at which it is reached."""
 
 TRIES = 3
-"""Neighbours from which an empty cell is tried at a time."""
+"""Number of neighbours from which an empty cell is tried at a time."""
 
 SWEEPS = 2
-"""Times that all cells at the edge are tried from all that is known around them."""
+"""Number of times that all cells at the edge are tried from everything known around them."""
 
 SHIFTS = ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (-1, 1), (1, -1), (1, 1))
 
@@ -51,7 +51,7 @@ class Filling:
     grid : Grid
     filled, centred : ndarray, shape (cells,)
     row : ndarray, shape (cells,)
-        Where in the following a filled cell is; -1 for another. Of a sliver few cells are filled among many.
+        Row of a filled cell in the arrays that follow; -1 for others, which are most in a thin region.
     q : Rows of shape (n,)
         A configuration of each filled cell with q_1 = 0, rad and m.
     spare : list of Rows of shape (n,)
@@ -59,7 +59,7 @@ class Filling:
     has_spare : ndarray, shape (SPARE, cells)
         Whether further configurations are kept of a cell.
     around : Around or None
-        What is known of s; None where joint 1 turns all the way round.
+        The covered values of s; None when joint 1 turns all the way round.
     """
 
     def __init__(self, grid: Grid) -> None:
@@ -79,11 +79,11 @@ class Filling:
         self._copies: tuple[Bools, Indices32, Floats] | None = None
 
     def at(self, cells: Indices) -> Floats:
-        """Return the configurations that fill cells (k,), shape (k, n); anything for one that is not filled."""
+        """Return the configurations in cells (k,), shape (k, n); arbitrary values for cells that are not filled."""
         return np.asarray(self.q[self.row[cells]])
 
     def add(self, q: Floats) -> None:
-        """Take configurations (k, n) into account, whichever cells they fall in."""
+        """Add configurations (k, n), each to the cell in which it falls."""
         self._copies = None
         coordinates = self.joint.split(self.joint.arm.position(q))
         cells, on = self.grid.cell_of(coordinates[:, :2])
@@ -99,35 +99,34 @@ class Filling:
         self.q[rows[fresh]] = q[fresh]
 
     def copies(self) -> tuple[Bools, Indices32, Floats]:
-        """Return copies of ``filled``, ``row`` and ``q`` that stay as they are; the same until something is added."""
+        """Return copies of ``filled``, ``row`` and ``q``; the same ones until something is added."""
         if self._copies is None:
             self._copies = self.filled.copy(), self.row.copy(), self.q.first(self.count)
         return self._copies
 
     def finished(self) -> tuple[Bools, Indices32, Floats]:
-        """Return the same where nothing will be added any more: the first two are no copies."""
+        """Return ``filled``, ``row`` and ``q`` when nothing more will be added; the first two are not copied."""
         return self.filled, self.row, self.q.first(self.count)
 
     def _give_rows(self, fresh: Indices) -> None:
-        """Give rows to cells that were not filled before."""
         self.filled[fresh] = True
         self.row[fresh] = self.count + np.arange(len(fresh), dtype=np.int32)
         self.count += len(fresh)
 
     def take(self, q: Floats) -> Iterator[None]:
-        """Take configurations (k, n) into account, a piece at a time."""
+        """Add configurations (k, n), a piece of work at a time."""
         for first in range(0, len(q), SAMPLED):
             self.add(q[first : first + SAMPLED])
             yield
 
     def sample(self, count: int, rng: np.random.Generator) -> Iterator[None]:
-        """Fill cells from random configurations, a piece at a time."""
+        """Fill cells from random configurations, a piece of work at a time."""
         for _ in range(-(-count // SAMPLED)):
             self.add(random_configurations(self.joint, SAMPLED, rng))
             yield
 
     def flood(self) -> Iterator[None]:
-        """Fill cells next to filled ones until none can be filled, a piece at a time."""
+        """Fill the neighbours of filled cells until none can be filled, a piece of work at a time."""
         while True:
             cells, starts = yield from self._untried()
             if not cells.size:
@@ -135,13 +134,13 @@ class Filling:
             yield from self._pull(cells, starts)
 
     def centre(self) -> Iterator[None]:
-        """Pull what fills cells to their centres."""
+        """Pull the configurations of cells to their centres."""
         cells = np.flatnonzero(self.filled & ~self.centred)
         yield
         yield from self._pull(cells, self.at(cells))
 
     def sweep(self, rng: np.random.Generator) -> Iterator[None]:
-        """Try cells at the edge, and filled ones whose centre was not reached, from all that is known around them."""
+        """Try cells at the edge, and filled ones whose centre is not reached, from everything known around them."""
         for shift in SHIFTS:
             found, starts = [], []
             for k in range(SPARE):
@@ -153,7 +152,7 @@ class Filling:
             yield from self._pull(np.concatenate(found), np.concatenate(starts))
 
     def _shaken(self, q: Floats, rng: np.random.Generator) -> Floats:
-        """Return configurations beside q, inside the limits: off what is singular, and along self-motions."""
+        """Return configurations near q, inside the limits: away from singularities, and along self-motions."""
         moving = list(self.joint.moving)
         low, high = self.joint.arm.limits[moving].T
         shaken = q.copy()
@@ -174,9 +173,9 @@ class Filling:
             yield
 
     def _neighbours(self, shift: tuple[int, int], of: Bools, beside: Bools) -> tuple[Indices, Indices]:
-        """Return cells of a kind, and their neighbours in a direction, where those are of another kind."""
+        """Return cells of one kind and their neighbours in a direction that are of another kind."""
         (rows, columns), (di, dj) = self.grid.shape, shift
-        # Of a sliver few cells are filled among many: they are gone through, not all.
+        # A thin section has few filled cells among many: only these are examined.
         i, j = np.divmod(np.flatnonzero(beside), columns)
         on = (i >= di) & (i < rows + di) & (j >= dj) & (j < columns + dj)
         i, j = i[on], j[on]
@@ -186,7 +185,7 @@ class Filling:
         return cells[some], neighbours[some]
 
     def _untried(self) -> Generator[None, None, tuple[Indices, Floats]]:
-        """Return, after pieces of work, empty cells and configurations of neighbours: each pair once, few of a cell."""
+        """Return, in pieces of work, empty cells and configurations of neighbours: each pair once, few per cell."""
         tries = np.zeros(len(self.filled), dtype=np.int8)
         cells_found, starts = [], []
         for k, shift in enumerate(SHIFTS):

@@ -1,4 +1,4 @@
-"""What joint 1 does to the workspace: it turns, or shifts, as a whole what the other joints reach.
+"""The part of joint 1 in the workspace: it turns or shifts, as a whole, what the other joints reach.
 
 With q_1 = 0 the other joints reach a set of points. Joint 1 carries each of them along an arc, or along a line. So two
 numbers u, v of a point do not depend on q_1, and a workspace is known from its section: which (u, v) are reached, and
@@ -23,13 +23,13 @@ from armlab.kin.ik.screws import screws_of
 Floats = NDArray[np.float64]
 
 SEED, SAMPLES = 4, 256
-"""Of the random configurations that tell which joints move the tool point, and whether it stays in a plane."""
+"""Seed and number of the random configurations that tell which joints move the tool point, and whether in a plane."""
 
 STILL = 1e-9
-"""Of the reach: what moves by less does not move."""
+"""Motion, relative to the reach, below which a point does not move."""
 
 FULL_TURN = 1e-9
-"""Radians that a range may lack of a whole turn and still be one."""
+"""Angle, radians, that a range may lack of a whole turn and still be one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,10 +42,10 @@ class FirstJoint:
     revolute : bool
         Whether joint 1 turns.
     origin : ndarray, shape (3,)
-        In the world, metres: the point of the axis of joint 1 nearest to the origin of frame 0, where rho and v are 0.
+        The point of the axis of joint 1 nearest to the origin of frame 0, in the world, metres; rho and v are 0 there.
     axes : ndarray, shape (3, 3)
-        Columns in the world; the third lies along the axis of joint 1. Of a planar arm whose first joint slides the
-        second is the normal of its plane.
+        Columns in the world; the third lies along the axis of joint 1. For a planar arm with a prismatic first joint,
+        the second one is the normal of its plane.
     moving : tuple of int
         0-based joints after the first that move the tool point, in order.
     planar : bool
@@ -80,7 +80,7 @@ class FirstJoint:
         Parameters
         ----------
         points : array_like, shape (..., 3)
-            In the world, metres.
+            Points in the world, metres.
 
         Returns
         -------
@@ -94,7 +94,7 @@ class FirstJoint:
         return np.stack([np.hypot(x, y), local[..., 2], np.arctan2(y, x)], axis=-1)
 
     def join(self, coordinates: ArrayLike) -> Floats:
-        """Return points in the world (..., 3) of (u, v, s); the inverse of `split`."""
+        """Return the points in the world (..., 3) with coordinates (u, v, s); the inverse of `split`."""
         given = np.asarray(coordinates, dtype=np.float64)
         if self.revolute:
             u, v, s = given[..., 0], given[..., 1], given[..., 2]
@@ -102,14 +102,14 @@ class FirstJoint:
         return np.asarray(self.origin + given @ self.axes.T)
 
     def measure(self, u: ArrayLike) -> Floats:
-        """Return metres of path for a unit of s: rho where joint 1 turns, else 1."""
+        """Return the length of path for a unit of s, metres: rho where joint 1 is revolute, else 1."""
         u = np.asarray(u, dtype=np.float64)
         return np.asarray(u if self.revolute else np.ones_like(u))
 
 
 @lru_cache(maxsize=64)
 def first_joint(arm: Arm) -> FirstJoint:
-    """Return the coordinates of an arm (arms are compared by identity)."""
+    """Return the coordinates of joint 1 of an arm (arms are compared by identity)."""
     screws = screws_of(arm)
     R, base = np.asarray(arm.base[:3, :3]), np.asarray(arm.base[:3, 3])
     axis = R @ screws.z[0]
@@ -136,7 +136,7 @@ def _configurations(arm: Arm) -> Floats:
 
 
 def _frame(axis: Floats, second: Floats | None, R: Floats) -> Floats:
-    """Return axes with the third along ``axis``; the second near ``second``, else the first near an axis of R."""
+    """Return axes whose third is ``axis``; the second is near ``second``, or else the first near an axis of R."""
     if second is None:
         near = next(R[:, k] for k in range(3) if abs(R[:, k] @ axis) < 0.9)
         first = near - axis * (near @ axis)

@@ -1,4 +1,4 @@
-"""How the forearm can stand where the wrist centre is: what decides about the directions of a limited wrist.
+"""Orientations of the forearm for each place of the wrist centre; they decide on the directions of a limited wrist.
 
 Joint 1 turns all of it. So it is told for places (u, v) of the half plane behind joint 1, as seen from there: the turn
 of the forearm from its place with all joints at 0, and from which angle on joint 1 brings it about.
@@ -24,13 +24,13 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 CHUNKS, CHUNK, SEED = 40, 32_768, 0
-"""Random configurations of the joints in front of the wrist, where there is no closed form."""
+"""Chunks, their size and the seed of random configurations of the joints before the wrist, without a closed form."""
 
 PULLED, PULLS, THERE = 2048, 8, 1e-2
-"""Of them in one piece of work, iterations, and the part of a step that is near enough to a node."""
+"""Configurations pulled in one piece of work, iterations, and the distance, in steps, at which a node is reached."""
 
 COARSE = 6
-"""Parts from -1 to 1 in which a component of an axis counts as the same: forearms of one place that are taken apart."""
+"""Intervals of a component of an axis from -1 to 1 within which two forearms at one place count as the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class Forearms:
     node : ndarray, shape (k,)
         Flat index of the node.
     turn : ndarray, shape (k, 3, 3)
-        From world axes with all joints at 0 to the axes of `FirstJoint` turned to where the wrist centre is.
+        Rotation from world axes with all joints at 0 to the axes of `FirstJoint` turned to the wrist centre.
     start : ndarray, shape (k,)
         The least s to which joint 1 carries it, rad.
     """
@@ -53,7 +53,7 @@ class Forearms:
 
 
 def elbow_forearms(front: Arm, elbow: ElbowPoints, grid: HalfGrid) -> Forearms:
-    """Return those of an elbow, in closed form, at the nodes themselves."""
+    """Return the forearms of an elbow at the nodes themselves, in closed form."""
     joint = first_joint(front)
     nodes = grid.places.reshape(-1, 2)
     points = joint.join(np.column_stack([nodes, np.zeros(len(nodes))]))
@@ -98,7 +98,7 @@ def sampled_forearms(front: Arm, grid: HalfGrid) -> Iterator[Forearms | None]:
 
 
 def _stands(front: Arm, q: NDArray[np.floating], grid: HalfGrid) -> tuple[Indices, Floats, Floats, NDArray[np.bool_]]:
-    """Return the nearest nodes of configurations, the turn of the forearm, s, and which have a node."""
+    """Return the nearest nodes of configurations, the rotations of the forearm, s, and which have a node."""
     joint = first_joint(front)
     T = np.asarray(front.fk(q), dtype=np.float64)
     home = np.asarray(front.fk(np.zeros(front.n)))[:3, :3]
@@ -112,7 +112,7 @@ def _stands(front: Arm, q: NDArray[np.floating], grid: HalfGrid) -> tuple[Indice
 
 
 def rank(node: Indices) -> Indices:
-    """Return how many of the same node come before each."""
+    """Return for each entry the number of equal ones before it, (k,)."""
     order = np.argsort(node, kind="stable")
     first = np.concatenate([[True], np.diff(node[order]) != 0]) if len(node) else np.zeros(0, dtype=bool)
     begin = np.maximum.accumulate(np.where(first, np.arange(len(node)), 0))
@@ -122,7 +122,7 @@ def rank(node: Indices) -> Indices:
 
 
 def whole_turn(start: Floats, stroke: float, bins: int) -> NDArray[np.uint64]:
-    """Return the bins of a whole turn that lie in start + [0, stroke], as bits of words; at least one."""
+    """Return the bins of a whole turn in start (k,) + [0, stroke], radians, as bits of words (k,); at least one."""
     width = math.tau / bins
     count = min(max(round(stroke / width), 1), bins)
     if count == bins:
@@ -132,6 +132,6 @@ def whole_turn(start: Floats, stroke: float, bins: int) -> NDArray[np.uint64]:
 
 
 def turned(words: NDArray[np.uint64], by: NDArray[np.uint64]) -> NDArray[np.uint64]:
-    """Return words with bit b taken from bit b + by, round and round."""
+    """Return words with bit b taken from bit b + by, modulo the number of bits."""
     back = np.mod(np.uint64(64) - by, np.uint64(64))
     return np.asarray((words >> by) | (words << back))

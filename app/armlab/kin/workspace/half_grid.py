@@ -1,4 +1,4 @@
-"""Nodes over the half plane behind a joint 1 that turns, in layers along its axis."""
+"""Nodes on the half plane of a revolute joint 1, in layers along its axis."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class HalfGrid:
         return np.stack(np.meshgrid(u, self.low + v, indexing="ij"), axis=-1)
 
     def nearest(self, places: Floats) -> tuple[Indices, NDArray[np.bool_]]:
-        """Return the flat index of the nearest node of places (k, 2), and which places have one."""
+        """Return the flat index of the node nearest to places (k, 2), and which places have one."""
         i = np.rint(places[:, 0] / self.step).astype(np.intp)
         j = np.rint((places[:, 1] - self.low) / self.step).astype(np.intp)
         on = (i < self.shape[0]) & (j >= 0) & (j < self.shape[1])

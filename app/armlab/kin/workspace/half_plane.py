@@ -1,8 +1,8 @@
 """The half plane at one angle of joint 1: random configurations that bring the tool point into it.
 
 Joint 1 carries whatever the other joints reach into this half plane, where its limits let it. So all samples fall on
-one surface, and a few hundred thousand of them fill a picture that would take a hundred times as many in space. Of an
-arm whose first joint slides it is the plane across, at one place along.
+one surface, and a few hundred thousand of them fill a picture that would take a hundred times as many in space. For an
+arm with a prismatic first joint it is the plane perpendicular to it, at one place along it.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ Floats = NDArray[np.float64]
 class HalfPlane(Sheet):
     """The half plane at s, the third coordinate of the arm's `FirstJoint`: rad, or metres where joint 1 slides.
 
-    Its coordinates are (u, v). Of an arm whose tool turns about one line only, orientations are counted from the
+    Its coordinates are (u, v). For an arm whose tool turns about one line only, orientations are counted from the
     direction outward where this line is that of joint 1; else from a direction that stays.
     """
 
     def met(self, q: Singles) -> Met:
-        """Return what configurations make when joint 1 brings the tool point into the half plane."""
+        """Return positions and directions of the tool of configurations when joint 1 turns it into the half plane."""
         joint = self.joint
         q[:, 0] = 0.0
         T = np.asarray(self.arm.fk(q), dtype=np.float64)
@@ -48,20 +48,20 @@ class HalfPlane(Sheet):
         return Met(q[kept], coordinates[kept, :2], axis[kept])
 
     def places(self, points: ArrayLike) -> Floats:
-        """Return (u, v) of points in the world, wherever joint 1 has carried them."""
+        """Return (u, v), (..., 2), of points (..., 3) in the world, for any value of joint 1."""
         return self.joint.split(points)[..., :2]
 
     def points(self, places: ArrayLike) -> Floats:
-        """Return the points of the half plane with these (u, v)."""
+        """Return the points (..., 3) of the half plane, in the world, with coordinates (u, v), (..., 2)."""
         given = np.asarray(places, dtype=np.float64)
         return self.joint.join(np.concatenate([given, np.full((*given.shape[:-1], 1), self.s)], axis=-1))
 
     def lowest(self, low: Floats) -> Floats:
-        """Begin at the axis at the earliest."""
+        """Return the corner of a picture, which does not begin before the axis."""
         return np.array([max(low[0], 0.0), low[1]]) if self.joint.revolute else low
 
     def _frame(self, T: Floats) -> Floats:
-        """Return the axes in which directions are written, columns: those of joint 1, or about the tool's fixed z."""
+        """Return the axes of directions, as columns: those of joint 1, or about the tool's fixed z."""
         axes, z = self.joint.axes, T[0, :3, 2]
         if not self.bins.circle or (self.joint.revolute and abs(z @ axes[:, 2]) > 1.0 - FULL_TURN):
             return axes

@@ -1,4 +1,4 @@
-"""How well an arm can move at a configuration, in one number: what colours the points of a workspace.
+"""Measures of how well an arm can move in a configuration, one number each, for colouring a workspace.
 
 All are of the task Jacobian. Where it mixes metres and radians its singular values depend on the units, so they are
 those of the scaled task (`armlab.kin.control.scaled_task`): lengths are divided by the arm's length scale.
@@ -21,10 +21,10 @@ from armlab.kin.length_power import POWERS, length_power
 Array = NDArray[np.floating]
 
 QUICK, SLOW = 65_536, 4_096
-"""Configurations measured in one piece: some 15 ms for formulas, and for singular values."""
+"""Configurations measured in one piece, some 15 ms: by formulas, and by singular values."""
 
 SQUARED = 1e-7
-"""Of sigma_max: singular values come as roots of the eigenvalues of J J^T and are not told from 0 below this."""
+"""Singular value, relative to sigma_max, below which it counts as 0: it is the root of an eigenvalue of J J^T."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Measure:
     title : str
         Name in lower case, as on screen.
     symbol : str
-        In LaTeX.
+        The symbol in LaTeX.
     unit : callable
         ``unit(arm) -> str``, such as ``"m³"``; empty without one.
     logarithmic : bool
@@ -58,7 +58,7 @@ class Measure:
 
 
 def manipulability(arm: Arm, q: Array) -> Array:
-    """Return w of configurations (k, n), shape (k,); notes 5.144. In single precision w² is exact to about 1e-6."""
+    """Return w of configurations (k, n), shape (k,); notes 5.144. In single precision w² is accurate to about 1e-6."""
     return arm.manipulability(q)
 
 
@@ -71,7 +71,7 @@ def inverse_condition(arm: Arm, q: Array) -> Array:
 
 
 def sigma_min(arm: Arm, q: Array) -> Array:
-    """Return the smallest singular value of the scaled task Jacobian, shape (k,); of min(m, n) there are."""
+    """Return the smallest of the min(m, n) singular values of the scaled task Jacobian, shape (k,)."""
     return np.asarray(sigma_extremes(arm, q)[:, 0], dtype=q.dtype)
 
 
@@ -100,7 +100,7 @@ def sigma_extremes(arm: Arm, q: Array) -> NDArray[np.float64]:
 
 
 def unit_of_manipulability(arm: Arm) -> str:
-    """Return the unit of w of the task: a power of metres, or ``"mixed units"`` where it adds different ones."""
+    """Return the unit of w of the task: a power of metres, or ``"mixed units"`` when its terms have different ones."""
     power = length_power(arm)
     return "mixed units" if power is None else POWERS[power]
 

@@ -1,4 +1,4 @@
-"""Values of s that were met at q_1 = 0, in cells of a section or at places of it: bins with a configuration each."""
+"""Values of s met at q_1 = 0, in cells of a section or at places of it: bins with one configuration each."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 BINS = 72
-"""Of s: what is found within one (5 degrees) counts as all that lies between."""
+"""Number of bins of s: two values within one bin (5 degrees) count as covering everything between."""
 
 
 class Met:
@@ -24,13 +24,13 @@ class Met:
     Attributes
     ----------
     span : (float, float)
-        Of s, rad or m, over which the bins lie; what is beyond counts to the last ones.
+        Range of s, rad or m, over which the bins lie; values beyond it are counted in the outer ones.
     least, most : Rows of shape (bins,)
-        Of the s met in a bin, rad or m; (inf, -inf) in one without.
+        Least and greatest s met in a bin, rad or m; (inf, -inf) for an empty one.
     q : Rows of shape (bins, n)
         A configuration of each, rad and m, in single precision.
     ends : (float, float)
-        Of all s that were met, rad or m; (inf, -inf) before any was.
+        Least and greatest of all s that were met, rad or m; (inf, -inf) before any.
     """
 
     def __init__(self, joint: FirstJoint, span: tuple[float, float], bins: int = BINS) -> None:
@@ -42,7 +42,7 @@ class Met:
         self.ends = (math.inf, -math.inf)
 
     def found(self, rows: Indices) -> Bools:
-        """Return in which bins of rows (k,) something was met, (k, bins)."""
+        """Return the bins of rows (k,) in which something was met, (k, bins)."""
         return np.asarray(self.most[rows] >= self.least[rows])
 
     def everything(self) -> NDArray[np.floating]:
@@ -56,7 +56,7 @@ class Met:
         return np.clip(((s - low) * (self.bins / (high - low))).astype(np.intp), 0, self.bins - 1)
 
     def put(self, rows: Indices, s: Floats, q: NDArray[np.floating]) -> None:
-        """Count values of s (k,) of configurations (k, n) with q_1 = 0 to rows (k,)."""
+        """Count the values of s (k,) of configurations (k, n) with q_1 = 0 in rows (k,)."""
         if not len(s):
             return
         bins = self.bin_of(s)
@@ -77,7 +77,7 @@ def gaps_before(least: Floats, most: Floats, joint: FirstJoint) -> Floats:
     Parameters
     ----------
     least, most : ndarray, shape (C, k)
-        As of `Met`, or of intervals in turn by where they begin.
+        As in `Met`, or successive intervals by their start.
     joint : FirstJoint
 
     Returns
@@ -97,5 +97,5 @@ def gaps_before(least: Floats, most: Floats, joint: FirstJoint) -> Floats:
 
 
 def last_found(found: Bools) -> Indices:
-    """Return the last bin up to each, itself counted, in which something was met; -1 where there is none, (C, k)."""
+    """Return for each bin the last one up to it in which something was met, or -1, (C, k)."""
     return np.asarray(np.maximum.accumulate(np.where(found, np.arange(found.shape[1]), -1), axis=1))

@@ -1,4 +1,4 @@
-"""A configuration whose tool point comes as near to a point as the limits allow, found from a section."""
+"""A configuration whose tool point comes as near to a point as the limits allow, starting from a section."""
 
 from __future__ import annotations
 
@@ -16,50 +16,50 @@ from armlab.kin.workspace.section_grid import Grid
 Floats = NDArray[np.float64]
 
 CELLS = 12
-"""Nearest cells of a section, and of those in which s is counted, from which is started."""
+"""Number of starts: the nearest cells of a section, and the nearest of those in which s is counted."""
 
 FAR_CELLS = 48
-"""Of all in which s is counted, those that joint 1 brings nearest: inside its limits the nearest may lie elsewhere."""
+"""Number of further starts, from all cells with s, those that joint 1 brings nearest within its limits."""
 
 STARTS = 16
 
 NEAR_ENOUGH = 1e-10
-"""Of the length scale."""
+"""Distance from the point, in length scales, at which the search ends."""
 
 
 class Cells(Protocol):
-    """What is known of a section; see `armlab.kin.workspace.section.Section`."""
+    """The data of a section; see `armlab.kin.workspace.section.Section`."""
 
     @property
     def grid(self) -> Grid:
-        """Of its cells."""
+        """The grid of the cells."""
 
     @property
     def joint(self) -> FirstJoint:
-        """The joint that does not change u and v."""
+        """The first joint, which does not change u and v."""
 
     @property
     def filled(self) -> NDArray[np.bool_]:
-        """Cells with a configuration."""
+        """Mask of the cells with a configuration, (Nu, Nv)."""
 
     @property
     def u(self) -> Floats:
-        """Middles of the cells across."""
+        """Centres of the cells along u, (Nu,), metres."""
 
     @property
     def v(self) -> Floats:
-        """Middles of the cells upwards."""
+        """Centres of the cells along v, (Nv,), metres."""
 
     @property
     def around(self) -> Around | None:
-        """Which s are reached at q_1 = 0."""
+        """The values of s reached at q_1 = 0."""
 
     def at(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> Floats:
-        """Return the configurations of cells."""
+        """Return the configurations (k, n) of cells, by row (k,) and column (k,)."""
 
 
 def nearest_configuration(section: Cells, point: Floats) -> Floats:
-    """Return a configuration (n,) inside the limits, its tool as near to a point of the world (3,) as was found."""
+    """Return a configuration (n,) inside the limits with the tool as near to a point of the world (3,) as was found."""
     joint = section.joint
     arm = joint.arm
     starts = _starts(section, point)
@@ -71,7 +71,7 @@ def nearest_configuration(section: Cells, point: Floats) -> Floats:
 
 
 def with_first(joint: FirstJoint, q: Floats, point: Floats) -> Floats:
-    """Return configurations (k, n) of q_1 = 0 with the q_1 inside its limits that comes nearest to a point."""
+    """Return configurations (k, n) of q_1 = 0 with the q_1 inside its limits that brings them nearest to a point."""
     wanted = joint.split(point)[2] - joint.split(joint.arm.position(q))[:, 2]
     if joint.revolute:
         middle = 0.5 * (joint.low + joint.high)

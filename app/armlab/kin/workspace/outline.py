@@ -45,7 +45,7 @@ class Outline:
         Centres, metres.
     inside : ndarray, shape (Nu, Nv)
     along_u, along_v : ndarray, shape (Nu - 1, Nv), (Nu, Nv - 1)
-        Where, between a centre and the next, the edge of the region lies, 0 to 1.
+        Position of the edge of the region between a centre and the next, 0 to 1.
     """
 
     u: Floats
@@ -64,7 +64,7 @@ class Outline:
         places : ndarray, shape (k, 8, 2)
             Centres and crossings in turn round a square, metres.
         used : ndarray, shape (k, 8)
-            Which of them belong to its polygon.
+            Mask of the points that belong to the polygon.
         """
         counted = self._inside_corners
         squares = np.argwhere((counted & 3) != 0)
@@ -85,18 +85,18 @@ class Outline:
 
     @cached_property
     def _inside_corners(self) -> NDArray[np.uint8]:
-        """Corners of each square that are inside, 0 to 4."""
+        """Number of corners of each square that are inside, 0 to 4."""
         counted = self.inside.view(np.uint8)
         return np.asarray(counted[:-1, :-1] + counted[1:, :-1] + counted[:-1, 1:] + counted[1:, 1:])
 
     @cached_property
     def pieces(self) -> Pieces:
-        """The polygon in each square that is not empty: of a sliver they are few among many."""
+        """The polygon in each square that is not empty; in a thin region these are few."""
         i, j = np.nonzero(self._inside_corners == 4)
         du, dv = np.diff(self.u), np.diff(self.v)
         whole = du[i] * dv[j]
         squares, places, used = self.corners
-        # What is not used falls together with what was used before it, and adds nothing.
+        # An unused corner coincides with the used one before it, and adds nothing.
         places = places.copy()
         for _ in range(2):
             for k in range(8):
@@ -115,7 +115,7 @@ class Outline:
 
     @cached_property
     def contours(self) -> tuple[Floats, ...]:
-        """Closed polylines (k, 2) along the boundary, first point again at the end; the region on the left."""
+        """Closed polylines (k, 2) along the boundary, first point again at the end, with the region on the left."""
         squares, places, used = self.corners
         edges = self._edges_of(squares)
         steps = []
@@ -132,20 +132,20 @@ class Outline:
         by_number, where = np.argsort(begin), places.reshape(-1, 2)[cut]
         onward = dict(zip(begin.tolist(), end.tolist(), strict=True))
         lines = _closed(onward)
-        # Of a region that has just been begun there are thousands: they are looked up together.
+        # A region that has just been begun has thousands of lines: they are looked up together.
         numbers = np.fromiter(chain.from_iterable(lines), dtype=np.intp)
         points = where[by_number[np.searchsorted(begin[by_number], numbers)]]
         return tuple(np.split(points, np.cumsum([len(line) for line in lines])[:-1])) if lines else ()
 
     def _edges_of(self, squares: NDArray[np.intp]) -> NDArray[np.intp]:
-        """Return numbers of the four edges of squares (k, 2), in turn: the same in both squares that share one."""
+        """Return the numbers of the four edges of squares (k, 2) in order; two squares share those between them."""
         i, j = squares.T
         columns, across = self.inside.shape[1], self.inside.size
         along_u, along_v = i * columns + j, across + i * columns + j
         return np.stack([along_u, along_v + columns, along_u + 1, along_v], axis=1)
 
     def coarser(self) -> Outline:
-        """Return the same region known at every second centre."""
+        """Return the same region, given only at every second centre."""
         inside = self.inside[::2, ::2]
         return Outline(
             self.u[::2],
@@ -157,7 +157,7 @@ class Outline:
 
 
 def _joined(inside: Bools, along: Floats) -> Floats:
-    """Return crossings between every second centre of those between neighbours, along the first axis."""
+    """Return crossings between every second centre from those between neighbours, along the first axis."""
     n = (len(inside) - 1) // 2
     first, second = along[0 : 2 * n : 2], along[1 : 2 * n : 2]
     in_first = inside[0 : 2 * n : 2] != inside[1 : 2 * n : 2]
@@ -165,7 +165,7 @@ def _joined(inside: Bools, along: Floats) -> Floats:
 
 
 def _closed(onward: dict[int, int]) -> list[list[int]]:
-    """Return the closed lines of which each step is one of those given."""
+    """Return the closed lines formed by these steps."""
     lines = []
     for first in list(onward):
         if first not in onward:

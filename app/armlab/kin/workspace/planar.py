@@ -35,10 +35,10 @@ Interval = tuple[float, float]
 Signs = tuple[int, ...]
 
 EDGE = 1e-12
-"""Of the sum of the links: radii that differ by less are one."""
+"""Difference of radii, relative to the sum of the links, below which they are equal."""
 
 NO_LINK = 1e-9
-"""Of the sum of the links: what is shorter is no link."""
+"""Length, relative to the sum of the links, below which a link counts as missing."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class PlanarWorkspace:
     inner, outer : float
         Metres: the tool point reaches the radii from one to the other (WS1).
     area : float
-        Of WS1, m².
+        Area of WS1, m².
     dexterous : tuple of (float, float)
         Closed intervals of radii in metres where all orientations are possible (WS2), in order; (0, 0) is the origin
         alone, the empty tuple nowhere.
@@ -148,7 +148,7 @@ def orientations(lengths: Sequence[float], r: ArrayLike) -> Floats:
 def position_solutions(lengths: Sequence[float], r: ArrayLike) -> Floats:
     """Return how many configurations put the tool point at radii: 0, 1, 2 or inf, shape (...).
 
-    Whole turns are not counted apart. Of a 2R it is also how many orientations there are.
+    Whole turns are not counted apart. For a 2R it is also the number of orientations.
     """
     links, at = _checked(lengths), _radii(r)
     edge, space = EDGE * sum(links), planar_workspace(links)
@@ -211,7 +211,7 @@ def lengths_of(arm: Arm) -> tuple[float, ...] | None:
 
 
 def turns_fully(arm: Arm) -> bool:
-    """Return whether the limits of every joint leave it a whole turn."""
+    """Return whether the limits of every joint allow a whole turn."""
     return bool(np.all(arm.limits[:, 1] - arm.limits[:, 0] >= math.tau - FULL_TURN))
 
 
@@ -252,7 +252,7 @@ def _angle(r: Floats, c: float, d: Floats) -> Floats:
 
 
 def _rounded(length: float, links: Sequence[float]) -> float:
-    """Return a length, and zero for what is not positive or zero up to rounding."""
+    """Return a length; zero when it is negative, or zero up to rounding."""
     return length if length > EDGE * sum(links) else 0.0
 
 

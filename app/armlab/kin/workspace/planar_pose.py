@@ -1,4 +1,4 @@
-"""A planar arm of two or three links as the distance of its tool, and its angle: there and back again."""
+"""The pose of a planar arm with two or three links as distance and angle of its tool, and its inverse kinematics."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from armlab.kin.workspace.planar import Signs, lengths_of
 Floats = NDArray[np.float64]
 
 STRAIGHT = 1e-9
-"""What the cosine of an elbow may exceed one by, for the rounding of what is asked."""
+"""Excess over one of the cosine of an elbow that is rounding."""
 
 
 class Place(NamedTuple):
-    """Where the tool of a planar arm is.
+    """Distance and angle of the tool of a planar arm.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ def place_of(arm: Arm, q: ArrayLike) -> Place:
 def configurations(arm: Arm, place: Place) -> Floats:
     """Return the joint values that put the tool at a place, (k, n): both elbows where there are two.
 
-    Of a 2R psi does not matter. They are inside the limits by whole turns where they can be; where links fold and
+    For a 2R, psi does not matter. They are inside the limits by whole turns where they can be; where links fold and
     joint 1 is free, one of them.
 
     Raises
@@ -97,13 +97,13 @@ def stretched(arm: Arm, signs: Signs, theta: float) -> Floats:
 
 
 def _joints(arm: Arm, absolute: Floats) -> Floats:
-    """Return joint values, inside the limits where they can be, from the angles of the links in the plane."""
+    """Return joint values, inside the limits if possible, from the angles of the links in the plane."""
     steps = np.diff(absolute - np.angle(_links(arm)), prepend=0.0)
     return np.asarray(wrapped_rows(arm, (_senses(arm) * steps)[None])[0])
 
 
 def _senses(arm: Arm) -> Floats:
-    """Return 1 for joints that turn as the first does and -1 for the others, shape (n,)."""
+    """Return 1 for joints with the direction of the first and -1 for the others, shape (n,)."""
     z = screws_of(arm).z
     return np.asarray(np.sign(z @ z[0]))
 

@@ -24,7 +24,7 @@ from armlab.kin.workspace.planar import (
 Kind = Literal["boundary", "edge", "dexterous", "partial", "crossing", "two", "origin"]
 
 ACROSS = 2001
-"""Radii of a ring at which its orientations are measured, for the least and the most of them."""
+"""Number of radii of a ring at which the range of orientations is measured."""
 
 NAMES: dict[Kind, str] = {
     "boundary": "boundary ∂WS₁",
@@ -52,11 +52,11 @@ class Region:
     least, most : float
         Measure of the orientations, rad, smallest and largest in the ring.
     ranges : int
-        In how many separate ranges they lie; 0 of single ones.
+        Number of separate ranges in which they lie; 0 for single orientations.
     ways : tuple of tuple of int
         The stretched and folded configurations of a singular circle, as signs of the links.
     orientations, solutions : str
-        In words.
+        Descriptions in words.
     """
 
     low: float
@@ -71,12 +71,12 @@ class Region:
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """The name of the region."""
         return NAMES[self.kind]
 
     @property
     def says(self) -> str:
-        """All of it in words."""
+        """The description of the region."""
         return f"{self.orientations} {self.solutions}"
 
 
@@ -102,7 +102,7 @@ def regions(lengths: tuple[float, ...]) -> tuple[Region, ...]:
 
 
 def region_at(lengths: Sequence[float], r: float) -> Region | None:
-    """Return the region of a radius in metres; None outside WS1."""
+    """Return the region that contains a radius in metres; None outside WS1."""
     links = tuple(map(float, lengths))
     edge = EDGE * sum(links)
     found = regions(links)
@@ -151,7 +151,7 @@ def _ring(space: PlanarWorkspace, low: float, high: float) -> Region:
 
 
 def _ranges(lengths: Sequence[float], r: float) -> int:
-    """Return in how many ranges of the whole circle the tool's angles lie: psi and -psi meet at 0 or at pi."""
+    """Return the number of intervals of the tool's angles: psi and -psi meet at 0 or at pi."""
     low, high = tool_angles(lengths, r)
     return 1 if low <= 0.0 or high >= math.pi else 2
 

@@ -1,4 +1,4 @@
-"""Inverse kinematics of many configurations at once that never leaves the limits: what a section is verified with.
+"""Inverse kinematics of many configurations at once, always inside the limits, by which a section is verified.
 
 Levenberg's method. A step is taken only when it comes nearer; joints at a limit that would push outward are held.
 """
@@ -17,23 +17,23 @@ Residual = Callable[[Floats, NDArray[np.intp]], Floats]
 Rates = Callable[[Floats, NDArray[np.intp]], Floats]
 
 ITERATIONS = 14
-"""Enough for targets within a few cells; what has not arrived then is tried from elsewhere."""
+"""Largest number of iterations, enough for targets within a few cells; others are reached from elsewhere."""
 
 USUAL_JOINTS = 6
-"""Of an arm with more of them fewer configurations are pulled in a piece of work."""
+"""Number of joints above which fewer configurations are pulled in one piece of work."""
 
 LONGEST = 0.5
-"""Radians, or length scales, of one step of a joint."""
+"""Largest change of a joint in one step, radians or length scales."""
 
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-9, 1e3
-"""Of the mean square of the singular values."""
+"""First, least and greatest damping, relative to the mean square of the singular values."""
 
 HARDER, EASIER = 8.0, 0.15
-"""What damping is multiplied by after a step that led away, and one that came nearer."""
+"""Factors of the damping after a step that led away, and after one that came nearer."""
 
 
 def pieces(joint: FirstJoint, count: int, most: int) -> Iterator[slice]:
-    """Yield slices of ``count`` configurations that are pulled in a piece of work: at most ``most`` of them."""
+    """Yield slices of ``count`` configurations to pull in one piece of work, at most ``most`` of them each."""
     size = most * USUAL_JOINTS // max(joint.arm.n, USUAL_JOINTS)
     for first in range(0, count, size):
         yield slice(first, first + size)
@@ -61,7 +61,7 @@ def pull(
         Metres from the target that are near enough.
     iterations : int
     weights : ndarray, shape (k, 2), optional
-        How much u, and v, matter; both as much when left out.
+        Weights of u and of v; equal by default.
 
     Returns
     -------
@@ -95,7 +95,7 @@ def pull_in_space(
 
 
 def section_rates(joint: FirstJoint, q: Floats) -> Floats:
-    """Return d(u, v)/dq, shape (k, 2, n), in metres a radian or metres a metre."""
+    """Return d(u, v)/dq, shape (k, 2, n), in metres per radian or metre."""
     J = np.asarray(joint.arm.jacobian(q)[:, :3, :])
     if not joint.revolute:
         return np.asarray(joint.axes[:, :2].T @ J)
@@ -113,7 +113,7 @@ def least_squares(
     tolerance: float,
     iterations: int,
 ) -> tuple[Floats, Floats]:
-    """Return configurations with the least length of a residual (k, r) that some joints can reach; and the length."""
+    """Return configurations with the least residual (k, r) that some joints can reach, and its length."""
     q = np.array(q, dtype=np.float64)
     rows = np.arange(len(q))
     e = residual(q, rows)
@@ -141,7 +141,7 @@ def least_squares(
 
 
 def _step(J: Floats, e: Floats, damping: Floats, at_low: NDArray[np.bool_], at_high: NDArray[np.bool_]) -> Floats:
-    """Return damped steps (k, m), twice: the second time without the joints that the first pushed through a limit."""
+    """Return damped steps (k, m), solved again without the joints that would be pushed through a limit."""
     r = J.shape[1]
     mean_square = np.einsum("kij,kij->k", J, J) / r
     ridge = (damping * mean_square + np.finfo(np.float64).tiny ** 0.5)[:, None, None] * np.eye(r)

@@ -1,4 +1,4 @@
-"""Rows of an array that grows by blocks: what is there is not copied when more are wanted, so nobody waits for it."""
+"""An array that grows by blocks of rows: existing ones are not copied, so growing takes no time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import DTypeLike, NDArray
 Indices = NDArray[np.signedinteger[Any]]
 
 ROOM = 1 << 18
-"""Numbers in a block of which rows are counted: 2 MiB, which are there in a few milliseconds."""
+"""Numbers in a block of which rows are allocated: 2 MiB, which takes a few milliseconds."""
 
 
 class Rows:
@@ -21,11 +21,11 @@ class Rows:
     Parameters
     ----------
     shape : tuple of int
-        Of a row.
+        Shape of a row.
     size : int
         Rows of a block.
     fill : float
-        What stands in a row that was never written.
+        Value in rows that were never written.
     """
 
     def __init__(self, shape: tuple[int, ...], size: int, fill: float = 0.0, dtype: DTypeLike = np.float64) -> None:
@@ -50,11 +50,11 @@ class Rows:
         return found
 
     def first(self, count: int) -> NDArray[Any]:
-        """Return a copy of so many rows."""
+        """Return a copy of the first ``count`` rows, (count, ...)."""
         return np.asarray(self[np.arange(count)])
 
     def parts(self, rows: Indices) -> Iterator[tuple[NDArray[Any], Indices, NDArray[np.bool_] | EllipsisType]]:
-        """Yield each block in which some of the rows lie, their rows in it, and which of them they are."""
+        """Yield each block that contains some of the rows, with the rows in it and which of the given ones they are."""
         if not rows.size:
             return
         number, within = np.divmod(rows, self.size)

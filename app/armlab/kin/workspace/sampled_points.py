@@ -1,4 +1,4 @@
-"""What the joints of any arm were met to reach: a table over the coordinates of joint 1, which then carries it on.
+"""Points that the joints of any arm were found to reach: a table in the coordinates of joint 1.
 
 A cell counts as a whole where one sample lies in it, so the edge is thicker than it is by up to a cell.
 """
@@ -19,28 +19,28 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 CHUNKS, CHUNK, SEED = 48, 32_768, 0
-"""Configurations of the joints after the first behind a table."""
+"""Chunks, their size and the seed of the configurations of the joints after the first."""
 
 CELLS, TURNS = 96, 180
 """Cells of the table along the longer side of the section, and bins of the turn of joint 1."""
 
 SLAB = 8
-"""Rows of cells that joint 1 carries on in one piece of work."""
+"""Rows of cells that are carried on by joint 1 in one piece of work."""
 
 
 @dataclass(frozen=True, eq=False)
 class SampledPoints:
-    """What was met of the points that some joints reach.
+    """Reachable points found by sampling some joints.
 
     Attributes
     ----------
     joint : FirstJoint
     low, step : ndarray (2,), float
-        Of the cells over (u, v), metres.
+        Corner and side of the cells over (u, v), metres.
     met : ndarray of bool, shape (U, V, S)
         Whether the point with this (u, v) and this s, rad or m, is reached by some turn of joint 1 inside its limits.
     low_s, step_s : float
-        Of the bins of s.
+        Start and width of the bins of s.
     centre, radius
         A ball around all of it.
     """
@@ -56,7 +56,7 @@ class SampledPoints:
     exact: bool = False
 
     def holds(self, points: ArrayLike) -> Bools:
-        """Return which points (..., 3) in the world, metres, lie in a cell that was met."""
+        """Return a mask of the points (..., 3) in the world, metres, that lie in a cell that was met."""
         coordinates = self.joint.split(points)
         cell = np.floor((coordinates[..., :2] - self.low) / self.step).astype(np.intp)
         turn = np.floor((coordinates[..., 2] - self.low_s) / self.step_s).astype(np.intp)
@@ -70,7 +70,7 @@ class SampledPoints:
 
 
 def sampling(arm: Arm) -> Iterator[SampledPoints | None]:
-    """Yield None after each piece of work of some 30 ms, and at last what an arm's tool point was met to reach."""
+    """Yield None after each piece of work of some 30 ms, and at last the points an arm's tool was found to reach."""
     joint, samples = first_joint(arm), []
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for some in _section_samples(arm, joint):
@@ -111,14 +111,14 @@ def _radius(joint: FirstJoint, low: Floats, high: Floats, step: float, along: fl
 
 
 def _turned(joint: FirstJoint, step: float, bins: int) -> tuple[int, int]:
-    """Return by how many bins joint 1 may carry a point, at least and at most; the edge is thicker than it is."""
+    """Return the least and largest number of bins by which joint 1 may carry a point; the edge is made thicker."""
     if joint.full:
         return 0, bins - 1
     return math.floor(joint.low / step), math.ceil(joint.high / step)
 
 
 def _carried(met: Bools, least: int, most: int, around: bool) -> Bools:
-    """Return the bins of the last axis that are ``least`` to ``most`` bins behind one that was met."""
+    """Return the bins of the last axis that lie ``least`` to ``most`` bins behind one that was met."""
     bins, here = met.shape[2], np.arange(met.shape[2])
     if around:
         most, least = least % bins + min(most - least, bins - 1), least % bins

@@ -2,8 +2,8 @@
 
 All that an arm reaches inside its limits follows from it (see `armlab.kin.workspace.first_joint`): of an arm whose
 first joint turns it is the side view of a data sheet, the (rho, z) half-plane. It is filled from samples, then by
-inverse kinematics from cell to cell; its boundary is found by inverse kinematics too. What no search came upon counts
-as out of reach: a part that no sample hit and that hangs together with nothing that was hit is missing.
+inverse kinematics from cell to cell; its boundary is found by inverse kinematics too. Anything that no search found
+counts as out of reach: a separate part that no sample hit is missing.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Indices = NDArray[np.intp]
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """What an arm reaches, as a section.
+    """The workspace of an arm as a section, over which joint 1 moves it.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Section:
     filled : ndarray, shape (Nu, Nv)
         Cells with a configuration whose point lies in them.
     row : ndarray, shape (Nu, Nv)
-        Where among those configurations it is; -1 for a cell that is not filled.
+        Row of the cell among those configurations; -1 for a cell that is not filled.
     configurations : ndarray, shape (rows, n)
         Rad and m, with q_1 = 0 even where joint 1 must not be there.
     outline : Outline
@@ -47,7 +47,7 @@ class Section:
         Which s are reached at q_1 = 0; None where joint 1 turns all the way round, and all are. It is counted on while
         the section is not finished.
     arcs : Arcs or None
-        What joint 1 makes of it; None where all s are covered, and until it is finished.
+        Ranges of s covered by joint 1; None when all s are covered, and until the section is finished.
     finished : bool
     """
 
@@ -62,7 +62,7 @@ class Section:
 
     @property
     def joint(self) -> FirstJoint:
-        """Coordinates u, v, s and what joint 1 does."""
+        """Joint 1 with its coordinates u, v, s."""
         return self.grid.joint
 
     @property
@@ -81,12 +81,12 @@ class Section:
         return self.grid.step
 
     def at(self, i: Indices, j: Indices) -> Floats:
-        """Return the configurations (k, n) that fill some filled cells, by their row (k,) and column (k,)."""
+        """Return the configurations (k, n) of filled cells, given by row (k,) and column (k,)."""
         return np.asarray(self.configurations[self.row[i, j]])
 
     @cached_property
     def covered(self) -> Floats:
-        """How much of s is covered at each cell, (Nu, Nv), rad where joint 1 turns and m where it slides."""
+        """Covered range of s at each cell, (Nu, Nv), rad when joint 1 is revolute and m when prismatic."""
         if self.arcs is None:
             return np.where(self.filled, 2.0 * np.pi, 0.0)
         rows, columns = self.filled.shape
@@ -96,12 +96,12 @@ class Section:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """Where it ends."""
+        """The boundary of the section."""
         return Boundary(self.grid, self.outline, self.arcs, self.filled)
 
     @property
     def contours(self) -> tuple[Floats, ...]:
-        """Closed polylines (k, 2) round what is reached in (u, v), metres; of a planar arm there and back along u."""
+        """Closed polylines (k, 2) around the reached part in (u, v), metres; of a planar arm there and back along u."""
         return self.boundary.contours
 
     def holds(self, points: ArrayLike) -> Bools:

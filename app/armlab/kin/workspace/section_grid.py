@@ -1,4 +1,4 @@
-"""Square cells over the section of a workspace, large enough for all that can be reached."""
+"""Square cells over the section of a workspace, large enough for everything that can be reached."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 FIRST_LOOK = 4096
-"""Samples that tell about where the tool comes."""
+"""Number of samples that show roughly where the tool comes."""
 
 EXTREMES = 12
-"""Of them are pulled outwards on each side, as far as it goes."""
+"""Number of these, on each side, that are pulled outwards as far as they go."""
 
 PULLS = 24
 """Iterations of a pull to an extreme."""
 
 MARGIN = 2
-"""Empty cells on each side."""
+"""Number of empty cells on each side."""
 
 COARSER = {True: 2, False: 3}
-"""Cells along a side of one in which s is counted, by whether (u, v) leave single values of s: intervals need more
-samples."""
+"""Cells along the side of a coarse cell, in which s is counted, by whether (u, v) leave single values of s: intervals
+need more samples."""
 
 ASIDE = 1.0 / 128.0
-"""Of a cell: so far from its edge ends what begins on the axis. Halving would meet an end on the edge itself, and then
-always find it too far out."""
+"""Distance from the edge of a cell, in cells, at which a line from the axis begins: halving would otherwise meet the
+edge itself, and always find it too far out."""
 
 PLANAR_FINER = 8
-"""A planar arm has one row of cells; they can be as many times finer."""
+"""Factor of the resolution of a planar arm, which has a single row of cells."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,23 +71,23 @@ class Grid:
 
     @property
     def u(self) -> Floats:
-        """Centres along u, metres."""
+        """Centres along u, (Nu,), metres."""
         return np.asarray(self.low[0] + self.step * (np.arange(self.shape[0]) + 0.5))
 
     @property
     def v(self) -> Floats:
-        """Centres along v, metres."""
+        """Centres along v, (Nv,), metres."""
         if self.flat:
             return np.array([self.low[1]])
         return np.asarray(self.low[1] + self.step * (np.arange(self.shape[1]) + 0.5))
 
     @property
     def single(self) -> bool:
-        """Whether (u, v) leave single values of s, as of an arm without a joint to spare; intervals else."""
+        """Whether (u, v) leave single values of s, as for an arm without spare joints, rather than intervals."""
         return len(self.joint.moving) <= (1 if self.flat else 2)
 
     def cell_of(self, uv: Floats) -> tuple[Indices, NDArray[np.bool_]]:
-        """Return the flat indices of the cells of points (..., 2), and which points are on the grid at all."""
+        """Return the flat indices of the cells of points (..., 2), and which points are on the grid."""
         i = np.floor((uv[..., 0] - self.low[0]) / self.step).astype(np.intp)
         j = np.zeros_like(i) if self.flat else np.floor((uv[..., 1] - self.low[1]) / self.step).astype(np.intp)
         inside = (i >= 0) & (i < self.shape[0]) & (j >= 0) & (j < self.shape[1])
@@ -99,7 +99,7 @@ class Grid:
 
 
 def random_configurations(joint: FirstJoint, count: int, rng: np.random.Generator) -> Floats:
-    """Return configurations (count, n) with q_1 = 0, the moving joints anywhere in their limits, the others near 0."""
+    """Return configurations (count, n) with q_1 = 0, moving joints anywhere in their limits and the others near 0."""
     limits = joint.arm.limits
     moving = list(joint.moving)
     q = np.tile(np.clip(0.0, limits[:, 0], limits[:, 1]), (count, 1))
@@ -140,7 +140,7 @@ def grid_for(joint: FirstJoint, resolution: int, rng: np.random.Generator) -> tu
 
 
 def _pulled_out(joint: FirstJoint, q: Floats, uv: Floats) -> Floats:
-    """Return what comes of the samples farthest out on each side when they are pulled farther out still."""
+    """Return the places to which the outermost samples on each side come when they are pulled farther out."""
     far = 2.0 * (joint.arm.reach or 1.0)
     starts, targets, weights = [], [], []
     for side in (0, 1):

@@ -1,4 +1,4 @@
-"""How large a workspace is, and how far it reaches, from its section."""
+"""The size of a workspace and its reach, from its section."""
 
 from __future__ import annotations
 
@@ -22,23 +22,23 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 STARTS = 2
-"""Cells from which the way to an extreme is begun."""
+"""Number of cells from which the way to an extreme begins."""
 
 LOOKED_AT = 256
 FINEST, FINEST_OF_ONE = 1e-3, 5e-6
-"""Of the size, and of one that follows from one number alone: no smaller error is stated; none could be verified."""
+"""Least stated relative error of the size, and of one that follows from a single number: less could not be verified."""
 
 SAFETY = 1.0
-"""Of what changes when three of four places are left out: counted as an error."""
+"""Factor from the change of the size, when three of four places are left out, to its error."""
 
 WANTED = 0.01
-"""Of the size: a larger error asks for smaller cells."""
+"""Relative error of the size above which smaller cells are used."""
 
 MOST_FILLED, MOST_CELLS = 4.0, 64.0
-"""Times the square of the resolution: cells that may be filled, and cells of the whole grid, when they are halved."""
+"""Largest number of filled cells and of all cells at which they are halved, as multiples of the resolution squared."""
 
 RANK = 1e-9
-"""Singular values below this part of the largest are zero."""
+"""Singular value, relative to the largest, below which it counts as zero."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Size:
     Attributes
     ----------
     value, error : float
-        In the unit; the error is estimated (see `size`).
+        Value and estimated error, in the unit (see `size`).
     unit : "m³" or "m²"
     """
 
@@ -59,7 +59,7 @@ class Size:
 
 @dataclass(frozen=True)
 class Reach:
-    """How far an arm reaches, metres.
+    """The reach of an arm, metres.
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ def size(section: Section) -> Size:
 
 
 def sizing(section: Section) -> Work[Size]:
-    """Do the work of `size` in pieces of at most some 30 ms, and return what it returns."""
+    """Do the same as `size` in pieces of at most some 30 ms."""
     grid = section.grid
     unit: Literal["m³", "m²"] = "m²" if grid.flat else "m³"
     if dimension(section.joint) < (1 if grid.flat else 2):
@@ -126,15 +126,15 @@ def is_thin(section: Section, resolution: int, wanted: float) -> Work[bool]:
 
     They would make the error smaller, which is too large.
 
-    Of a sliver few cells are filled, so that it has as much as an ordinary arm only with smaller ones. What that costs
-    is bounded by numbers of cells: where they are reached, the larger error stays what `size` states.
+    A thin section fills few cells, and needs smaller ones to have as many as an ordinary arm. The cost is bounded by
+    numbers of cells: when these are reached, the error stays as large as `size` states.
 
     Parameters
     ----------
     section : Section
         Finished.
     resolution : int
-        With which it was begun.
+        Resolution with which the section was begun.
     wanted : float
         Error as a part of the size that is small enough.
     """
@@ -148,12 +148,12 @@ def is_thin(section: Section, resolution: int, wanted: float) -> Work[bool]:
 
 
 def reach(section: Section) -> Reach:
-    """Return how far an arm reaches: maxima of what it can do, begun from the cells that lie farthest out."""
+    """Return the reach of an arm: maxima over its configurations, begun from the outermost cells."""
     return result_of(reaching(section))
 
 
 def reaching(section: Section) -> Work[Reach]:
-    """Do the work of `reach` in pieces of at most some 30 ms, and return what it returns."""
+    """Do the same as `reach` in pieces of at most some 30 ms."""
     i, j = np.nonzero(section.filled)
     q = section.at(i, j)
     uv = section.joint.split(section.joint.arm.position(q))[:, :2]
@@ -179,7 +179,7 @@ def _along(side: int, sign: float) -> Objective:
 
 
 def _farthest(section: Section, q: Floats, uv: Floats, objective: Objective) -> float:
-    """Return the largest value of an objective that is found from configurations (k, n) at places (k, 2)."""
+    """Return the largest value of an objective, begun from configurations (k, n) at places (k, 2)."""
     joint = section.joint
     starts = q[np.argsort(-objective(uv))[:STARTS]]
     ends = np.array([climbed(joint, start, objective) for start in starts])
@@ -187,7 +187,7 @@ def _farthest(section: Section, q: Floats, uv: Floats, objective: Objective) -> 
 
 
 def dimension(joint: FirstJoint) -> int:
-    """Return of how many dimensions the section is, 0 to 2: where it is a line, the arm reaches a surface."""
+    """Return the dimension of the section, 0 to 2; with a line the arm reaches a surface."""
     q = random_configurations(joint, LOOKED_AT, np.random.default_rng(0))
     J = section_rates(joint, q)[..., list(joint.moving)]
     if not joint.moving:
@@ -198,7 +198,7 @@ def dimension(joint: FirstJoint) -> int:
 
 
 class _Pieces(NamedTuple):
-    """What lies in each square between four centres that is not empty.
+    """The pieces of the region in each square between four centres that is not empty.
 
     Attributes
     ----------
@@ -242,7 +242,7 @@ def _pieces(section: Section, outline: Outline) -> _Pieces:
 
 
 def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices, Indices]) -> Floats:
-    """Return the mean of what is covered at the corners of some squares that are inside."""
+    """Return the mean covered range at the inner corners of some squares."""
     i, j = some
     total, count = np.zeros(len(i)), np.zeros(len(i))
     for corner in ((i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)):
@@ -253,7 +253,7 @@ def _mean_inside(covered: Floats, inside: NDArray[np.bool_], some: tuple[Indices
 
 
 def _outlined(section: Section, value: float) -> Work[float]:
-    """Return what changes when the outline is known at every second centre alone, a root mean square of all choices."""
+    """Return the change when the outline is given only at every second centre, as a root mean square of all choices."""
     outline, flat, changes = section.outline, section.grid.flat, []
     for i in range(2):
         for j in range(1 if flat else 2):
@@ -283,7 +283,7 @@ def _halved(outline: Outline, flat: bool) -> Outline:
 
 
 def _edges(section: Section) -> float:
-    """Return what the crossings may be off, times the length of the boundary."""
+    """Return the error of the crossings times the length of the boundary."""
     a, b = section.boundary.edges
     u = 0.5 * (a[:, 0] + b[:, 0]) if section.joint.revolute else np.ones(len(a))
     length = np.ones(len(a)) if section.grid.flat else np.linalg.norm(b - a, axis=1)
@@ -292,14 +292,14 @@ def _edges(section: Section) -> float:
 
 
 def _alone(section: Section) -> float:
-    """Return the size of filled cells none of whose neighbours has a centre inside."""
+    """Return the size of the filled cells that have no neighbour with a centre inside."""
     i, j = np.nonzero(lonely(section.filled, section.outline.inside))
     cell = section.step if section.grid.flat else section.step**2
     return float((section.joint.measure(section.u)[i] * section.covered[i, j]).sum() * cell)
 
 
 def _turning(section: Section, pieces: _Pieces, value: float) -> Work[float]:
-    """Return what changes when s is known in every second coarse cell each way alone, as a root mean square of all.
+    """Return the change when s is known only in every second coarse cell each way, as a root mean square of all.
 
     A cell that is left out is told by one beside it: that moves all by half a cell, always to one side, an error of the
     first order which the whole has not. Intervals of s grow evenly from cell to cell, so that it would be most of what
@@ -324,7 +324,7 @@ def _turning(section: Section, pieces: _Pieces, value: float) -> Work[float]:
 
 
 def _spread(covered: Floats, i: int, j: int, flat: bool) -> Floats:
-    """Return what is covered in cells of twice the side, each as one of its cells says where it is reached."""
+    """Return the covered range in cells of twice the side, as one of their cells has it where it is reached."""
     rows, columns = covered.shape
     wide = np.zeros((rows + rows % 2, columns + (0 if flat else columns % 2)))
     wide[:rows, :columns] = covered
@@ -335,7 +335,7 @@ def _spread(covered: Floats, i: int, j: int, flat: bool) -> Floats:
 
 
 def _between(covered: Floats, i: int, j: int, flat: bool) -> Floats:
-    """Return what is covered in every second cell each way, and between them the mean of those on both sides."""
+    """Return the covered range in every second cell each way, with means of both neighbours in between."""
     some = np.zeros(covered.shape, dtype=bool)
     some[i::2, j :: 1 if flat else 2] = True
     known = some & (covered > 0.0)
@@ -348,6 +348,6 @@ def _between(covered: Floats, i: int, j: int, flat: bool) -> Floats:
 
 
 def _sum_beside(values: Floats, axis: int) -> Floats:
-    """Return the sums of the two values beside each along an axis; beyond the ends are zeros."""
+    """Return the sums of the two neighbours of each value along an axis, with zeros beyond the ends."""
     wide = np.pad(values, [(1, 1) if k == axis else (0, 0) for k in range(2)])
     return np.asarray(wide[2:] + wide[:-2] if axis == 0 else wide[:, 2:] + wide[:, :-2])

@@ -1,4 +1,4 @@
-"""The section of an arm found piece by piece, with smaller cells where it is thin, and kept."""
+"""The section of an arm, found in pieces, with smaller cells where it is thin, and kept in memory."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SAMPLES = 262_144
 LEAST_RESOLUTION = 16
 
 KEPT = 6
-"""Finished sections that are remembered."""
+"""Number of finished sections that are kept."""
 
 
 def sections(
@@ -67,7 +67,7 @@ def sections(
 
 
 def _sought(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -> Iterator[Section]:
-    """Yield sections until one is finished with `resolution` cells, or with as many more as `is_thin` asks for."""
+    """Yield sections until one is finished with `resolution` cells, or with more of them if `is_thin` says so."""
     joint, cells, known = first_joint(arm), resolution, None
     while True:
         for found in _at(joint, cells, samples, seed, known):
@@ -84,7 +84,7 @@ def _sought(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -
 
 
 def _showing(known: Section, work: Generator[None, None, bool]) -> Generator[Section, None, bool]:
-    """Yield what is known after each piece of work, and return what it returns."""
+    """Yield the known section after each piece of work, and return the result of the work."""
     while True:
         try:
             next(work)
@@ -94,7 +94,7 @@ def _showing(known: Section, work: Generator[None, None, bool]) -> Generator[Sec
 
 
 def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Section | None) -> Iterator[Section]:
-    """Yield sections with so many cells, the last one finished; begun from one with fewer where there is one."""
+    """Yield sections of a resolution, the last one finished; they start from a coarser one if there is one."""
     rng = np.random.default_rng(seed)
     grid, first = grid_for(joint, resolution, rng)
     if known is not None:
@@ -103,7 +103,7 @@ def _at(joint: FirstJoint, resolution: int, samples: int, seed: int, known: Sect
     if known is not None:
         yield known
     filling.add(first)
-    # What is there already is better than what is begun anew, and copies of many cells take their time.
+    # The known section is better than a new one at its beginning, and copies of many cells take time.
     yield known or _section(filling, None)
     if known is not None:
         for _ in filling.take(known.at(*np.nonzero(known.filled))):
@@ -134,7 +134,7 @@ def _kept(arm: Arm, resolution: int, samples: int, seed: int, wanted: float) -> 
 def section(
     arm: Arm, resolution: int = RESOLUTION, samples: int = SAMPLES, seed: int = 0, wanted: float = WANTED
 ) -> Section:
-    """Return the finished section of an arm. Arguments as of `sections`."""
+    """Return the finished section of an arm; see `sections` for the arguments."""
     *_, last = sections(arm, resolution, samples, seed, wanted)
     return last
 

@@ -1,4 +1,4 @@
-"""Surfaces on which the tool point is looked at: what is sampled on them, and where they lie."""
+"""Surfaces on which the tool point is shown, and the samples on them."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 
 CHUNK = 8_192
-"""Configurations of one piece of work."""
+"""Configurations in one piece of work."""
 
 EXTENT, MARGIN = 32_768, 0.03
-"""Configurations that tell how large a picture has to be, and what is added to it on either side."""
+"""Number of configurations that determine the size of a picture, and the margin on either side."""
 
 FLAT = 1e-5
-"""Of the wider side: what is narrower than this is one cell wide."""
+"""Width, relative to the wider side, below which a picture is one cell wide."""
 
 
 class Met(NamedTuple):
@@ -39,7 +39,7 @@ class Met(NamedTuple):
     places : ndarray, shape (k, 2)
         The two coordinates of the surface, metres.
     axes : ndarray, shape (k, 3)
-        What is counted of the tool's orientation: its z axis, or where this has one line its x axis about it.
+        The counted direction of the tool: its z axis or, when this is fixed, its x axis about it.
     """
 
     q: Singles
@@ -55,7 +55,7 @@ class Sheet(ABC):
     ----------
     arm : Arm
     s : float
-        Which one; see the subclasses.
+        Coordinate of the surface; see the subclasses.
     """
 
     arm: Arm
@@ -72,9 +72,9 @@ class Sheet(ABC):
         return directions(MOST, keeps_upright(self.arm))
 
     def samples(self, count: int, seed: int = 0) -> Iterator[Met]:
-        """Yield what ``count`` random configurations inside the limits make, in chunks.
+        """Yield positions and directions of ``count`` random configurations inside the limits, in chunks.
 
-        What cannot be brought onto the surface is left out.
+        Configurations that cannot be brought onto the surface are left out.
         """
         count, seed = whole_number(count, "count", 1), whole_number(seed, "seed", 0)
         rng = np.random.default_rng(seed)
@@ -85,7 +85,7 @@ class Sheet(ABC):
 
     @abstractmethod
     def met(self, q: Singles) -> Met:
-        """Return what configurations (k, n) make; they may be written to."""
+        """Return positions and directions of the tool at configurations (k, n), an array that may be overwritten."""
 
     @abstractmethod
     def places(self, points: ArrayLike) -> Floats:
@@ -97,10 +97,10 @@ class Sheet(ABC):
 
     @abstractmethod
     def lowest(self, low: Floats) -> Floats:
-        """Return the corner of a picture that would begin at ``low`` (2,)."""
+        """Return the corner of a picture that begins at ``low`` (2,)."""
 
     def grid(self, cells: int) -> Approaches:
-        """Return an empty grid for what can be reached, ``cells`` along its longer side."""
+        """Return an empty grid over everything reachable, ``cells`` along its longer side."""
         low, high = within(self.arm)
         q = low + (high - low) * np.random.default_rng(0).random((EXTENT, self.arm.n), dtype=np.float32)
         places = self.places(self.arm.position(q))

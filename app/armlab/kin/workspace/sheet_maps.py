@@ -1,4 +1,4 @@
-"""Maps over the surface an arm is looked at on: orientations that were met, and numbers of solutions."""
+"""Maps on the surface in which an arm is shown: orientations that were met, and numbers of solutions."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def approach_maps(sheet: Sheet, count: int, cells: int, seed: int = 0) -> Iterat
         tried = min(tried + CHUNK, count)
         found = grid.add(met.places, met.axes)
         inside = found != NOTHING
-        # Of several in a cell any one will do; what is there already stays, so that a click means the same.
+        # Any of several configurations in a cell will do; the first one stays, so that a click keeps its meaning.
         fresh = np.flatnonzero(inside & np.isnan(q[found, 0]))
         q[found[fresh]] = met.q[fresh]
         share = np.where(grid.counts > 0, grid.coverage, np.nan)
@@ -123,4 +123,4 @@ def count_maps(sheet: Sheet, R: ArrayLike, cells: int) -> Iterator[SheetMap]:
 
 
 _SOLVES = 8
-"""Inverse kinematics solved in one piece of work."""
+"""Number of inverse kinematics problems solved in one piece of work."""

@@ -1,4 +1,4 @@
-"""How many solutions of the inverse kinematics there are at points, the tool turned in one way at all of them."""
+"""Numbers of solutions of the inverse kinematics at points, with one orientation of the tool for all."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from armlab.kin.ik.solve_all import solve_all
 
 
 class Count(NamedTuple):
-    """How many solutions a pose has.
+    """The number of solutions of a pose.
 
     Attributes
     ----------
     number : float
-        Those that were found; inf for a family.
+        Number of solutions found; inf for a family.
     inside : float
-        Of these, how many are within the joint limits; inf where representatives of a family are.
+        Number of these within the joint limits; inf when representatives of a family are.
     complete : bool
         Whether it is proven that there are no others; else it is "at least".
     """
@@ -46,7 +46,7 @@ def counts(arm: Arm, points: ArrayLike, R: ArrayLike) -> Iterator[Count]:
     ----------
     arm : Arm
     points : array_like, shape (k, 3)
-        In the world, metres.
+        Points in the world, metres.
     R : array_like, shape (3, 3)
         Orientation of the tool in the world.
 
@@ -72,7 +72,7 @@ def counts(arm: Arm, points: ArrayLike, R: ArrayLike) -> Iterator[Count]:
 
 
 def count_of(found: IkSolutions) -> Count:
-    """Return how many solutions were found."""
+    """Return the number of solutions."""
     inside = int(found.within_limits.sum())
     if found.completeness == "infinite":
         return Count(math.inf, math.inf if inside else 0.0, True)

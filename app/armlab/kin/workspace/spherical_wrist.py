@@ -1,4 +1,4 @@
-"""From which directions a spherical wrist brings the tool to a point, for all points at once.
+"""The directions from which a spherical wrist brings the tool to a point, for all points at once.
 
 The wrist centre is at the distance L from the tool point p. A direction d, from the wrist centre to the tool point, is
 possible at p where an arm with the wrist centre at p - L d exists, inside the limits, whose forearm stands so that the
@@ -37,19 +37,19 @@ from armlab.kin.wrist import wrist_centre
 Floats = NDArray[np.float64]
 
 RESOLUTIONS = (48, 96)
-"""Voxels along an edge: a first picture, and the whole one."""
+"""Voxels along an edge: for a first picture, and for the final one."""
 
 ALL = 0.995
-"""Fraction of the directions above which a voxel counts as dexterous: voxels smear the edge of W."""
+"""Fraction of the directions above which a voxel counts as dexterous: voxels blur the edge of W."""
 
 SHELL = 20_000
-"""Points that stand for the shell."""
+"""Number of points that represent the shell."""
 
 BLOCK = 24_576
 """Voxels that are tested in one piece of work."""
 
 RINGS, AROUND, TURNS = 16, 32, 64
-"""Rings of directions about axis 1, of equal areas; directions on each; angles about axis 1, one a bit."""
+"""Rings of directions about axis 1, of equal areas; directions on each ring; angles about axis 1, one bit each."""
 
 FOREARMS = 1024
 """Forearms whose directions are looked up in one piece of work."""
@@ -70,9 +70,9 @@ class Coverage:
     tool : float
         L, metres.
     points : WristPoints
-        Where the wrist centre can be.
+        The points that the wrist centre reaches.
     turns : WristTurns
-        What the wrist can do.
+        The rotations that the wrist reaches.
     proper : bool
         Whether the limits of the wrist are counted, or leave it every orientation; else the fraction is an upper bound.
     finished : bool
@@ -95,12 +95,12 @@ class Coverage:
 
     @cached_property
     def volume(self) -> float:
-        """Volume of WS2, m³, voxels counted whole."""
+        """Volume of WS2, m³, counted in whole voxels."""
         return float(self.dexterous.sum()) * self.step**3
 
     @cached_property
     def volume_error(self) -> float:
-        """What the volume of WS2 may be wrong by, m³: as much as its outermost voxels hold.
+        """The error of the volume of WS2, m³: the volume of its outermost voxels.
 
         They count whole and the shell is smeared over neighbours, so the boundary may be a voxel off.
         """
@@ -112,11 +112,11 @@ class Coverage:
 
     @cached_property
     def reached(self) -> float:
-        """Volume of WS1, m³: each voxel with any direction at all, so it errs to the large side."""
+        """Volume of WS1, m³: all voxels with any direction, which is rather too large."""
         return float((self.fraction > 1.0 - ALL).sum()) * self.step**3
 
     def at(self, points: ArrayLike) -> Floats:
-        """Return the fraction at points (..., 3) in the world, metres, linear between the voxels."""
+        """Return the fraction at points (..., 3) in the world, metres, by linear interpolation between voxels."""
         place = (np.asarray(points, dtype=np.float64) - self.low) / self.step - 0.5
         count = self.fraction.shape[0]
         cell = np.floor(place).astype(np.intp)
@@ -200,13 +200,13 @@ def coverage_at(found: Coverage, where: ArrayLike, count: int = 4096) -> float:
 
 
 def tried_at(found: Coverage, count: int) -> int:
-    """Return of how many directions `coverage_at` speaks when it is asked for ``count``."""
+    """Return the number of directions on which `coverage_at` is based when asked for ``count``."""
     by_grid = found.proper and not found.turns.free and not isinstance(found.points, ElbowPoints)
     return RINGS * AROUND if by_grid else count
 
 
 def directed(elbow: ElbowPoints, turns: WristTurns, where: ArrayLike, directions: Floats) -> NDArray[np.bool_]:
-    """Return which directions (k, 3) an elbow with a wrist brings the tool to a point (3,) in, limits respected."""
+    """Return which directions (k, 3) of the tool an elbow with a wrist reaches at a point (3,), within the limits."""
     possible = np.zeros(len(directions), dtype=bool)
     for rows, q1, bend, inside in elbow.ways(np.asarray(where, dtype=np.float64) - turns.length * directions):
         some = np.flatnonzero(inside & within(elbow.limits[0], q1))
@@ -218,7 +218,7 @@ def directed(elbow: ElbowPoints, turns: WristTurns, where: ArrayLike, directions
 def _by_joint_1(
     front: Arm, points: WristPoints, turns: WristTurns, low: Floats, step: float, resolution: int
 ) -> Iterator[NDArray[np.float32] | None]:
-    """Yield None a piece of work, and at last the fraction at the voxels."""
+    """Yield None after each piece of work, and at last the fraction at the voxels."""
     joint = first_joint(front)
     middle = float(joint.split(points.centre)[1])
     grid = HalfGrid(middle - 0.5 * (resolution - 1) * step, step, (resolution // 2 + 1, resolution))
@@ -244,7 +244,7 @@ def _by_joint_1(
 
 
 def _ring_directions() -> NDArray[np.float32]:
-    """Return directions (3, RINGS * AROUND), those of a ring one after the other."""
+    """Return directions (3, RINGS * AROUND), ring by ring."""
     height = 1.0 - (2.0 * np.arange(RINGS) + 1.0) / RINGS
     across, angle = np.sqrt(1.0 - height**2), np.arange(AROUND) * (math.tau / AROUND)
     x, y = across[:, None] * np.cos(angle), across[:, None] * np.sin(angle)
@@ -252,7 +252,7 @@ def _ring_directions() -> NDArray[np.float32]:
 
 
 def _noted(words: NDArray[np.uint64], forearms: Forearms, turns: WristTurns, stroke: float) -> Iterator[None]:
-    """Set the bits of what each forearm makes possible, for directions as seen from the half plane of its node."""
+    """Set the bits of the directions that each forearm makes possible, as seen from the half plane of its node."""
     directions, masks = _ring_directions(), whole_turn(forearms.start, stroke, TURNS)
     order = rank(forearms.node)
     for k in range(int(order.max(initial=-1)) + 1):
@@ -266,7 +266,7 @@ def _noted(words: NDArray[np.uint64], forearms: Forearms, turns: WristTurns, str
 
 
 def _counted(words: NDArray[np.uint64], length: float) -> Iterator[NDArray[np.float32] | None]:
-    """Yield None a piece of work, and at last the share of directions, (U, V, TURNS); the tool's length in steps."""
+    """Yield None after each piece of work, and at last the share of directions, (U, V, TURNS); tool length in steps."""
     U, V = words.shape[:2]
     u = np.arange(U)[:, None]
     psi = np.arange(AROUND) * (math.tau / AROUND)
@@ -297,7 +297,7 @@ def _counted(words: NDArray[np.uint64], length: float) -> Iterator[NDArray[np.fl
 
 
 def _add(planes: list[NDArray[np.uint64]], carry: NDArray[np.uint64], number: int) -> None:
-    """Add a bit to each counter; the bits of the counters lie in planes, and none is above ``number``."""
+    """Add a bit to each counter; the bits of the counters lie in planes, and none exceeds ``number``."""
     for plane in planes[: number.bit_length()]:
         after = plane & carry
         plane ^= carry
@@ -307,7 +307,7 @@ def _add(planes: list[NDArray[np.uint64]], carry: NDArray[np.uint64], number: in
 def _at_voxels(
     counts: NDArray[np.float32], grid: HalfGrid, joint: FirstJoint, low: Floats, step: float, resolution: int
 ) -> Iterator[NDArray[np.float32] | None]:
-    """Yield None a piece of work, and at last what is between the nodes, at the centres of voxels."""
+    """Yield None after each piece of work, and at last the values between the nodes, at the centres of voxels."""
     U, V, turns = counts.shape
     flat = counts.reshape(-1) if not joint.full else counts[:, :, 0].reshape(-1)
     turns = turns if not joint.full else 1
@@ -343,7 +343,7 @@ def _beside(at: Floats, count: int, around: bool = False) -> list[tuple[NDArray[
 def _by_shell(
     points: WristPoints, tool: float, low: Floats, step: float, resolution: int
 ) -> Iterator[NDArray[np.float32] | None]:
-    """Yield None a piece of work, and at last the fraction at the voxels, the wrist's own limits left out."""
+    """Yield None after each piece of work, and at last the fraction at the voxels, ignoring the wrist's limits."""
     inside = np.zeros(resolution**3, dtype=np.float32)
     for start in range(0, resolution**3, BLOCK):
         index = np.arange(start, min(start + BLOCK, resolution**3))
@@ -359,7 +359,7 @@ def _by_shell(
 
 
 def _convolved(inside: NDArray[np.float32], radius: float) -> Iterator[NDArray[np.float32]]:
-    """Yield pieces of the convolution with a shell whose radius is given in voxels; the last is the result."""
+    """Yield stages of the convolution with a shell of a radius given in voxels; the last is the result."""
     shell = _shell(inside.shape[0], radius)
     yield inside
     spectrum = np.fft.rfftn(inside)
@@ -371,7 +371,7 @@ def _convolved(inside: NDArray[np.float32], radius: float) -> Iterator[NDArray[n
 
 
 def _shell(count: int, radius: float) -> NDArray[np.float32]:
-    """Return a spherical shell of mass 1 about voxel 0 of a grid that goes on at its ends, shape (count,) * 3."""
+    """Return a spherical shell of mass 1 about voxel 0 of a periodic grid, shape (count,) * 3."""
     place = radius * spread(SHELL)
     cell = np.floor(place).astype(np.intp)
     part = place - cell

@@ -1,4 +1,4 @@
-"""The boundary of a workspace as a surface, and what lies near it: the section carried round, or along, by joint 1."""
+"""The boundary of a workspace as a surface, and points near it: the section moved by joint 1."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 STEPS = 72
-"""Pieces of a whole turn of joint 1, or of its whole stroke."""
+"""Number of pieces of a whole turn of joint 1, or of its whole stroke."""
 
 FINEST = 160
-"""Pieces of the outline of a section at most: what is drawn need not be finer."""
+"""Largest number of pieces of the outline of a section that are drawn."""
 
 
 class Surface(NamedTuple):
@@ -90,7 +90,7 @@ def _strip(a: Floats, b: Floats, start: float, length: float, turns: bool) -> Fl
 
 
 def _intervals(section: Section, place: Floats) -> list[tuple[float, float]]:
-    """Return begin and length of what is covered of s near a place (u, v) of the outline."""
+    """Return start and length of the covered intervals of s near a place (u, v) of the outline."""
     if section.arcs is None:
         return [(0.0, math.tau)]
     rows, columns = section.filled.shape
@@ -103,7 +103,7 @@ def _intervals(section: Section, place: Floats) -> list[tuple[float, float]]:
 
 
 def _walls(section: Section) -> Floats:
-    """Return squares (k, 4, 3) in (u, v, s) at the ends of what joint 1 covers."""
+    """Return squares (k, 4, 3) in (u, v, s) at the ends of the range of joint 1."""
     arcs = section.arcs
     if arcs is None:
         return np.zeros((0, 4, 3))
@@ -120,7 +120,7 @@ def _walls(section: Section) -> Floats:
 
 
 def _faces(section: Section) -> Floats:
-    """Return squares (k, 4, 3) in (u, v, s) where one of two neighbouring cells covers s and the other does not."""
+    """Return squares (k, 4, 3) in (u, v, s) where only one of two neighbouring cells covers s."""
     if section.arcs is None:
         return np.zeros((0, 4, 3))
     edges, s = section.boundary.faces
@@ -129,7 +129,7 @@ def _faces(section: Section) -> Floats:
 
 
 def _near_walls(section: Section, split: Floats, width: float) -> Bools:
-    """Return which points (k, 3) in (u, v, s) are near an end of what joint 1 covers there."""
+    """Return which points (k, 3) in (u, v, s) are near an end of the range of joint 1 there."""
     arcs = section.arcs
     if arcs is None:
         return np.zeros(len(split), dtype=bool)

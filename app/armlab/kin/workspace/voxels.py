@@ -1,4 +1,4 @@
-"""Counts of points, and the mean of a value, in the small cubes of a grid: a cloud of any size in constant memory."""
+"""Numbers of points, and the mean of a value, in the voxels of a grid: a cloud of any size in constant memory."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ Floats = NDArray[np.float64]
 Array = NDArray[np.floating]
 
 FEWEST, MOST = 2, 256
-"""Voxels along a side."""
+"""Least and largest number of voxels along a side."""
 
 MARGIN = 0.25
-"""Of a voxel: what lies between what can be reached and the sides of the grid, more than any rounding."""
+"""Distance, in voxels, between what can be reached and the sides of the grid, more than any rounding."""
 
 PARALLEL = 1e-9
-"""Sine of the angle between axes that count as parallel."""
+"""Sine of the angle below which axes count as parallel."""
 
 
 @dataclass(eq=False)
@@ -95,7 +95,7 @@ class Voxels:
 
     @property
     def filled(self) -> NDArray[np.bool_]:
-        """Voxels with at least one point, of shape `shape`."""
+        """Mask of the voxels with at least one point, of shape `shape`."""
         return np.asarray(self.count > 0)
 
     def mean(self) -> Floats:
@@ -166,7 +166,7 @@ def reach_box(arm: Arm) -> tuple[Floats, Floats]:
 
 
 class _Walk:
-    """Adds up, from the base to the tool, how far the parts of an arm reach."""
+    """The sum, from base to tool, of how far the parts of an arm reach."""
 
     def __init__(self, base: Floats) -> None:
         self.R = np.array(base[:3, :3])
@@ -175,7 +175,7 @@ class _Walk:
         self.disc = self.ball = 0.0
         self.free = False
         self.part = np.zeros((1, 3))
-        """Where the part since the last turning joint can end; it is the hull of these points."""
+        """Points whose hull contains the end of the part since the last revolute joint."""
 
     def along(self, shift: Floats) -> None:
         self.part = self.part + self.R @ shift
@@ -199,7 +199,7 @@ class _Walk:
         self.R = self.R @ rotation_about("z", row.theta)
 
     def close(self) -> None:
-        """Add the part that ends here to what has been reached."""
+        """Add the part that ends here to the reach."""
         if self.axis is None:
             self.low, self.high = self.low + self.part.min(axis=0), self.high + self.part.max(axis=0)
         elif self.free:

@@ -1,4 +1,4 @@
-"""The plane a planar arm moves in, seen from above: random configurations, as they are."""
+"""The plane of a planar arm, seen from above, with unchanged random configurations."""
 
 from __future__ import annotations
 
@@ -26,19 +26,19 @@ class WholePlane(Sheet):
         return axes if self.joint.revolute else np.column_stack([axes[:, 2], axes[:, 0], axes[:, 1]])
 
     def met(self, q: Singles) -> Met:
-        """Return where configurations have the tool point, and how the tool is turned in the plane."""
+        """Return positions and directions of the tool in the plane, at configurations."""
         T = np.asarray(self.arm.fk(q), dtype=np.float64)
         return Met(q, self.places(T[:, :3, 3]), T[:, :3, 0 if self.bins.circle else 2] @ self.across)
 
     def places(self, points: ArrayLike) -> Floats:
-        """Return the coordinates of points in the world."""
+        """Return the coordinates (..., 2) of points (..., 3) in the world, metres."""
         return np.asarray((np.asarray(points, dtype=np.float64) - self.joint.origin) @ self.across[:, :2])
 
     def points(self, places: ArrayLike) -> Floats:
-        """Return the points of the plane with these coordinates."""
+        """Return the points (..., 3) of the plane, in the world, with coordinates (..., 2), metres."""
         given = np.asarray(places, dtype=np.float64)
         return np.asarray(self.joint.origin + given @ self.across[:, :2].T + self.s * self.across[:, 2])
 
     def lowest(self, low: Floats) -> Floats:
-        """Begin where it begins."""
+        """Return the corner of a picture: where the picture begins."""
         return low

@@ -1,4 +1,4 @@
-"""Long work in pieces: a generator yields None after each piece, and returns what it has found."""
+"""Long work in pieces: a generator yields None after each piece and returns the result."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Work = Generator[None, None, Result]
 
 
 def result_of(work: Work[Result]) -> Result:
-    """Do work at once and return what it returns."""
+    """Do all work at once and return its result."""
     while True:
         try:
             next(work)

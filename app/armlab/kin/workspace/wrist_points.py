@@ -1,4 +1,4 @@
-"""Where the centre of a spherical wrist can be: the workspace of the joints in front of the wrist, as a test of points.
+"""The points that the centre of a spherical wrist reaches: the workspace of the joints before it, as a test.
 
 Exact, limits included, where joints 1 to 3 are an elbow (axis 1 at a right angle to the parallel axes 2 and 3);
 otherwise sampled: a table of what was met over the coordinates of joint 1, which then turns as far as it may.
@@ -18,7 +18,7 @@ from armlab.kin.workspace.sampled_points import SampledPoints, sampling
 from armlab.kin.wrist import wrist_centre
 
 WristPoints = ElbowPoints | SampledPoints
-"""A set of points: ``holds(points)``, whether this is ``exact``, and a ball around it, ``centre`` and ``radius``."""
+"""A set of points: ``holds(points)``, whether it is ``exact``, and ``centre`` and ``radius`` of a ball around it."""
 
 
 def front_of(arm: Arm) -> Arm:

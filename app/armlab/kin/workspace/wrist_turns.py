@@ -1,4 +1,4 @@
-"""Into which directions a spherical wrist can turn the tool while the forearm stands still, its joint limits respected.
+"""The directions into which a spherical wrist can turn the tool with the forearm at rest, within its joint limits.
 
 The direction from the wrist centre to the tool point is d = E_4(q_4) E_5(q_5) E_6(q_6) t, in axes fixed to the forearm.
 Where the tool point lies on axis 6 the last turn does nothing: two values of q_5 give the angle between d and axis 4,
@@ -25,19 +25,19 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 ROLLS = 180
-"""Values of q_6 that are tried where the tool point is not on axis 6."""
+"""Number of values of q_6 that are tried when the tool point is not on axis 6."""
 
 STRIDE = 67
-"""Of these values from one to the next; it has no divisor in common with their number."""
+"""Step among these values from one to the next; it has no common divisor with their number."""
 
 NO_TOOL = 1e-9
-"""Metres below which the tool point is the wrist centre."""
+"""Distance, metres, below which the tool point is the wrist centre."""
 
 TRIED = 6144
-"""Directions that are tried with one value of q_6 in a piece of work."""
+"""Directions that are tried with one value of q_6 in one piece of work."""
 
 SIDE = 56
-"""Cells along a side of the cube in which a table over the sphere is kept: less than two degrees each."""
+"""Cells along a side of the cube that holds a table over the sphere: less than two degrees each."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +51,7 @@ class WristTurns:
     tool : ndarray, shape (3,)
         Unit vector from the wrist centre to the tool point there; along the tool's z axis where the two are one.
     length : float
-        From the wrist centre to the tool point, metres.
+        Distance of the tool point from the wrist centre, metres.
     limits : ndarray, shape (3, 2)
         Radians.
     free : bool
@@ -66,19 +66,19 @@ class WristTurns:
 
     @cached_property
     def rolls(self) -> Floats:
-        """Values of the last joint that are tried, rad; in turn far from each other, so that most need only a few."""
+        """Values of the last joint that are tried, rad, in an order with large steps, so that a few usually decide."""
         low, high = self.limits[2]
         if np.linalg.norm(np.cross(self.axes[2], self.tool)) <= PARALLEL_ANGLE:
             return np.array([low])
         return np.linspace(low, high, ROLLS)[np.arange(ROLLS) * STRIDE % ROLLS]
 
     def allows(self, directions: ArrayLike) -> Bools:
-        """Return which unit vectors (..., 3) are possible: in the world, the forearm as where all joints are at 0."""
+        """Return a mask of the unit vectors (..., 3) that are possible, in world axes with the forearm as at q = 0."""
         d = np.asarray(directions, dtype=np.float64)
         return result_of(self._trying(d.reshape(-1, 3))).reshape(d.shape[:-1])
 
     def _trying(self, d: Floats) -> Work[Bools]:
-        """Return, after pieces of work, which unit vectors (k, 3) are possible."""
+        """Return, in pieces of work, which unit vectors (k, 3) are possible."""
         found = np.zeros(len(d), dtype=bool)
         for roll in self.rolls:
             t = rotation(self.axes[2], roll) @ self.tool
@@ -90,7 +90,7 @@ class WristTurns:
         return found
 
     def _reaches(self, t: Floats, d: Floats) -> Bools:
-        """Return which unit vectors (k, 3) the first two joints turn t (3,) into."""
+        """Return the unit vectors (k, 3), as a mask, into which the first two joints can turn t (3,)."""
         first, second, _ = self.axes
         along, across = second * (second @ t), np.cross(second, t)
         x, y = float(first @ (t - along)), float(first @ across)
@@ -110,11 +110,11 @@ class WristTurns:
 
     @cached_property
     def table(self) -> Bools:
-        """What `allows` says in the cells of a cube about the sphere, flat; see `looked_up`."""
+        """Values of `allows` in the cells of a cube about the sphere, flat; see `looked_up`."""
         return result_of(self._tabulating())
 
     def preparing(self) -> Work[None]:
-        """Make the table in pieces of at most some 20 ms; nothing where it is there."""
+        """Make the table in pieces of at most some 20 ms, unless it exists."""
         if "table" not in self.__dict__:
             self.__dict__["table"] = yield from self._tabulating()
 
@@ -129,13 +129,13 @@ class WristTurns:
         return table
 
     def looked_up(self, directions: NDArray[np.floating]) -> Bools:
-        """Return about what `allows` does, from the table: unit vectors (3, ...), components first."""
+        """Return approximately the result of `allows`, from the table, for unit vectors (3, ...), components first."""
         at = np.minimum((directions * (0.5 * SIDE) + 0.5 * SIDE).astype(np.int32), SIDE - 1)
         return np.asarray(self.table[(at[0] * SIDE + at[1]) * SIDE + at[2]])
 
 
 def within(limits: Floats, q: Floats) -> Bools:
-    """Return which angles are inside the limits (low, high) of a joint, whole turns not counted."""
+    """Return which angles are inside the limits (low, high) of a joint, up to whole turns."""
     low, high = limits
     if high - low >= math.tau - FULL_TURN:
         return np.ones(q.shape, dtype=bool)

@@ -1,1 +1,1 @@
-"""One file a topic: a part of the state and the commands that change it. Each holds a constant ``PART``."""
+"""Parts of the state with their commands, one file for each topic, with a constant ``PART``."""

@@ -1,4 +1,4 @@
-"""What is drawn besides the arm."""
+"""Switches of what is drawn besides the arm."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armlab.errors import InputError
 from armlab.session.state import Command, Json, Part, PartType, State
 
 OF_THE_SCREEN = ("dark", "shadows")
-"""Switches that fit a room and a computer, not what is shown: everybody keeps their own."""
+"""Switches that suit a room and a computer, not the content: everybody keeps their own."""
 
 NAME = re.compile(r"[a-z0-9_]{1,40}\Z")
 MOST = 100
@@ -26,7 +26,7 @@ class Display(Part):
     Attributes
     ----------
     switches : mapping of str to bool
-        By name. Which names there are, and how each stands when nobody has set it, is known where they are drawn.
+        Switches by name. The names and their defaults are defined where the switches take effect.
     """
 
     key: ClassVar[str] = "display"
@@ -36,24 +36,24 @@ class Display(Part):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the picture a student sees first."""
+        """Return the switches a student sees first."""
         return cls()
 
     def of_screen(self) -> dict[str, bool]:
-        """Return the switches that are a person's own."""
+        """Return the switches that are personal."""
         return {name: on for name, on in self.switches.items() if name in OF_THE_SCREEN}
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep everything."""
+        """Return the part unchanged."""
         return self
 
     def to_json(self) -> Json:
-        """Write the switches."""
+        """Return the switches as JSON."""
         return dict(self.switches)
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read the switches."""
+        """Return the switches from JSON."""
         return cls(MappingProxyType({name: bool(on) for name, on in data.items() if NAME.match(name)}))
 
 

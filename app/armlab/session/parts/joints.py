@@ -1,4 +1,4 @@
-"""The joint values, and which joints are held."""
+"""The joint values, and the joints that are held."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Joints(Part):
     locked : tuple of bool
         Joints that neither inverse kinematics nor a named pose may move.
     draws : int
-        How many random poses were drawn: the seed of the next.
+        Number of random poses so far: the seed of the next.
     """
 
     key: ClassVar[str] = "joints"
@@ -41,11 +41,11 @@ class Joints(Part):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return the home pose, nothing held."""
+        """Return the home pose with no joint held."""
         return cls(robot.arm, _checked(robot.arm, robot.home), (False,) * robot.arm.n)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the values and locks of the joints that are still there; added ones stand as the robot's home does."""
+        """Return the part with values and locks of remaining joints; added ones take the values of the robot's home."""
         q, locked = np.array(robot.home), [False] * robot.arm.n
         for i, before in enumerate(origin):
             if before is not None and self.arm.rows[before].kind == robot.arm.rows[i].kind:
@@ -53,12 +53,12 @@ class Joints(Part):
         return type(self)(robot.arm, _checked(robot.arm, q), tuple(locked), self.draws)
 
     def to_json(self) -> Json:
-        """Write values and locks."""
+        """Return values and locks as JSON."""
         return {"q": self.q.tolist(), "locked": list(self.locked), "draws": self.draws}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read values and locks; values outside changed limits are moved inside."""
+        """Return values and locks from JSON; values outside changed limits are moved inside."""
         locked = tuple(bool(held) for held in data["locked"])
         if len(locked) != robot.arm.n:
             raise InputError(f"locked: expected {robot.arm.n} entries, got {len(locked)}")
@@ -73,7 +73,7 @@ class Joints(Part):
 
     @cached_property
     def tool_pose(self) -> NDArray[np.floating]:
-        """The tool in the world, (4, 4)."""
+        """The pose of the tool in the world, (4, 4)."""
         return self.arm.fk(self.q)
 
     @cached_property
@@ -83,7 +83,7 @@ class Joints(Part):
 
     @cached_property
     def manipulability(self) -> float:
-        """The value w of the task."""
+        """The manipulability w of the task."""
         return float(self.arm.manipulability(self.q))
 
 
@@ -102,12 +102,12 @@ class MoveJoint(Command):
 
     @property
     def channel(self) -> object:
-        """Sliders of different joints do not replace each other."""
+        """The joint: sliders of different joints do not replace each other."""
         return type(self), self.joint
 
     @property
     def stroke(self) -> object:
-        """One slide is one step."""
+        """The joint: one movement of a slider is one step of undo."""
         return self.channel
 
     def apply(self, state: State) -> State:
@@ -141,7 +141,7 @@ class TakePose(Command):
 
 @dataclass(frozen=True)
 class RandomPose(Command):
-    """Go to a random configuration inside the limits; the same history gives the same pose."""
+    """Go to a random configuration inside the limits, which is the same after the same history."""
 
     label: ClassVar[str] = "random pose"
 
@@ -154,7 +154,7 @@ class RandomPose(Command):
 
 @dataclass(frozen=True)
 class LockJoint(Command):
-    """Hold a joint where it is, or let it go."""
+    """Hold a joint where it is, or release it."""
 
     joint: int
     locked: bool

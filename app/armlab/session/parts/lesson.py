@@ -1,4 +1,4 @@
-"""Which lesson is open, how far the student has come in each, and what an open lesson does not let happen."""
+"""The open lesson, the student's progress in all lessons, and the changes that an open lesson refuses."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from armlab.session.state import Json, Part, PartType, State
 from armlab.session.taught import taught
 
 LONGEST_NAME = 80
-"""Characters of a student's name."""
+"""Longest name of a student, in characters."""
 
 
 @dataclass(frozen=True)
@@ -41,13 +41,13 @@ class LessonPart(Part):
     open : str
         Key of the open lesson, with ``/VARIANT`` behind it when it has variants; empty when none is open.
     progress_of : mapping of str to Progress
-        By such a key.
+        Progress by such a key.
     number : int
         Variant of lessons that a student gets who asks for none.
     student : str
-        As they sign their work.
+        The name with which the student signs the work.
     set_up : int
-        How often a lesson has put its own arm on the table; not saved.
+        Number of times that a lesson has put its own arm on the table; not saved.
     panel : str
         Key of the panel that is looked at; not saved.
     loaded : int
@@ -77,25 +77,25 @@ class LessonPart(Part):
 
     @property
     def index(self) -> int:
-        """Number of the step that is shown, from 0."""
+        """Number of the shown step, from 0."""
         found = self.lesson
         return 0 if found is None else self.progress.shown(found)
 
     @property
     def name(self) -> str:
-        """Name of the step that is shown; empty when no lesson is open."""
+        """Name of the shown step; empty when no lesson is open."""
         found = self.lesson
         return "" if found is None else step_names(found)[self.index]
 
     @property
     def step(self) -> Step | None:
-        """The step that is shown, or None."""
+        """The shown step, or None."""
         found = self.lesson
         return None if found is None else found.steps[self.progress.shown(found)]
 
     @property
     def bench(self) -> str:
-        """The panel that the shown step, or the last one before it that names any, or the lesson opens."""
+        """The panel that the lesson opens at the shown step or the last one before it that names a panel."""
         found = self.lesson
         if found is None:
             return ""
@@ -103,13 +103,13 @@ class LessonPart(Part):
 
     @property
     def verdict(self) -> Verdict | None:
-        """What the last answer to the question of the shown step is worth; None before one is given."""
+        """Verdict on the last answer to the question of the shown step; None before an answer."""
         step, typed = self.step, self.progress.answers.get(self.name)
         return None if step is None or step.question is None or typed is None else step.question.judge(typed)
 
     @property
     def asked(self) -> frozenset[str]:
-        """Keys of what benches give to lessons, such as ``"motion"``, that the shown step looks at."""
+        """Keys of observations of benches, such as ``"motion"``, that the shown step needs."""
         found, step = self.lesson, self.step
         if found is None or step is None:
             return frozenset()
@@ -118,13 +118,13 @@ class LessonPart(Part):
 
     @property
     def facts(self) -> tuple[str, ...]:
-        """Words of the facts of benches that the shown step looks at."""
+        """Words of the facts of benches that the shown step needs."""
         found, step = self.lesson, self.step
         return () if found is None or step is None else facts_asked(found, step, self.name in self.progress.met)
 
     @property
     def hides(self) -> tuple[str, ...]:
-        """What the question of the shown step hides until it is answered."""
+        """Parts of the screen that the question of the shown step hides until it is answered."""
         step = self.step
         if step is None or step.question is None or self.name in self.progress.answers:
             return ()
@@ -132,21 +132,21 @@ class LessonPart(Part):
 
     @classmethod
     def initial(cls, robot: Robot) -> Self:
-        """Return no lesson."""
+        """Return the part with no lesson open."""
         return cls()
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep everything."""
+        """Return the part unchanged."""
         return self
 
     def guard(self, before: State, now: State) -> None:
-        """Refuse what the open lesson has locked."""
+        """Refuse a change that the open lesson has locked."""
         found, after = self.lesson, now[LessonPart]
         if found is not None and after.open == self.open and after.set_up == self.set_up:
             refuse_locked(found, before, now)
 
     def after(self, before: State, now: State) -> Self:
-        """Note since when the step is shown, what was watched, when it was answered, and that its check is met."""
+        """Return the part with events noted: start of a step, clips watched, an answer, a check that is met."""
         found, step = self.lesson, self.step
         if found is None or step is None:
             return self
@@ -166,7 +166,7 @@ class LessonPart(Part):
         return self if watched == progress else self.with_progress(watched)
 
     def _tried(self, before: State, now: State) -> bool:
-        """Return whether a person has changed what a check may look at, with this step shown all the time."""
+        """Return whether a person has changed anything a check may use while this step was shown."""
         was = before[LessonPart]
         if (was.open, was.set_up, was.progress.step) != (self.open, self.set_up, self.progress.step):
             return False
@@ -180,13 +180,13 @@ class LessonPart(Part):
         return replace(self, progress_of=MappingProxyType({**self.progress_of, self.open: progress}))
 
     def to_json(self) -> Json:
-        """Write place, progress and number."""
+        """Return place, progress and number as JSON."""
         progress = {place: written(each) for place, each in self.progress_of.items()}
         return {"open": self.open, "progress": progress, "number": self.number, "student": self.student}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; lessons and steps that are no longer there are forgotten."""
+        """Return the part from JSON; lessons and steps that no longer exist are left out."""
         progress = {place: read(at_place(place), each) for place, each in data["progress"].items() if is_place(place)}
         number = int(data.get("number", 0))
         if number < 0:
@@ -215,13 +215,13 @@ def place_of(key: str, variant: int) -> str:
 
 
 def at_place(place: str) -> Lesson:
-    """Return the lesson that `place_of` names."""
+    """Return the lesson of a place as written by `place_of`."""
     key, _, variant = place.partition("/")
     return lesson(key, int(variant or 0))
 
 
 def is_place(place: str) -> bool:
-    """Return whether there is a lesson to this place."""
+    """Return whether a lesson exists for this place."""
     if not place:
         return False
     key, slash, variant = place.partition("/")
@@ -230,7 +230,7 @@ def is_place(place: str) -> bool:
 
 
 def has_its_arm(state: State) -> bool:
-    """Return whether the lesson's arm is on the table, with its limits; where the table is worked on, also edited."""
+    """Return whether the lesson's arm is on the table with its limits, or edited when the lesson is on the table."""
     part, robot = state[LessonPart], state[RobotPart]
     found, step = part.lesson, part.step
     if found is None or step is None:
@@ -244,7 +244,7 @@ def has_its_arm(state: State) -> bool:
 
 
 def observed(state: State) -> Observation:
-    """Return what the check of the shown step sees."""
+    """Return the observation for the check of the shown step."""
     part = state[LessonPart]
     joints, progress, asked = state[Joints], part.progress, part.asked
     target = state[Target].pose
@@ -280,7 +280,7 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
     seen = observed(now)
     if not step.check.check.is_met(seen):
         return progress
-    # What follows from the work on a bench is judged again from that work.
+    # Results of the work on a bench are judged again from that work.
     work = {each.part.key: now[each.part].to_json() for each in taught() if getattr(seen, each.key) is not None}
     facts = {"facts": evidence_of(now, step.check.facts)} if step.check.facts else {}
     evidence = MappingProxyType({**progress.evidence, name: {**seen.to_json(), **work, **facts}})
@@ -288,7 +288,7 @@ def _judged(progress: Progress, name: str, step: Step, now: State) -> Progress:
 
 
 def _played(before: State, now: State) -> frozenset[str]:
-    """Return the clip that has come to its end."""
+    """Return the clip that has just come to its end, if any."""
     was, timeline = before[Timeline], now[Timeline]
     if timeline is was or not timeline.clip or timeline.time < duration(now):
         return frozenset()
@@ -298,12 +298,12 @@ def _played(before: State, now: State) -> frozenset[str]:
 
 
 def _still_played(films: frozenset[str], before: State, now: State) -> frozenset[str]:
-    """Return what counts as played: of what was made on a bench only what it is at the moment."""
+    """Return the clips that still count as played: those made on a bench only while unchanged."""
     return films - {each.clip for each in taught() if each.clip in films and each.changed(before, now)}
 
 
 def refuse_locked(found: Lesson, before: State, now: State) -> None:
-    """Raise `InputError` when a change touches what a lesson has locked."""
+    """Raise `InputError` when a change touches anything locked by a lesson."""
     robot, was = now[RobotPart], before[RobotPart]
     if robot.robot is not was.robot:
         edited = robot.own and robot.origin == was.origin

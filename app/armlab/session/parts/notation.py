@@ -1,4 +1,4 @@
-"""Units and names on screen. Nothing is computed differently."""
+"""Units and names on screen; computations do not depend on them."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "variable": ("q", "theta"),
     "book": ("notes", "craig", "siciliano", "corke"),
 }
-"""What can be chosen; the first of each is what a student sees first."""
+"""Choices of each setting; the first one is the default."""
 
 
 @dataclass(frozen=True)
 class Notation(FieldPart):
-    """How things are labelled.
+    """The chosen units and names.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class Notation(FieldPart):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read the choices there are: no work is lost for one that is not."""
+        """Return the valid choices from JSON; invalid ones are ignored, so that no work is lost."""
         if isinstance(data, dict):
             data = {name: data[name] for name, options in OPTIONS.items() if data.get(name) in options}
         return super().from_json(data, robot)

@@ -1,4 +1,4 @@
-"""Which arm is on the table."""
+"""The arm on the table."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class RobotPart(Part):
     origin : str
         Key of the file an own table began with; empty for one that began with none.
     moved : Remainders or None
-        What the last edit, a change of convention, put into base and tool; None when it was another edit.
+        Parts that the last edit, a change of convention, put into base and tool; None after another edit.
     """
 
     key: ClassVar[str] = "robot"
@@ -35,7 +35,7 @@ class RobotPart(Part):
 
     @property
     def own(self) -> bool:
-        """Whether the table is the student's own."""
+        """Whether the table is edited by the student."""
         return self.robot.key == OWN
 
     @classmethod
@@ -44,11 +44,11 @@ class RobotPart(Part):
         return cls(robot, "" if robot.key == OWN else robot.key)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Remember which file the table began with."""
+        """Return the part with the edited robot, and the key of the file from which the table began."""
         return type(self)(robot, self.origin)
 
     def to_json(self) -> Json:
-        """Write the key of the file, or the whole of an own table."""
+        """Return the key of the file, or the whole of an edited table, as JSON."""
         if not self.own:
             return self.robot.key
         data: dict[str, Json] = {"toml": robot_toml(self.robot), "origin": self.origin}
@@ -60,7 +60,7 @@ class RobotPart(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read the part; the caller has already found the robot with `robot_from_json`."""
+        """Return the part from JSON; the caller has found the robot by `robot_from_json`."""
         if not isinstance(data, dict):
             return cls(robot, robot.key)
         origin = data["origin"]
@@ -81,7 +81,7 @@ def _moved(data: Json, task_kept: Json) -> Remainders | None:
 
 
 def robot_from_json(data: Json) -> Robot:
-    """Return the robot a written part names or holds; raises when it is not usable."""
+    """Return the robot that saved data name or contain; raises when they are not usable."""
     if isinstance(data, dict):
         robot = parse_robot(OWN, data["toml"], proven=False)
         check_sizes(robot.arm)
@@ -97,6 +97,6 @@ class ChooseRobot(Command):
     label: ClassVar[str] = "choice of arm"
 
     def apply(self, state: State) -> State:
-        """Return the state with this arm, or the same state when it is already there."""
+        """Return the state with this arm, or the same state if it is there already."""
         robot = catalogue()[self.key]
         return state if robot is state[RobotPart].robot else state.with_robot(robot)

@@ -1,4 +1,4 @@
-"""What is selected in a matrix on screen: an entry, a row or a column; the scene lights it up."""
+"""The selection in a matrix on screen: an entry, a row or a column, which the scene highlights."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Selection(FieldPart):
     column: int | None = None
 
     def of(self, matrix: str) -> Selection:
-        """Return the selection if it is in this matrix, else none."""
+        """Return the selection if it is in this matrix, else an empty one."""
         return self if self.matrix == matrix else Selection()
 
     def holds(self, row: int, column: int) -> bool:
@@ -43,7 +43,7 @@ PART = PartType(Selection, order=80)
 
 @dataclass(frozen=True)
 class Select(Command):
-    """Select in a matrix; what is selected already is let go, and so is everything when nothing is named."""
+    """Select in a matrix; the same selection again is cleared, as is any when nothing is named."""
 
     matrix: str
     row: int | None = None

@@ -1,8 +1,8 @@
 """The shelf: what a student has put aside to go to a sandbox of their own, or to look at a state somebody has shared.
 
 There are three places. At home are the lessons, and the work without one. The sandbox is where a student plays while a
-lesson waits at home. What somebody has shared lies over either. Going and coming are no steps of undo; each place has
-a history of its own (`armlab.session.session`).
+lesson waits at home. A shared state lies over either of them. Going and coming are no steps of undo; each place has a
+history of its own (`armlab.session.session`).
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ HOME, SANDBOX, SHARED = "home", "sandbox", "shared"
 
 @dataclass(frozen=True)
 class Shelf(Part):
-    """Where the student is, and the states of the places where they are not.
+    """The present place of the student, and the states at the other places.
 
     Attributes
     ----------
     own : "home" or "sandbox"
-        Where the student's own work goes on.
+        The place where the student's own work goes on.
     shared : str
         The text of the shared state that lies over it; empty for none.
     parked : mapping of str to State
-        By place, ``home`` or ``sandbox``. The states have empty shelves and no progress in lessons: the present
+        States by place, ``home`` or ``sandbox``. They have empty shelves and no progress in lessons: the present
         progress always counts.
     """
 
@@ -49,12 +49,12 @@ class Shelf(Part):
 
     @property
     def place(self) -> str:
-        """Where the student is: home, sandbox or shared."""
+        """The present place: home, sandbox or shared."""
         return SHARED if self.shared else self.own
 
     @property
     def waiting(self) -> str:
-        """The lesson that waits at home while the student is elsewhere, as `LessonPart.open`; empty for none."""
+        """The lesson that waits at home while the student is elsewhere, as in `LessonPart.open`; empty for none."""
         return self.parked[HOME][LessonPart].open if HOME in self.parked else ""
 
     @classmethod
@@ -63,11 +63,11 @@ class Shelf(Part):
         return cls()
 
     def for_robot(self, robot: Robot) -> Self:
-        """Keep everything."""
+        """Return the part unchanged."""
         return self
 
     def after(self, before: State, now: State) -> Self:
-        """Go home when a lesson is opened elsewhere: it takes the place of what waits there."""
+        """Return the part at home when a lesson is opened elsewhere: it replaces the one that waits there."""
         if self.place == HOME or not now[LessonPart].open:
             return self
         parked = _left(before)
@@ -75,7 +75,7 @@ class Shelf(Part):
         return type(self)(parked=_frozen(parked))
 
     def to_json(self) -> Json:
-        """Write the states without what they do not have."""
+        """Return the waiting states as JSON, without parts that are at their defaults."""
         parked = {
             place: {
                 "lesson": state[LessonPart].open,
@@ -87,7 +87,7 @@ class Shelf(Part):
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> Self:
-        """Read it back; raises when a state that waits is not usable."""
+        """Return the part from JSON; raises when a waiting state is not usable."""
         own, shared = data["own"], data["shared"]
         states = {place: _read(each) for place, each in data["parked"].items()}
         needed = {HOME} if own == SANDBOX else set()
@@ -105,7 +105,7 @@ PART = PartType(Shelf, order=96)
 
 @dataclass(frozen=True)
 class ToSandbox(Command):
-    """Put the open lesson aside and go where the last sandbox was; the first time it begins with the arm as it is."""
+    """Put the open lesson aside and go to the last sandbox; the first one begins with the present arm."""
 
     undoable: ClassVar[bool] = False
     reacts: ClassVar[bool] = False
@@ -130,7 +130,7 @@ class ToSandbox(Command):
 
 @dataclass(frozen=True)
 class BackToLesson(Command):
-    """Go home, where the lesson is as it was left; the sandbox is kept."""
+    """Return home to the lesson as it was left; the sandbox is kept."""
 
     undoable: ClassVar[bool] = False
     reacts: ClassVar[bool] = False
@@ -151,7 +151,7 @@ class OpenShared(Command):
     Parameters
     ----------
     text : str
-        Of `armlab.session.share.short`.
+        Text made by `armlab.session.share.short`.
     """
 
     text: str
@@ -176,7 +176,7 @@ class OpenShared(Command):
 
 @dataclass(frozen=True)
 class BackFromShared(Command):
-    """Leave the shared state and go on with one's own work, as it was left."""
+    """Leave the shared state and return to one's own work as it was left."""
 
     undoable: ClassVar[bool] = False
     reacts: ClassVar[bool] = False
@@ -192,7 +192,7 @@ class BackFromShared(Command):
 
 
 def _left(state: State) -> dict[str, State]:
-    """Return what waits once the student has left; a shared state does not, its link brings it back."""
+    """Return the states that wait after leaving; a shared state is not kept, as its link restores it."""
     shelf = state[Shelf]
     parked = dict(shelf.parked)
     if not shelf.shared:
@@ -202,7 +202,7 @@ def _left(state: State) -> dict[str, State]:
 
 
 def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
-    """Return a found state with the present progress in lessons, and this lesson open."""
+    """Return a stored state with the present progress in lessons, and this lesson open."""
     return found.replace(shelf, replace(state[LessonPart], open=lesson))
 
 

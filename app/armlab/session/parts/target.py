@@ -1,4 +1,4 @@
-"""The target of the tool, the commands of its handle, and what the arm makes of it."""
+"""The target of the tool, the commands of its handle, and the reaction of the arm."""
 
 from __future__ import annotations
 
@@ -28,24 +28,24 @@ AXES: tuple[Axes, ...] = ("world", "tool")
 HANDLES: tuple[Handle, ...] = ("move", "turn")
 
 DRAG_TRAVEL = 0.6
-"""Largest change of a joint, in rad or length scales, for one event of a drag (20 a second): the arm follows fast but
-never jumps, also beside a singularity; what is left follows with the next event."""
+"""Largest change of a joint, rad or length scales, in one event of a drag (20 a second): the arm follows fast but does
+not jump, even beside a singularity; the rest follows with the next event."""
 
 SAME = 1e-6
-"""rad or m within which a held joint is where a configuration has it."""
+"""Difference, rad or m, within which a held joint is where a configuration has it."""
 
 SEARCHES_TYPED = 30
-"""Starts of a solve for a typed target: some 10 ms when none of them succeeds."""
+"""Number of starts in solving for a typed target: some 10 ms if none succeeds."""
 
 LINGER = 2.0
-"""Seconds for which words about a drag stay after what they say has passed."""
+"""Time, seconds, for which a sentence on a drag stays after it has ceased to be true."""
 
 FARTHEST = 1e3
-"""Targets farther than so many times the reach are refused as slips of the pen."""
+"""Largest distance of a target, relative to the reach: beyond it the number is refused as a typing mistake."""
 
 
 class Said(NamedTuple):
-    """Words about a drag, and when they were true last, in seconds of the session's clock."""
+    """A sentence on a drag, and when it was last true, in seconds of the session's clock."""
 
     text: str
     at: float
@@ -53,19 +53,19 @@ class Said(NamedTuple):
 
 @dataclass(frozen=True)
 class Judged(ik.Verdict):
-    """A verdict with what else there is to say about a drag."""
+    """A verdict, and further sentences on a drag."""
 
     notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class Target(FieldPart):
-    """Where the tool is wanted.
+    """The wanted pose of the tool.
 
     Attributes
     ----------
     pose : ndarray, shape (4, 4), or None
-        In the world; None while the target sits on the tool.
+        Pose in the world; None while the target is at the tool.
     catching_up : bool
         Whether the arm was held back by `DRAG_TRAVEL` and has to follow on.
     axes : "world" or "tool"
@@ -74,9 +74,9 @@ class Target(FieldPart):
     method : str
         Key of the method of inverse kinematics.
     branch : tuple of str
-        On which branch the arm was when it last followed the target; nothing before it has.
+        Branch of the arm when it last followed the target; empty before.
     crossing, near : Said or None
-        Which branch it has changed to, and which singularity it is near.
+        Sentences on the branch to which it has changed, and on the singularity it is near.
     """
 
     key: ClassVar[str] = "target"
@@ -93,7 +93,7 @@ class Target(FieldPart):
     near: Said | None = None
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the handle too when the arm still has that handle."""
+        """Return the part with the handle if the edited arm can still use it."""
         kept = super().for_edited(robot, origin)
         return replace(kept, handle="move") if robot.arm.task.rotation == "none" else kept
 
@@ -109,11 +109,11 @@ class Target(FieldPart):
         return self._noticing(before[Joints], now) if now[Joints].arm is before[Joints].arm else self
 
     def on_tool(self) -> Self:
-        """Return the part with the target on the tool, and nothing to say."""
+        """Return the part with the target at the tool, and without sentences."""
         return replace(self, pose=None, catching_up=False, branch=(), crossing=None, near=None)
 
     def jumped(self, joints: Joints) -> Self:
-        """Return the part after a jump to another solution: a change of branch that was wished is not news."""
+        """Return the part after a jump to another solution: no sentence on a change of branch, as it was wanted."""
         return replace(self, catching_up=False, branch=branch_of(joints.arm, joints.q), crossing=None, near=None)
 
     def _noticing(self, before: Joints, now: State) -> Self:
@@ -131,13 +131,13 @@ PART = PartType(Target, order=20)
 
 
 def target_pose(state: State) -> NDArray[np.floating]:
-    """Return where the tool is wanted, (4, 4): on the tool when nothing else is."""
+    """Return the wanted pose of the tool, (4, 4): the present one when there is no other."""
     pose = state[Target].pose
     return state[Joints].tool_pose if pose is None else pose
 
 
 def verdict(state: State) -> Judged:
-    """Return what the present configuration is worth for the target, and what the way there was worth saying."""
+    """Return the verdict on the present configuration for the target, with sentences on the way there."""
     joints, target = state[Joints], state[Target]
     found = ik.judge(joints.arm, target_pose(state), joints.q, joints.locked)
     notes = tuple(said.text for said in (target.crossing, target.near) if said is not None)
@@ -145,7 +145,7 @@ def verdict(state: State) -> Judged:
 
 
 def _lasting(said: Said | None, at: float) -> Said | None:
-    """Return words that are not yet to be taken away."""
+    """Return a sentence that is still to be shown, or None."""
     return said if said is not None and at - said.at < LINGER else None
 
 
@@ -156,9 +156,9 @@ class DragTarget(Command):
     Parameters
     ----------
     pose : ndarray, shape (4, 4), or None
-        Where the handle is, in the world; None goes on to the target there is.
+        Pose of the handle, in the world; None to go on to the present target.
     drag : object
-        Which drag it belongs to; any object that stands for it alone. One drag is one step of undo.
+        Key of the drag; any object that belongs to it alone. One drag is one step of undo.
     """
 
     pose: NDArray[np.floating] | None
@@ -168,17 +168,17 @@ class DragTarget(Command):
 
     @property
     def stroke(self) -> object:
-        """One drag is one step."""
+        """The drag: one drag is one step of undo."""
         return DragTarget, self.drag
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm closer to the handle, by at most `DRAG_TRAVEL` a joint."""
+        """Return the state with the arm closer to the handle, each joint moved by at most `DRAG_TRAVEL`."""
         return _followed(state, self.pose, DRAG_TRAVEL)
 
 
 @dataclass(frozen=True, eq=False)
 class EndDrag(Command):
-    """Let go of the handle: the arm goes as close as it can."""
+    """Release the handle: the arm moves as close to it as it can."""
 
     pose: NDArray[np.floating]
     drag: object
@@ -186,7 +186,7 @@ class EndDrag(Command):
 
     @property
     def stroke(self) -> object:
-        """The last event of the drag."""
+        """The drag, of which this is the last event."""
         return DragTarget, self.drag
 
     def apply(self, state: State) -> State:
@@ -202,7 +202,7 @@ class PlaceTarget(Command):
     label: ClassVar[str] = "target"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm at a solution, or at the closest configuration from where it is."""
+        """Return the state with the arm at a solution, or at the closest configuration found from where it is."""
         joints, target = state[Joints], state[Target]
         pose = _wanted(joints, self.pose)
         result = ik.solve(joints.arm, pose, joints.q, target.method, locked=joints.locked, searches=SEARCHES_TYPED)
@@ -245,12 +245,12 @@ class GoAnotherWay(Command):
 
 @dataclass(frozen=True)
 class TargetToTool(Command):
-    """Put the target back on the tool."""
+    """Put the target back to the tool."""
 
     label: ClassVar[str] = "target to tool"
 
     def apply(self, state: State) -> State:
-        """Return the state with the target on the tool."""
+        """Return the state with the target at the tool."""
         target = state[Target]
         return state if target.pose is None else state.replace(target.on_tool())
 
@@ -279,7 +279,7 @@ def _placed(state: State, pose: NDArray[np.float64], q: NDArray[np.float64], cat
 
 
 def jumped_to(state: State, q: NDArray[np.float64]) -> State:
-    """Return the state at a solution for the target, which stays where it is."""
+    """Return the state with the arm at another solution for the same target."""
     joints, target = state[Joints].moved_to(q), state[Target].jumped(state[Joints].moved_to(q))
     if target.pose is not None and joints.arm.task.rotation == "none":
         target = replace(target, pose=_with_rotation(target.pose, joints))
@@ -287,7 +287,7 @@ def jumped_to(state: State, q: NDArray[np.float64]) -> State:
 
 
 def _with_rotation(pose: NDArray[np.float64], joints: Joints) -> NDArray[np.float64]:
-    """Return a pose whose orientation is free, as the tool will be there."""
+    """Return a pose with its free orientation as the tool will have it there."""
     turned = np.array(pose)
     turned[:3, :3] = joints.tool_pose[:3, :3]
     turned.setflags(write=False)

@@ -1,6 +1,6 @@
 """The timeline: which film or run is on, where it stands, and how fast it plays.
 
-What is played is a `Clip`, found as ``clip.py`` of a bench; the same bar plays them all.
+A `Clip`, found as ``clip.py`` of a bench, is played; one bar plays them all.
 """
 
 from __future__ import annotations
@@ -50,13 +50,13 @@ class Clip:
 
 @cache
 def clips() -> dict[str, Clip]:
-    """Return all clips."""
+    """Return all clips by key."""
     return discover_in_benches("clip", "CLIP", Clip)
 
 
 @dataclass(frozen=True)
 class Timeline(FieldPart):
-    """What is on.
+    """The open clip, its time, and whether it plays.
 
     Attributes
     ----------
@@ -80,11 +80,11 @@ class Timeline(FieldPart):
     loop: bool = flag("begin again at the end", False)
 
     def rewound(self, clip: str) -> Self:
-        """Return to the start, paused, if this clip is on."""
+        """Return the part at the start of the clip, paused, if this clip is open."""
         return replace(self, time=0.0, playing=False) if clip == self.clip else self
 
     def after(self, before: State, now: State) -> Self:
-        """Stay inside the clip, whose duration may depend on what has changed; pause when a hand moves the arm."""
+        """Return the part with its time inside the clip, which may have changed; paused when a hand moves the arm."""
         if not self.clip:
             return self
         # The clip's own pictures change the time and the joints in one command.
@@ -99,13 +99,13 @@ PART = PartType(Timeline, order=90)
 
 
 def duration(state: State) -> float:
-    """Return the seconds of the open clip, 0 when there is none."""
+    """Return the duration of the open clip in seconds, 0 when there is none."""
     clip = state[Timeline].clip
     return clips()[clip].duration(state) if clip else 0.0
 
 
 def with_clip(state: State, key: str, playing: bool = False) -> State:
-    """Return the state with a clip on at its start, and what another one has changed put back."""
+    """Return the state with a clip open at its start, and the changes by the previous one undone."""
     timeline = state[Timeline]
     if timeline.clip not in ("", key):
         state = clips()[timeline.clip].closed(state)
@@ -114,7 +114,7 @@ def with_clip(state: State, key: str, playing: bool = False) -> State:
 
 @dataclass(frozen=True)
 class OpenClip(Command):
-    """Put a clip on at its start, paused or playing; an empty key puts none on."""
+    """Open a clip at its start, paused or playing; an empty key closes it."""
 
     key: str
     play: bool = False
@@ -201,13 +201,13 @@ class Advance(Command):
 
 @dataclass(frozen=True)
 class Step(Command):
-    """Go to the next stop, or to the one before, and pause."""
+    """Go to the next or the previous stop, and pause."""
 
     forward: bool
     undoable: ClassVar[bool] = False
 
     def apply(self, state: State) -> State:
-        """Return the state at the neighbouring stop."""
+        """Return the state at the next or the previous stop."""
         timeline = state[Timeline]
         if not timeline.clip:
             return state

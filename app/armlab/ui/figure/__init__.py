@@ -1,1 +1,1 @@
-"""A handsome arm from its Denavit-Hartenberg table alone: solids, links, housings, grippers, as GLB bodies."""
+"""An arm drawn from its Denavit-Hartenberg table alone: solids, links, housings, grippers, as GLB bodies."""

@@ -23,7 +23,7 @@ from armlab.kin.transforms import inverse
 Pose = NDArray[np.float64]
 
 SMALLEST = 1e-6
-"""An arm with fewer metres in a line has no length one could draw it by."""
+"""Least sum of lengths, metres, with which an arm can be drawn to scale."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,12 +54,12 @@ class Body:
 
     @property
     def end(self) -> Pose:
-        """The end of the body, where the next one hangs, in its own node."""
+        """The pose of the next body in the node of this one."""
         return np.array(link_transform(self.a, self.alpha, self.d, 0.0))
 
     @property
     def length(self) -> float:
-        """How far the body reaches."""
+        """Length of the body, |d| + |a|, with the stroke of a prismatic joint, metres."""
         return abs(self.d) + abs(self.a) + (0.0 if self.revolute else self.high + self.offset)
 
     def node_wxyz(self, q: float) -> tuple[float, float, float, float]:
@@ -113,7 +113,7 @@ class Anatomy:
         return np.array(self.bodies[-1].end @ self.arm.tool)
 
     def frame_on_body(self, i: int) -> tuple[int, Pose]:
-        """Return the body that frame i (0 to n) is fixed to, and its pose in the node of that body."""
+        """Return the body to which frame i (0 to n) is fixed, and its pose in the node of that body."""
         if i == 0:
             return 0, np.array(inverse(self.root) @ self.arm.base)
         body = self.bodies[i - 1]

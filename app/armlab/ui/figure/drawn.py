@@ -1,4 +1,4 @@
-"""Figures made ready for the page, one for each arm, kept for the next student who opens it."""
+"""Figures prepared for the page, one for each arm, kept for the next student who opens it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.ui.figure.figure import Figure, build_figure
 from armlab.ui.figure.marks import symbols_of
 
 KEPT = 64
-"""Figures that are kept: half a megabyte each."""
+"""Number of figures that are kept, each of half a megabyte."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,18 +32,18 @@ class Drawn:
 
 
 class Gallery:
-    """Makes each figure once. Safe to use from several threads."""
+    """A store that makes each figure once. It is safe to use from several threads."""
 
     def __init__(self) -> None:
         self._ready: dict[Arm, Drawn] = {}
         self._making = threading.Lock()
 
     def ready(self, arm: Arm) -> Drawn | None:
-        """Return the figure when it has been made."""
+        """Return the figure if it has been made."""
         return self._ready.get(arm)
 
     def make(self, arm: Arm) -> Drawn:
-        """Return the figure, making it when it is new; call this outside the event loop."""
+        """Return the figure, which is made if it is new; call this outside the event loop."""
         with self._making:
             if arm not in self._ready:
                 figure = build_figure(arm)

@@ -1,4 +1,4 @@
-"""Put the bodies of an arm together."""
+"""The bodies of an arm, put together."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ def _prismatic(anatomy: Anatomy, i: int) -> tuple[list[Part], list[Part], float]
 
 
 def _link_of_rail(anatomy: Anatomy, i: int, last: bool) -> list[Part]:
-    """Return what leaves the block of a rail sideways: the tube along x, at the last joint with the hand."""
+    """Return the tube that leaves the block of a rail along x, at the last joint with the hand."""
     body = anatomy.bodies[i]
     path, parts = [np.zeros(3)], list[Part]()
     if abs(body.a) > 0.15 * float(anatomy.radius[0]):
@@ -172,7 +172,7 @@ def _link_of_rail(anatomy: Anatomy, i: int, last: bool) -> list[Part]:
 
 
 def _hand(anatomy: Anatomy, path: list[NDArray[np.float64]]) -> tuple[list[NDArray[np.float64]], list[Part]]:
-    """Return the path of the last tube, shortened where the gripper takes its end, and the hand."""
+    """Return the path of the last tube, shortened to make room for the gripper, and the hand."""
     r, joint = float(anatomy.radius[-1]), len(anatomy.bodies) - 1
     tool = anatomy.tool_on_last()
     tip, flange = tool[:3, 3], anatomy.bodies[-1].end[:3, 3]

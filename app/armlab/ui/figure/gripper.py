@@ -1,4 +1,4 @@
-"""The hand at the end of the arm. Its tips are the tool point of the forward kinematics, always."""
+"""The hand at the end of the arm, whose tips are always the tool point of the forward kinematics."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from armlab.ui.figure.mesh import placed
 from armlab.ui.figure.solids import along, block, drum, lathe
 
 NATURAL = 4.0
-"""Length of a gripper that may choose, in tube radii."""
+"""Length of a gripper with enough room, in tube radii."""
 
 SHORTEST = 2.0
-"""A space shorter than so many tube radii gets a pointer instead."""
+"""Shortest room for a gripper, in tube radii; with less there is a pointer."""
 
 
 def gripper(
@@ -51,7 +51,7 @@ def gripper(
 
 
 def pointer(tip: NDArray[np.float64], direction: NDArray[np.float64], r: float, joint: int) -> list[Part]:
-    """Return a small cone whose tip is the tool point, for arms that leave no room for a gripper."""
+    """Return a small cone with its tip at the tool point, for arms without room for a gripper."""
     length = 1.6 * r
     cone = lathe([(0.0, 0.0), (0.7 * r, 0.0), (0.55 * r, 0.25 * length), (0.0, length)])
     pose = along(direction, tip - length * direction / np.linalg.norm(direction))

@@ -1,4 +1,4 @@
-"""Where on its axis each joint has its housing: this is what makes coincident frames and spherical wrists readable."""
+"""Places of the housings on the joint axes, which make coincident frames and spherical wrists readable."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from armlab.ui.figure.anatomy import Anatomy, Body
 
 RADIUS = 1.38
 HALF_LENGTH = 1.2
-"""Of a housing, in tube radii."""
+"""Half length of a housing, in tube radii."""
 
 SLEEVE_HALF_WIDTH = 1.5
-"""Of the box around a rod or a rail, in tube radii."""
+"""Half width of the box around a rod or a rail, in tube radii."""
 
 
 def housing_offsets(anatomy: Anatomy) -> list[float]:
@@ -30,7 +30,7 @@ def housing_offsets(anatomy: Anatomy) -> list[float]:
 
 
 def half_length(anatomy: Anatomy, i: int, offset: float) -> float:
-    """Return half the length of housing i: longer where the sleeve of a slide sits on it and would hide it."""
+    """Return half the length of housing i, longer where the sleeve of a slide would hide it."""
     usual = HALF_LENGTH * float(anatomy.radius[i])
     if i + 1 == len(anatomy.bodies) or anatomy.bodies[i + 1].revolute:
         return usual
@@ -62,6 +62,6 @@ def _next(anatomy: Anatomy, i: int, offset_before: float) -> float:
 
 
 def _arrives_along(before: Body, body: Body, thin: float) -> bool:
-    """Return whether the link before reaches this joint along the joint's own axis."""
+    """Return whether the previous link reaches this joint along the joint's own axis."""
     came = np.array([0.0, 0.0, 1.0] if abs(before.a) < thin else [1.0, 0.0, 0.0])
     return abs(float(came @ body.mount[:3, 2])) > 0.9

@@ -1,4 +1,4 @@
-"""Small solids that explain: frames, joint symbols."""
+"""Small solids for explanations: frames and joint symbols."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FRAME_LENGTH = 0.115
 """Length of a frame's arrows, in sizes of the arm."""
 
 SYMBOL_STEP = 0.02
-"""Symbols are made in sizes that differ by this part, so that an arm that is being edited meets those it had."""
+"""Relative step between the sizes of symbols, so that an arm being edited can use the same again."""
 
 _DIRECTIONS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
@@ -49,7 +49,7 @@ def symbol_height(anatomy: Anatomy, i: int) -> float:
 
 @lru_cache(maxsize=512)
 def _symbol(revolute: bool, steps: int, colour: Rgb) -> bytes:
-    """Return the symbol of the textbooks about z: a cylinder for a revolute, a box for a prismatic joint."""
+    """Return the textbook symbol about z: a cylinder for a revolute joint, a box for a prismatic one."""
     r = math.exp(steps * SYMBOL_STEP) / 3.0
     solid = drum(0.55 * r, 1.5 * r, 0.1 * r, soft=True) if revolute else block((0.95 * r, 0.95 * r, 3.0 * r), 0.1 * r)
     return scene_glb([(solid, (colour, 0.5, 0.0))])

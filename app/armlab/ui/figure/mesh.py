@@ -1,4 +1,4 @@
-"""A solid as three arrays. Its normals are known where it is made, so nobody has to find them from the triangles."""
+"""Solids as three arrays. Normals are known when a solid is made and need not be computed from triangles."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def placed(solid: Solid, pose: NDArray[np.floating]) -> Solid:
 
 
 def cut(solid: Solid, first: int, last: int) -> Solid:
-    """Return the solid without so many of its first and last faces, and without the vertices that only they have."""
+    """Return the solid without some of its first and last faces, and without the vertices only they have."""
     kept = solid.faces[first : len(solid.faces) - last]
     used, places = np.unique(kept, return_inverse=True)
     return Solid(solid.vertices[used], solid.normals[used], places.reshape(kept.shape))

@@ -1,4 +1,4 @@
-"""Prismatic joints: a rail with a block that runs on it, or a ram that slides in a sleeve."""
+"""Prismatic joints: a rail with a moving block, or a ram in a sleeve."""
 
 from __future__ import annotations
 

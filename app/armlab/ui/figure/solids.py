@@ -1,4 +1,4 @@
-"""Solids that the arms are made of, with bevelled edges so that light can catch them."""
+"""Solids of which the arms are made, with bevelled edges that catch the light."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from armlab.ui.figure.mesh import Solid, cut
 
 SIDES = 20
-"""Of what is round: in a software renderer a picture takes as long as its bodies have vertices."""
+"""Number of sides of round solids: a software renderer needs time for each vertex."""
 
 WIDE_SIDES = 32
-"""Of a base plate, the edge of which is seen against the ground."""
+"""Number of sides of a base plate, whose edge is seen against the ground."""
 
 CREASE = math.radians(35.0)
-"""Edges that turn more than this stay sharp."""
+"""Angle of an edge, radians, above which it stays sharp."""
 
 NEAR_X = 0.9
-"""Part of a direction along x from which a pose along it takes its x axis from y instead."""
+"""Component of a direction along x above which its pose takes the x axis from y instead."""
 
 _Corner = tuple[NDArray[np.float64], NDArray[np.bool_]]
 """A vertex of a bevelled box: the signs of its corner, and the axes along which the bevel moves it."""
@@ -96,21 +96,21 @@ def skin(creases: tuple[bool, ...], sides: int) -> NDArray[np.int64]:
 def drum(
     radius: float, half_length: float, bevel: float, z: float = 0.0, soft: bool = False, sides: int = SIDES
 ) -> Solid:
-    """Return a cylinder about z with rounded edges, its middle at height z; ``soft`` is that of `lathe`."""
+    """Return a cylinder about z with rounded edges and its middle at height z; for ``soft`` see `lathe`."""
     r, h, b = radius, half_length, bevel
     rim = [(r - b, -h), (r - 0.3 * b, -h + 0.3 * b), (r, -h + b), (r, h - b), (r - 0.3 * b, h - 0.3 * b), (r - b, h)]
     return lathe([(0.0, z - h), *((x, z + y) for x, y in rim), (0.0, z + h)], sides, soft)
 
 
 def band(radius: float, half_length: float, bevel: float, z: float = 0.0) -> Solid:
-    """Return the outside of a cylinder about z with cut edges: a ring around what hides its level ends."""
+    """Return the outside of a cylinder about z with cut edges: a ring around something that hides its ends."""
     r, h, b = radius, half_length, bevel
     rim = [(r - b, z - h), (r, z - h + b), (r, z + h - b), (r - b, z + h)]
     return cut(_turned(rim, SIDES), SIDES, SIDES)
 
 
 def lid(radius: float, height: float, bevel: float, z: float, up: bool = True, sides: int = SIDES) -> Solid:
-    """Return a flat cylinder that stands on something at height z, or hangs below it, without the end that it hides."""
+    """Return a flat cylinder on top of something at height z, or below it, without the hidden end."""
     r, h, b = radius, height, bevel
     if up:
         return cut(_turned([(r, z), (r, z + h - b), (r - b, z + h)], sides), sides, 0)
@@ -118,7 +118,7 @@ def lid(radius: float, height: float, bevel: float, z: float, up: bool = True, s
 
 
 def _turned(rim: list[tuple[float, float]], sides: int) -> Solid:
-    """Return the solid of a rim, its level ends closed."""
+    """Return the solid of revolution of a rim, with flat ends closed."""
     return lathe([(0.0, rim[0][1]), *rim, (0.0, rim[-1][1])], sides)
 
 

@@ -53,7 +53,7 @@ def _filleted(corners: list[Array], bend: float) -> Array:
 
 
 def _around(path: Array, directions: Array, radii: Array, taper: float) -> Solid:
-    """Return the skin around a path: circles along it, and shrinking ones at both ends that close it with a dome."""
+    """Return the surface around a path: circles along it, and a dome at either end."""
     across = _carried(directions)
     other = np.cross(directions, across)
     at, wide, ahead = _rings(len(path))
@@ -72,7 +72,7 @@ def _around(path: Array, directions: Array, radii: Array, taper: float) -> Solid
 
 
 def _carried(directions: Array) -> Array:
-    """Return a normal at each point, carried along without twist so that the quads of neighbours face each other."""
+    """Return a normal at each point, without twist along the path, so that neighbouring quads match."""
     first = directions[0]
     normal = np.cross(first, [1.0, 0.0, 0.0] if abs(first[0]) < 0.8 else [0.0, 1.0, 0.0]).tolist()
     found = []
@@ -88,7 +88,7 @@ def _carried(directions: Array) -> Array:
 
 @cache
 def _rings(count: int) -> tuple[NDArray[np.int64], Array, Array]:
-    """Return for each ring over so many points: its point; how wide and how far ahead it is, in radii."""
+    """Return for each ring of ``count`` points its point, its width and its advance, in radii."""
     bulge = np.linspace(0.0, np.pi / 2.0, DOME_RINGS)[:-1]
     level = np.zeros(count - 2)
     at = np.concatenate([np.zeros(len(bulge)), np.arange(1, count - 1), np.full(len(bulge), count - 1)])

@@ -1,1 +1,1 @@
-"""One file a layer of the scene; each holds a constant ``LAYER``."""
+"""Layers of the scene, one file each, with a constant ``LAYER``."""

@@ -1,4 +1,4 @@
-"""Arcs, arrows and pale frames that explain a motion; each is moved and grown without being made anew."""
+"""Arcs, arrows and transparent frames that explain a motion; they are moved and resized, not made again."""
 
 from __future__ import annotations
 
@@ -21,23 +21,24 @@ LINE, RAY = 0.010, 0.003
 TUBE = 0.0085
 HEAD, HEAD_WIDTH = 0.05, 0.021
 OUTSIDE = 1.2
-"""Of an arc, its line, the ray it starts from, the shaft of an arrow, and heads, in sizes of the arm; a name stands
-outside its arc by the last."""
+"""Sizes, in sizes of the arm: radius of an arc, thickness of its line, of its first ray and of the shaft of an arrow,
+length and width of heads. The last is the distance of a name, in radii of its arc."""
 
 INSIDE = 0.95
 BESIDE = 0.16
-"""Where the name of a turn, in radii, or a shift, in sizes of the arm, of nothing stands."""
+"""Distance of the name of a zero turn (in radii) or a zero shift (in sizes of the arm)."""
 
 THIN = 0.62
-"""Of what is done, in sizes of what is being done; an arrow stays thicker than the line of the skeleton along it."""
+"""Thickness of the marks of finished moves, relative to the present one; an arrow stays thicker than the line of the
+skeleton along it."""
 
 STEP = math.radians(5.0)
 LEAST = 1e-6
-"""Angle between the points of an arc, and the least angle, or length in sizes of the arm, that is drawn."""
+"""Angle between the points of an arc, which is also the least angle, or length in sizes of the arm, that is drawn."""
 
 
 class _Mark:
-    """What an arc and an arrow share: a place, a head and a name. The axis is z of its place."""
+    """Common part of an arc and an arrow: a place, a head and a name. The axis is z of the place."""
 
     def __init__(self, scene: viser.SceneApi, path: str, colour: Rgb, size: float) -> None:
         self._size = size
@@ -48,7 +49,7 @@ class _Mark:
         self._pose: Pose | None = None
 
     def place(self, pose: Pose) -> None:
-        """Put it there."""
+        """Move it to a place."""
         if self._pose is None or not np.array_equal(pose, self._pose):
             self._pose = pose
             put(self._node, pose)

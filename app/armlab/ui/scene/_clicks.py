@@ -1,4 +1,4 @@
-"""A layer that answers clicks in the scene, only while it has something to answer with."""
+"""A layer that reacts to clicks in the scene, but only while it has something to show."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class SceneClicks:
         canvas.on_hide(lambda: self.listen(False))
 
     def listen(self, on: bool) -> None:
-        """Begin or cease to listen."""
+        """Start or stop listening."""
         if on and self._deaf is None:
             self._deaf = adapter.on_scene_click(self._client, self._clicked)
         elif not on and self._deaf is not None:

@@ -1,4 +1,4 @@
-"""Where the constants of the table are drawn: dimension lines beside lengths, arcs of twists."""
+"""Places at which the constants of the table are drawn: dimension lines for lengths, arcs for twists."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from armlab.ui.scene._strokes import HEAD, Floats, Segments, polyline
 from armlab.ui.units import Units
 
 SMALLEST = 1e-6
-"""Of a length that is drawn, in sizes of the arm; of a twist, in radians."""
+"""Smallest length that is drawn, in sizes of the arm, and smallest twist, in radians."""
 
 SHORT = 0.1
-"""Of a length, in sizes of the arm, whose name stands farther away from it: others are near."""
+"""Length, in sizes of the arm, below which the name stands farther away, as others are near."""
 
 ASIDE = 2.5
 OVER = 0.5
@@ -26,12 +26,13 @@ OVER = 0.5
 
 TWIST_RADIUS = 3.0
 NAME_AT = (1.75, 1.3)
-"""Distance of the name of a twist in radii of its arc, in turn: where links have no length, arcs share their centre."""
+"""Distances of the names of twists, in radii of their arcs, in turn: where links have no length, arcs share their
+centre."""
 
 STEP = math.radians(6.0)
 
 _TO_Z = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
-"""Axes whose z is x of the frame and whose x is its z: a twist is counted from z about x."""
+"""Axes with z along x of the frame and x along its z: a twist is measured from z about x."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +64,7 @@ class Dimension:
     name_at: Floats
 
     def text(self, units: Units) -> str:
-        """Return its name and value."""
+        """Return the name and the value."""
         return f"{units.symbol(self.field, self.index)} {units.constant(self.value, self.field == 'alpha')}"
 
 

@@ -1,4 +1,4 @@
-"""A handle to drag: one or two transform controls that act as one."""
+"""A handle to drag, made of one or two transform controls that act as one."""
 
 from __future__ import annotations
 
@@ -58,12 +58,12 @@ class Handle:
 
     @property
     def held(self) -> bool:
-        """Whether a hand holds it."""
+        """Whether a person holds the handle."""
         return self._held is not None
 
     @property
     def drag(self) -> object:
-        """What stands for the present drag, or the last one."""
+        """Key of the present drag, or of the last one."""
         return self._drag
 
     def show(self, pose: Floats, handle: str, axes: str) -> None:
@@ -84,7 +84,7 @@ class Handle:
                 _place(control, turned, pose[:3, 3])
 
     def remove(self) -> None:
-        """Take it out of the scene."""
+        """Remove the handle from the scene."""
         for control in self._controls:
             control.remove()
         self._controls, self._made_for, self._held = [], None, None
@@ -122,7 +122,7 @@ class Handle:
 
 
 def _along_tool(arm: Arm, handle: str, axes: str) -> bool:
-    """Whether a handle has the tool's axes; controls of part of the axes keep those of frame 0."""
+    """Return whether a handle has the tool's axes; controls of only some axes keep those of frame 0."""
     if handle == "turn" and arm.task.rotation == "approach":
         return True
     whole = arm.task.position == "xyz" or arm.description.axes_parallel

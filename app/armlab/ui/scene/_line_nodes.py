@@ -1,4 +1,4 @@
-"""Nodes of the planning steps that take any number of points: each is made when it first has something to show."""
+"""Nodes of the planning steps for any number of points; each is made when it first has something to show."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from armlab.ui.scene._strokes import Segments, add_line, add_name
 Floats = NDArray[np.float64]
 
 MOST_FRAMES = 12
-"""Of knots that are drawn; further ones are points only."""
+"""Largest number of knots that are drawn with a frame; further ones are points only."""
 
 FRAME = 0.5
-"""Size of the frame of a knot, against other frames."""
+"""Size of the frame of a knot, relative to other frames."""
 
 
 class Lines:
@@ -29,7 +29,7 @@ class Lines:
         self._shown: Segments | None = None
 
     def show(self, segments: Segments | None) -> None:
-        """Show segments, (k, 2, 3); None, or none of them, hides the node."""
+        """Show segments, (k, 2, 3); None, or an empty array, hides the node."""
         if segments is None or not len(segments):
             if self._node is not None:
                 seen(self._node, False)
@@ -51,7 +51,7 @@ class Dots:
         self._node: viser.PointCloudHandle | None = None
 
     def show(self, points: Floats | None, diameter: float = 0.01) -> None:
-        """Show points, (k, 3), of a diameter in sizes of the arm; None, or none of them, hides the node."""
+        """Show points, (k, 3), with a diameter in sizes of the arm; None, or an empty array, hides the node."""
         if points is None or not len(points):
             if self._node is not None:
                 seen(self._node, False)
@@ -75,14 +75,14 @@ class Dots:
 
 
 class Frames:
-    """Frames with names, as many as are wanted."""
+    """Any number of frames with names."""
 
     def __init__(self, canvas: LayerCanvas, name: str) -> None:
         self._canvas, self._path = canvas, canvas.path(name)
         self._made: list[tuple[viser.GlbHandle, viser.LabelHandle]] = []
 
     def show(self, poses: Floats, names: list[str]) -> None:
-        """Show frames at poses, (k, 4, 4), of which the first few are drawn."""
+        """Show frames at poses, (k, 4, 4); only the first few are drawn."""
         drawn = poses[:MOST_FRAMES]
         while len(self._made) < len(drawn):
             path = f"{self._path}{len(self._made)}"
@@ -105,7 +105,7 @@ class Mark:
         self._label = add_name(canvas.scene, canvas.path(f"{name}/name"), "", np.zeros(3), anchor)
 
     def show(self, point: Floats | None, text: str = "") -> None:
-        """Show it at a point; None hides it."""
+        """Show the point; None hides it."""
         self._dot.show(None if point is None else point[None], self._diameter)
         seen(self._label, point is not None)
         if point is not None:

@@ -1,4 +1,4 @@
-"""A few arrows, strokes and one label that are drawn anew as the arm moves, and frames that are put where they are."""
+"""Arrows, strokes and one label that are drawn again as the arm moves, and frames that are moved."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ Make = Callable[[str, NDArray[np.float32], NDArray[np.uint8]], Any]
 
 SHAFT, HEAD_WIDTH, HEAD = 0.0075, 0.019, 0.05
 STROKE = 0.005
-"""Of arrows and strokes, in sizes of the arm."""
+"""Thickness of arrows and strokes, in sizes of the arm."""
 
 ARC_PARTS = 36
-"""Strokes of an arc, always as many: only their ends are sent while the arm moves."""
+"""Number of strokes of an arc, always the same, so that only their ends are sent while the arm moves."""
 
 
 @dataclass(frozen=True)
 class Marks:
-    """What is to be drawn, in the world.
+    """Marks to be drawn, in the world.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ def across(axis: Vector) -> Vector:
 
 
 class _Segments:
-    """One node with many segments; made anew when their colours or their number change, else only moved."""
+    """One node with many segments, which is made again only when their colours or their number change."""
 
     def __init__(self, path: str) -> None:
         self._path = path
@@ -72,7 +72,7 @@ class _Segments:
         self._points, self._colours = _arrays([])
 
     def draw(self, segments: list[Segment], make: Make) -> None:
-        """Draw these segments instead of those there are."""
+        """Draw these segments in place of the present ones."""
         points, colours = _arrays(segments)
         if np.array_equal(colours, self._colours):
             if not np.array_equal(points, self._points):
@@ -101,7 +101,7 @@ class Sketch:
         self._label: viser.LabelHandle | None = None
 
     def draw(self, marks: Marks) -> None:
-        """Draw these marks instead of those there are."""
+        """Draw these marks in place of the present ones."""
         size = self._weight * self._canvas.size
         self._arrows.draw(
             marks.arrows,
@@ -140,7 +140,7 @@ class Sketch:
 
 
 class Triad:
-    """A frame with its name, put where it is."""
+    """A frame with its name, moved to a pose."""
 
     def __init__(self, canvas: LayerCanvas, name: str) -> None:
         self._node = add_triad(canvas.scene, canvas.path(name), canvas.size)
@@ -151,12 +151,12 @@ class Triad:
         self._pose: NDArray[np.floating] | None = None
 
     def visible(self, on: bool) -> None:
-        """Show or hide it."""
+        """Show or hide the frame."""
         seen(self._node, on)
         seen(self._label, on)
 
     def show(self, name: str, pose: NDArray[np.floating]) -> None:
-        """Put it there, under this name."""
+        """Show the frame at a pose, with this name."""
         write(self._label, name)
         if self._pose is not None and np.array_equal(pose, self._pose):
             return
@@ -166,7 +166,7 @@ class Triad:
 
 
 def _arrays(segments: list[Segment]) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
-    """Return ends (k, 2, 3) and colours (k, 3), which viser takes as linear light for arrows and for lines."""
+    """Return ends (k, 2, 3) and colours (k, 3), as linear light, which viser expects for arrows and lines."""
     points = np.array([[start, end] for start, end, _ in segments], dtype=np.float32).reshape(-1, 2, 3)
     colours = np.array([_linear(colour) for _, _, colour in segments], dtype=np.uint8).reshape(-1, 3)
     return points, colours

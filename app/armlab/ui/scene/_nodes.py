@@ -1,4 +1,4 @@
-"""What layers do with their nodes; nothing is sent for what is so already."""
+"""Changes of nodes that layers share; nothing is sent when nothing changes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armlab.ui.figure.mesh import Solid
 
 
 def write(label: viser.LabelHandle, text: str) -> None:
-    """Change a label where it differs."""
+    """Change the text of a label if it differs."""
     if label.text != text:
         label.text = text
 

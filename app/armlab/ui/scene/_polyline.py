@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 ROUGHNESS = 0.0004
-"""How far a drawn line may be from the true one, in sizes of the arm: far less than it is thick."""
+"""Largest distance of a drawn line from the true one, in sizes of the arm, much less than its thickness."""
 
 
 def simplified(points: ArrayLike, tolerance: float, ends: ArrayLike = ()) -> NDArray[np.intp]:
@@ -57,7 +57,7 @@ def simplified(points: ArrayLike, tolerance: float, ends: ArrayLike = ()) -> NDA
 
 
 def _distances(points: Floats, start: Floats, end: Floats) -> Floats:
-    """Return the distances from points (k, 3) to segments, (k, 3) each end; a segment may be a point."""
+    """Return the distances from points (k, 3) to segments with ends (k, 3) each; a segment may be a point."""
     along, offset = end - start, points - start
     square = np.einsum("ki,ki->k", along, along)
     share = np.einsum("ki,ki->k", offset, along) / np.where(square > 0.0, square, 1.0)

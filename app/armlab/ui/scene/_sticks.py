@@ -1,4 +1,4 @@
-"""Arms drawn as thin sticks along the lengths of the table: many of them are one node of the scene."""
+"""Arms drawn as thin sticks along the lengths of the table; many of them are one node of the scene."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ THICK = 0.0045
 """Radius of the sticks, in sizes of the arm."""
 
 LEAST = 1e-6
-"""Length of a stick, in sizes of the arm, below which it is not there."""
+"""Length of a stick, in sizes of the arm, below which it is not drawn."""
 
 OPPOSITE = 1e-9
-"""How near to minus z, in its cosine, a stick is turned about x instead."""
+"""Distance of the cosine from that of minus z below which a stick is turned about x instead."""
 
 STEP = 8
-"""Arms are made room for so many at a time."""
+"""Number of arms by which the capacity of the node grows."""
 
 
 class Sticks:
@@ -73,7 +73,7 @@ class Sticks:
         seen(self._node, True)
 
     def _make(self, count: int) -> None:
-        """Make the node with room for so many arms."""
+        """Make the node with a capacity for ``count`` arms."""
         self._room = -(-count // STEP) * STEP
         everything = self._room * int(self._drawn.sum())
         rod = lathe([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)], sides=10)
@@ -106,7 +106,7 @@ class Sticks:
 
 
 def drawn_sticks(arm: Arm, least: float) -> NDArray[np.bool_]:
-    """Return which of the ways of `corners_of` have a length in any configuration, shape (2n+1,)."""
+    """Return which of the segments of `corners_of` have a length in any configuration, shape (2n+1,)."""
     drawn = []
     for row in arm.rows:
         along_z, along_x = abs(row.d) > least or not row.revolute, abs(row.a) > least
@@ -117,7 +117,7 @@ def drawn_sticks(arm: Arm, least: float) -> NDArray[np.bool_]:
 
 
 def corners_of(arm: Arm, q: Floats) -> Floats:
-    """Return the way of the table along d and a from frame 0 to the tool, shape (k, 2n+2, 3), of q of shape (k, n)."""
+    """Return the line of the table along d and a from frame 0 to the tool, (k, 2n+2, 3), at q of shape (k, n)."""
     frames = np.asarray(arm.frames(q), dtype=np.float64)
     origins, x = frames[:, :, :3, 3], frames[:, :, :3, 0]
     a = np.array([row.a for row in arm.rows])[None, :, None]
@@ -130,7 +130,7 @@ def corners_of(arm: Arm, q: Floats) -> Floats:
 
 
 def turns_to(directions: Floats) -> Floats:
-    """Return the shortest turns, as wxyz (k, 4), that take z to unit vectors (k, 3)."""
+    """Return the shortest rotations, as wxyz (k, 4), that take z to unit vectors (k, 3)."""
     x, y, z = directions.T
     w = np.sqrt(np.maximum(0.5 * (1.0 + z), 0.0))
     reversed_ = z < -1.0 + OPPOSITE
@@ -156,7 +156,7 @@ def stick_lines(arm: Arm, q: ArrayLike) -> Segments:
 
 
 class Stick:
-    """An arm as a thin line; made when it is first to be seen."""
+    """An arm as a thin line, made when it is first shown."""
 
     def __init__(self, canvas: LayerCanvas, name: str, colour: Rgb, thickness: float = STICK) -> None:
         self._canvas, self._path, self._colour, self._thickness = canvas, canvas.path(name), colour, thickness
@@ -165,7 +165,7 @@ class Stick:
         self._q: bytes = b""
 
     def show(self, q: Floats | None) -> None:
-        """Show it in a configuration; None hides it."""
+        """Show the arm in a configuration (n,); None hides it."""
         if q is None:
             if self._line is not None:
                 seen(self._line, False)

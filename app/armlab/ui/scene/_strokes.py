@@ -1,4 +1,4 @@
-"""Thin lines, arrow heads and names that overlays are made of."""
+"""Thin lines, arrow heads and names, of which overlays are made."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ HEAD = 0.027
 """Length of an arrow head, in sizes of the arm."""
 
 NAME_SCALE = 0.85
-"""Of the letters, against viser's own."""
+"""Size of the letters, relative to viser's own."""
 
 
 def polyline(points: ArrayLike) -> Segments:
@@ -35,7 +35,7 @@ def polyline(points: ArrayLike) -> Segments:
 
 
 def dashes(start: ArrayLike, end: ArrayLike, count: int) -> Segments:
-    """Return so many dashes of a line, (count, 2, 3); a dash stands at both ends."""
+    """Return dashes of a line, (count, 2, 3), one of them at each end."""
     first, last = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     parts = np.linspace(0.0, 1.0, 2 * count)[:, None]
     ends: Segments = (first + parts * (last - first)).reshape(count, 2, 3).astype(np.float32)
@@ -52,7 +52,7 @@ def add_line(
 def add_head(
     scene: viser.SceneApi, path: str, tip: ArrayLike, direction: ArrayLike, colour: Rgb, length: float
 ) -> viser.MeshHandle:
-    """Add an arrow head whose tip is there; the length is in metres."""
+    """Add an arrow head with its tip at a point; the length is in metres."""
     unit = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     wxyz = quaternion_from_rotation(along(unit)[:3, :3])
     position = np.asarray(tip, dtype=float) - length * unit

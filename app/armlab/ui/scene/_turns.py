@@ -1,4 +1,4 @@
-"""A joint variable in the scene: an arc from x of the frame before to x of the joint's own, or a stroke along z."""
+"""A joint variable in the scene: an arc from x of the previous frame to x of the joint's own, or a stroke along z."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armlab.ui.scene._nodes import move, seen
 from armlab.ui.scene._strokes import HEAD, THICK, add_head, add_line, add_name, dashes, polyline, stretch
 
 RADIUS = 3.3
-"""Of an arc, in tube radii of its joint: outside the housing."""
+"""Radius of an arc, in tube radii of its joint: outside the housing."""
 
 CLEAR = 0.3
 """Height of an arc over the face of its housing, and distance of a stroke from the sleeve, in tube radii."""
@@ -26,15 +26,15 @@ RAY, NAME_AT = 1.2, 1.45
 """End of the rays, and place of the name, in radii of the arc."""
 
 NAME_PART = 0.3
-"""Where along a stroke its name stands: away from the joints that follow."""
+"""Position of the name along a stroke, 0 to 1, away from the joints that follow."""
 
 STEP = math.radians(6.0)
 LEAST_ANGLE, LEAST_STROKE = 1e-4, 1e-4
-"""Radians, and sizes of the arm, below which nothing but the name is drawn."""
+"""Least angle, radians, and least stroke, in sizes of the arm: below them only the name is drawn."""
 
 
 def before_turn(body: Body, theta: float) -> Pose:
-    """Return the axis of a joint in the node of the body before, x along that of the frame before (theta undone)."""
+    """Return the axis of a joint in the node of the previous body, with x along that of the previous frame."""
     return np.array(body.mount @ link_transform(0.0, 0.0, 0.0, -theta))
 
 
@@ -69,13 +69,13 @@ class Turn:
         }
 
     def face(self, side: float) -> None:
-        """Stand over the upper (+1) or the lower (−1) face of the housing."""
+        """Move to the upper (+1) or the lower (−1) face of the housing."""
         height = self._middle + side * self._over
         move(self._from, self._pose[:3, 3] + height * self._pose[:3, 2])
         move(self._to, (0.0, 0.0, height))
 
     def follow(self, q: float) -> None:
-        """Draw the arc of a shown value."""
+        """Draw the arc of a joint value."""
         angle = q + self._offset
         size = abs(angle)
         for side, head in self._heads.items():
@@ -118,10 +118,10 @@ class Slide:
         }
 
     def face(self, side: float) -> None:
-        """Do nothing: a stroke is seen from all sides."""
+        """Do nothing, as a stroke can be seen from all sides."""
 
     def follow(self, q: float) -> None:
-        """Draw the stroke of a shown value."""
+        """Draw the stroke of a joint value."""
         stroke = q + self._offset
         length = abs(stroke)
         for sign, head in self._heads.items():

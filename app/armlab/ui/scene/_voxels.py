@@ -10,7 +10,7 @@ from armlab.ui.colours import linear
 from armlab.ui.drawing import LayerCanvas
 
 FILLED = 0.94
-"""Side of a voxel that is drawn, in sides of the voxel: gaps tell them apart."""
+"""Side of a drawn voxel, relative to the true one: the gaps separate them."""
 
 
 class VoxelBody:
@@ -28,7 +28,7 @@ class VoxelBody:
         self._node: viser.BatchedMeshHandle | None = None
 
     def clear(self) -> None:
-        """Take the boxes away."""
+        """Remove the boxes."""
         if self._node is not None:
             self._node.remove()
             self._node = None
@@ -63,7 +63,7 @@ class VoxelBody:
 
 
 def outside(filled: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the filled voxels that have an empty neighbour: the others cannot be seen."""
+    """Return the filled voxels with an empty neighbour; the others are hidden."""
     wide = np.pad(filled, 1)
     inner = wide.copy()
     for axis in range(3):
@@ -72,5 +72,5 @@ def outside(filled: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _instance_colours(colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return colours (k, 3) as the page wants those of instances: as linear light."""
+    """Return colours (k, 3) of instances as the page expects them, as linear light."""
     return np.asarray(np.round(255.0 * linear(colours)), dtype=np.uint8)

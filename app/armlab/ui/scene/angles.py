@@ -1,4 +1,4 @@
-"""The joint variables in the scene: arcs from x to x for joints that turn, strokes along z for those that slide."""
+"""The joint variables in the scene: arcs from x to x for revolute joints, strokes along z for prismatic ones."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from armlab.ui.switches import Switch
 from armlab.ui.units import Units, units_of
 
 TURN_OVER = 0.1
-"""Cosine of the axis with the line of sight, beyond which an arc changes to the other face of its housing."""
+"""Cosine of the angle of the axis with the line of sight above which an arc changes to the other face."""
 
 
 class _Angles:
@@ -34,7 +34,7 @@ class _Angles:
         self.units = Units(Notation())
 
     def follow(self, q: NDArray[np.float64]) -> None:
-        """Draw a shown configuration: what has changed of it."""
+        """Draw the changes of a shown configuration."""
         self._face(q)
         for i, (mark, value) in enumerate(zip(self._marks, q.tolist(), strict=True)):
             if value != self._drawn[i]:
@@ -43,7 +43,7 @@ class _Angles:
                 write(mark.name, name_of(self.units, i, self._rows[i], value))
 
     def _face(self, q: NDArray[np.float64]) -> None:
-        """Turn every arc to the face of its housing that the camera sees."""
+        """Move every arc to the face of its housing that the camera sees."""
         frames = np.asarray(self._arm.frames(q))
         axes = frames[:-1] if self._arm.convention == "standard" else frames[1:]
         sight = np.asarray(self._client.camera.position) - axes[:, :3, 3]
@@ -54,7 +54,7 @@ class _Angles:
                 mark.face(self._sides[i])
 
     def rename(self, units: Units) -> None:
-        """Write all names with these units."""
+        """Write all names in these units."""
         self.units = units
         for i, (mark, value) in enumerate(zip(self._marks, self._drawn, strict=True)):
             write(mark.name, name_of(units, i, self._rows[i], value))

@@ -1,4 +1,4 @@
-"""The arm itself: its bodies on the nodes of the canvas."""
+"""The solid arm: its bodies on the nodes of the canvas."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armlab.ui.plugin import Layer, Show
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Hang the bodies on the nodes."""
+    """Attach the bodies to the nodes."""
     bodies = [
         canvas.scene.add_glb(
             f"{canvas.node(i)}/body", glb, cast_shadow=True, receive_shadow=True, visible=not canvas.bare

@@ -1,4 +1,4 @@
-"""All Denavit-Hartenberg frames and the frame of the tool; frames in one place nest and share a label."""
+"""All Denavit-Hartenberg frames and the frame of the tool; frames in one place are nested and share a label."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from armlab.ui.plugin import Layer, Show
 from armlab.ui.switches import Switch
 
 SHRINK = 0.72
-"""Of each further frame in the same place."""
+"""Size of each further frame in the same place, relative to the one before."""
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Hang a frame with its label on each body; they move with it."""
+    """Attach a frame with its label to each body, with which it moves."""
     for group in _groups(canvas):
         for rank, mark in enumerate(group):
             canvas.scene.add_glb(
@@ -44,7 +44,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 @dataclass(frozen=True, eq=False)
 class _Mark:
-    """A frame: its name, the body it is fixed to, and its pose there."""
+    """A frame: its name, its body, and its pose on that."""
 
     name: str
     body: int
@@ -52,7 +52,7 @@ class _Mark:
 
 
 def _groups(canvas: LayerCanvas) -> list[list[_Mark]]:
-    """Return the frames, those that share their origin in every configuration together."""
+    """Return the frames, grouped by a common origin in every configuration."""
     anatomy = canvas.drawn.figure.anatomy
     arm, n = anatomy.arm, len(anatomy.bodies)
     marks = [_Mark(str(i), *anatomy.frame_on_body(i)) for i in range(n + 1)]

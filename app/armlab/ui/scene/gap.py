@@ -1,4 +1,4 @@
-"""A dashed line from the tool to a target it does not reach, coloured by the verdict."""
+"""A dashed line from the tool to a target that it does not reach, in the colour of the verdict."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armlab.ui.plugin import Layer, Show
 from armlab.ui.verdicts import verdict_kind
 
 DASH, SPACE, THICKNESS = 0.018, 0.012, 0.003
-"""In sizes of the arm."""
+"""Lengths of dashes and gaps, and thickness, in sizes of the arm."""
 
 MOST_DASHES = 200
 VISIBLE = 1e-3

@@ -1,4 +1,4 @@
-"""The handle of the target: arrows and rings for exactly what the arm's task controls."""
+"""The handle of the target: arrows and rings for exactly the coordinates of the arm's task."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from armlab.ui.plugin import Layer, Show
 from armlab.ui.scene._handle import Handle
 
 CATCH_UP = 0.05
-"""Seconds between steps of an arm that has fallen behind a resting hand."""
+"""Time, seconds, between steps of an arm that follows a handle at rest."""
 
 
 class Gizmo:
-    """The handle on the target; an arm that has fallen behind a resting hand goes on."""
+    """The handle of the target; the arm goes on after the handle has come to rest."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -34,7 +34,7 @@ class Gizmo:
             self._catch_up_later()
 
     def _dragged(self, pose: NDArray[np.floating], drag: object, ends: bool) -> None:
-        """Turn one event of the hand into one command."""
+        """Post one command for one event of the drag."""
         self._canvas.post(EndDrag(pose, drag) if ends else DragTarget(pose, drag))
 
     def _wait_no_longer(self) -> None:

@@ -1,4 +1,4 @@
-"""Where the lesson wants the tool, if it marks the place: a ball as large as its tolerance."""
+"""Goals of a lesson for the tool that are marked: balls as large as the tolerance."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ OPACITY = 0.4
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Draw the balls anew with every step, in the colour of what is to be done or of what is done."""
+    """Draw the balls again with every step, in the colour of an open or a finished task."""
     nodes: list[viser.IcosphereHandle | viser.LabelHandle] = []
     drawn: tuple[tuple[Goal, ...], bool] = ((), False)
 

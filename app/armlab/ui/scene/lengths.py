@@ -18,7 +18,7 @@ from armlab.ui.units import units_of
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Hang a dimension line or an arc on its body for each constant; they move with it."""
+    """Attach a dimension line or an arc for each constant to its body, with which it moves."""
     found = dimensions_of(canvas.drawn.figure.anatomy)
     names = [add_name(canvas.scene, f"{_path(canvas, one)}_name", "", one.name_at, "center-center") for one in found]
     heads: list[viser.MeshHandle] = []

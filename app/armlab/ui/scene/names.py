@@ -12,7 +12,7 @@ from armlab.ui.units import units_of
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Hang a label beside each joint; those of joints in one place are one label."""
+    """Attach a label to each joint; joints in one place share one."""
     figure = canvas.drawn.figure
     anatomy = figure.anatomy
     units = units_of(state)

@@ -1,4 +1,4 @@
-"""The coordinates of the tool point in frame 0: strokes along the axes, and the lines that drop to them."""
+"""The coordinates of the tool point in frame 0: strokes along the axes, and dashed lines from the point to them."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from armlab.ui.switches import DARK, Switch
 from armlab.ui.units import Units, units_of
 
 PERIOD = 0.035
-"""Of the dashes, about, in sizes of the arm."""
+"""Approximate period of the dashes, in sizes of the arm."""
 
 SMALLEST = 0.004
-"""Of a coordinate that is drawn, in sizes of the arm."""
+"""Smallest coordinate that is drawn, in sizes of the arm."""
 
 
 class _Box:
-    """The strokes. Each is a line of unit length that is scaled and moved."""
+    """The strokes, each a line of unit length that is scaled and moved."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._scene, self._size, self._path = canvas.scene, canvas.size, canvas.path("projections")
@@ -57,7 +57,7 @@ class _Box:
         )
 
     def ink(self, dark: bool) -> None:
-        """Make the lines that drop, in the ink of the theme."""
+        """Make the dashed lines, in the colour of the theme."""
         self._counts.clear()
         for name in ("to_x", "to_y", "r") if self._flat else ("to_x", "to_y"):
             path = f"{self._path}/{name}"
@@ -98,7 +98,7 @@ class _Box:
             stretch(line, factors)
 
     def _drop(self, name: str, along: tuple[float, float], at: tuple[float, float, float]) -> None:
-        """Draw a dashed line of the plane: dashes are stretched, and made anew when another number fits better."""
+        """Draw a dashed line in a plane: it is stretched, and made again when another number of dashes fits better."""
         line, length = self._drops[name], math.hypot(*along)
         on = length > SMALLEST * self._size
         seen(line, on)

@@ -1,4 +1,4 @@
-"""The arm as the textbooks draw it: lines along the table's lengths, a cylinder or a box for each joint."""
+"""The arm as in textbooks: lines along the lengths of the table, a cylinder or a box for each joint."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PLATE = (110, 119, 132)
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Hang lines and symbols on the bodies, and a plate on the ground; they are shown instead of the solids."""
+    """Attach lines and symbols to the bodies, and a plate to the ground, in place of the solids."""
     anatomy, scene = canvas.drawn.figure.anatomy, canvas.scene
     _plate(canvas)
     lines = [(0, np.array([[[0.0, 0.0, canvas.drawn.figure.foot], [0.0, 0.0, 0.0]]], dtype=np.float32))]
@@ -53,7 +53,7 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 def _plate(canvas: LayerCanvas) -> viser.CylinderHandle:
-    """Return the ground the arm stands on."""
+    """Return the plate on which the arm stands."""
     radius = 2.2 * float(canvas.drawn.figure.anatomy.radius[0])
     return canvas.scene.add_cylinder(
         f"{canvas.node(0)}/plate",

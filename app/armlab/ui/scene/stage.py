@@ -18,12 +18,12 @@ Position = tuple[float, float, float]
 KEY: Position = (-1.35, -1.86, 3.0)
 FILL: Position = (2.0, 1.5, 1.0)
 RIM: Position = (-1.0, 2.5, 1.2)
-"""Of the lamps, in sizes of the arm."""
+"""Positions of the lamps, in sizes of the arm."""
 
 
 @dataclass(frozen=True)
 class Look:
-    """One theme: colours of the lines of the grid, strength of the main lamp, darkness of shadows."""
+    """Theme: colours of the lines of the grid, strength of the main lamp, darkness of shadows."""
 
     cell: Rgb
     section: Rgb
@@ -48,7 +48,7 @@ def cell_size(size: float) -> float:
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Set up three lights and an endless grid that fades into the background."""
+    """Add three lights and an endless grid that fades into the background."""
     _light(canvas, "fill", FILL, False, intensity=0.7, color=(214, 228, 255))
     canvas.scene.add_light_hemisphere(
         canvas.path("stage/sky"), sky_color=(244, 248, 255), ground_color=(168, 172, 180), intensity=2.7
@@ -64,13 +64,13 @@ def build(canvas: LayerCanvas, state: State) -> Show:
 
 
 def _light(canvas: LayerCanvas, name: str, towards: Position, shadows: bool, **options: Any) -> None:
-    """Add a lamp that is so many sizes of the arm away."""
+    """Add a lamp in a direction, at a distance in sizes of the arm."""
     x, y, z = (canvas.size * part for part in towards)
     canvas.scene.add_light_directional(canvas.path(f"stage/{name}"), cast_shadow=shadows, position=(x, y, z), **options)
 
 
 def _ground(canvas: LayerCanvas, look: Look, shadows: bool) -> None:
-    """Add the grid, which takes the shadows."""
+    """Add the grid, on which shadows fall."""
     size = canvas.size
     foot = float(canvas.drawn.figure.anatomy.root[2, 3]) + canvas.drawn.figure.foot
     canvas.scene.add_grid(

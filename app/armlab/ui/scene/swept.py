@@ -22,10 +22,10 @@ from armlab.ui.units import units_of
 
 THICKNESS = 0.0042
 SMALLEST = 0.012
-"""Thickness of the curves, and the radius below which there is none to be seen, in sizes of the arm."""
+"""Thickness of the curves, which is also the least radius that is drawn, in sizes of the arm."""
 
 TAG, TAG_TURN = 0.3, 1.9
-"""The name of a joint stands so far along its curve from the tool, in sizes of the arm, and at most so many radians."""
+"""Distance of the name of a joint from the tool along its curve, in sizes of the arm, and at most in radians."""
 
 
 class _Curves:
@@ -59,7 +59,7 @@ class _Curves:
             write(name, f"{units.variable(i, bool(self._arm.revolute[i]))} alone")
 
     def _tags(self, q: NDArray[np.float64], radius: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the values of the joints at which their names stand: to either side of the tool in turn."""
+        """Return the joint values at which their names stand, alternately on either side of the tool."""
         way = TAG * self._size
         step = np.where(self._arm.revolute, np.minimum(way / np.maximum(radius, SMALLEST * self._size), TAG_TURN), way)
         step[1::2] *= -1.0
@@ -67,7 +67,7 @@ class _Curves:
         return np.array(self._arm.clip(q + np.where(inside, step, -step)), dtype=float)
 
     def follow(self, q: NDArray[np.float64]) -> None:
-        """Put all curves where they are at a shown configuration."""
+        """Move all curves to their places in a shown configuration."""
         found = sweeps(self._arm, q)
         tags = found.at(self._tags(q, found.radius))
         for i, (line, name) in enumerate(zip(self._lines, self._names, strict=True)):

@@ -1,4 +1,4 @@
-"""How each joint moves: its axis, R with an arrow around it or P with an arrow both ways."""
+"""The motion of each joint: its axis, R with an arrow around it or P with an arrow both ways."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from armlab.ui.scene._strokes import HEAD, THICK, Floats, Segments, add_head, ad
 from armlab.ui.switches import Switch
 
 AXIS = 3.4
-"""Of an axis, how far it reaches beyond its housing, in tube radii."""
+"""Length of an axis beyond its housing, in tube radii."""
 
 AROUND, AROUND_RADIUS = math.radians(290.0), 1.5
-"""The arrow around an axis: its angle, and its radius in tube radii."""
+"""Angle of the arrow around an axis, and its radius in tube radii."""
 
 STROKE = 3.2
-"""Half length of the arrow of a joint that slides, in tube radii."""
+"""Half length of the arrow of a prismatic joint, in tube radii."""
 
 
 X, Y, Z = np.eye(3)
 
 
 def build(canvas: LayerCanvas, state: State) -> Show:
-    """Hang the marks on the bodies before the joints: they show the axis and not the motion."""
+    """Attach the marks to the bodies before the joints: they show the axis and do not move with the joint."""
     for i, body in enumerate(canvas.drawn.figure.anatomy.bodies):
         place = f"{canvas.node(i)}/type{i + 1}"
         pose = body.mount
@@ -74,7 +74,7 @@ def _prismatic(canvas: LayerCanvas, i: int, place: str) -> None:
 
 
 def _dash_dot(start: Floats, end: Floats, dash: float) -> Segments:
-    """Return the line of an axis as drawings have it: dashes, with a dot in each gap."""
+    """Return the line of an axis as in technical drawings: dashes with dots between."""
     length = float(np.linalg.norm(end - start))
     count = max(2, round(length / dash))
     if count == 2:

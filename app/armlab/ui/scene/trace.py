@@ -1,4 +1,4 @@
-"""The path of the tool point as it has been shown."""
+"""The path of the tool point as it was shown."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ STEP = 0.004
 
 CHUNK = 64
 CHUNKS = 40
-"""Segments in one node of the scene, and nodes that are kept: only the newest node is ever sent again."""
+"""Number of segments in a node of the scene, and of nodes that are kept: only the newest is sent again."""
 
 
 class Trace:
-    """Collects the shown tool points and draws them in chunks."""
+    """The shown tool points, drawn in chunks."""
 
     def __init__(self, canvas: LayerCanvas) -> None:
         self._canvas = canvas
@@ -30,7 +30,7 @@ class Trace:
         self._made = 0
 
     def add(self, q: NDArray[np.float64]) -> None:
-        """Note a shown configuration."""
+        """Add a shown configuration."""
         point = self._canvas.drawn.figure.anatomy.arm.position(q)
         if self._points and np.linalg.norm(point - self._points[-1]) < STEP * self._canvas.size:
             return

@@ -1,1 +1,1 @@
-"""One file an inverse of the differential kinematics; each holds a constant ``INVERSE``."""
+"""Inverses of the differential kinematics, one file each, with a constant ``INVERSE``."""

@@ -17,7 +17,7 @@ from armlab.kin.control.rate_inverse import Floats, RateInverse, RateStep
 
 
 def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:
-    """Return J^-1 v, or why there is none."""
+    """Return J^-1 v, or the reason why J has no inverse."""
     m, n = J.shape
     found = decomposed(J)
     if m != n:

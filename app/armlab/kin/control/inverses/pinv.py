@@ -1,4 +1,4 @@
-"""The pseudo-inverse: qdot = J# v, of all that come closest to v the shortest.
+"""The pseudo-inverse: qdot = J# v, the shortest of the joint speeds that come closest to v.
 
 Where J has full row rank that is J^T (J J^T)^-1 v and v is met exactly. Elsewhere that formula does not exist (the
 notes use it all the same, after 5.123): singular values below a cutoff count as zero, and what v has outside of the

@@ -20,7 +20,7 @@ from armlab.kin.control.rate_inverse import Floats, RateInverse, RateStep
 from armlab.kin.field import Field
 
 NOTHING = 1e-12
-"""|J J^T v| below this part of sigma_max^2 |v|: no joint moves the tool along v."""
+"""Fraction of sigma_max^2 |v|: when |J J^T v| is below it, no joint moves the tool along v."""
 
 
 def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:

@@ -1,4 +1,4 @@
-"""The weighted pseudo-inverse: of all joint speeds that come closest to v those with the least qdot^T W qdot.
+"""The weighted pseudo-inverse: the joint speeds with the least qdot^T W qdot among those that come closest to v.
 
     qdot = W^-1 J^T (J W^-1 J^T)^-1 v
 
@@ -24,7 +24,7 @@ from armlab.kin.field import Field
 
 
 def speeds(J: Floats, v: Floats, options: Mapping[str, Any]) -> RateStep:
-    """Return the weighted joint speeds; sigma_min is that of J itself."""
+    """Return the weighted joint speeds; the sigma_min in the result is that of J itself."""
     n = J.shape[1]
     weights = np.ones(n) if options["weights"] is None else options["weights"]
     if len(weights) not in (1, n):

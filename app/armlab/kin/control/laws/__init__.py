@@ -1,1 +1,1 @@
-"""One file a control law; each holds a constant ``LAW``."""
+"""Control laws, one file each, with a constant ``LAW``."""

@@ -2,8 +2,8 @@
 
     q^ = f^-1(r + dr), started at q;   qdot = (q^ - q) / T_s
 
-A few iterations, because the start is near. What the sample before left over is made good: unlike J^-1 v it does not
-drift.
+A few iterations, because the start is near. An error left by the previous sample is corrected: unlike J^-1 v it does
+not drift.
 
 References
 ----------
@@ -23,7 +23,7 @@ from armlab.kin.control.scaled_task import Floats
 from armlab.kin.field import Field
 
 CLOSE = 1e-12
-"""Scaled error below which nothing is left to do."""
+"""Scaled error below which the target counts as reached."""
 
 
 def command(controller: Controller, q: Floats, aim: Aim, options: Mapping[str, Any]) -> Told:

@@ -1,4 +1,4 @@
-"""Feed-forward alone: qdot = J^-1 v, or another inverse. Whatever goes wrong once stays wrong.
+"""Feed-forward alone: qdot = J^-1 v, or another inverse. Errors are never corrected.
 
 References
 ----------

@@ -1,1 +1,1 @@
-"""One file a closed form; each holds a constant ``CLOSED``. They are written on joint axes (`armlab.kin.ik.screws`)."""
+"""Closed forms, one file each, with a constant ``CLOSED``; they use the joint axes (`armlab.kin.ik.screws`)."""

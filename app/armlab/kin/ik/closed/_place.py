@@ -1,4 +1,4 @@
-"""What the closed forms of arms of three joints that place the tool point share."""
+"""Common part of the closed forms of three-joint arms that position the tool point."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armlab.kin.ik.screws import Vector, screws_of
 
 
 def places(arm: Arm) -> bool:
-    """Return whether an arm of three joints has the place of its tool point as task, and can do it."""
+    """Return whether a three-joint arm has the position of its tool point as task, and can control it."""
     return arm.n == 3 and arm.task.position == "xyz" and arm.task.rotation == "none" and known_structure(arm).free == 0
 
 

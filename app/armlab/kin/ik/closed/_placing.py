@@ -30,22 +30,22 @@ from armlab.kin.ik.trig import NEARLY, Angles, sine_cosine
 from armlab.kin.lines import Line, common_normal
 
 ON_AXIS = 1e-10
-"""Of the length scale: a point this near to an axis is on it and does not tell its angle."""
+"""Distance from an axis, in length scales, below which a point lies on it and determines no angle."""
 
 FLAT = 1e-12
-"""Sines and relative lengths below this are zero."""
+"""Sine or relative length below which a value counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """Values of three joints, and which of them (0-based) were chosen freely."""
+    """Values of three joints, and the indices (0-based) of those that were chosen freely."""
 
     q: tuple[float, float, float]
     free: frozenset[int]
 
 
 def place(s: Screws, t: Vector, w: Vector) -> list[Placed]:
-    """Return all ways in which joints 1, 2, 3 carry the point t of link 3 (at q = 0) to w; metres, frame 0."""
+    """Return all values of joints 1, 2, 3 that carry the point t of link 3 (at q = 0) to w; metres, frame 0."""
     placer = _Placer(s, np.asarray(t), np.asarray(w))
     found = []
     for q2, q3, free in placer.last_two():
@@ -69,7 +69,7 @@ class _Placer:
     w: Vector
 
     def last_two(self) -> Pairs:
-        """Yield values of joints 2 and 3, and the free ones of them."""
+        """Yield values of joints 2 and 3, and which of them are free."""
         ways = {"RR": self._turns, "RP": self._turn_and_slide, "PR": self._slide_and_turn, "PP": self._slides}
         yield from ways[self.s.kinds[:2]]()
 
@@ -81,7 +81,7 @@ class _Placer:
         yield from _each(roots(f, self.s.kinds[2] == "R", size, self.s.scale), 2)
 
     def _at_distance(self, square: Callable[[float], float], wanted: float) -> Iterator[tuple[float, frozenset[int]]]:
-        """Yield values of joint 3 at which a squared distance, in m², is the wanted one."""
+        """Yield the values of joint 3 at which a squared distance, in m², has the wanted value."""
         yield from self._values(lambda q3: square(q3) - wanted, wanted + self.s.scale**2)
 
     def _turns(self) -> Pairs:
@@ -209,7 +209,7 @@ class _Placer:
 
 
 def _each(found: Roots, joint: int) -> Iterator[tuple[float, frozenset[int]]]:
-    """Yield the roots, or representatives where every value is one."""
+    """Yield the roots, or representatives when every value is a root."""
     if found.every:
         yield from ((value, frozenset({joint})) for value in FREE_ANGLES)
     else:
@@ -219,14 +219,14 @@ def _each(found: Roots, joint: int) -> Iterator[tuple[float, frozenset[int]]]:
 def _of_constant_height(
     Z: float, R: float, a: float, sigma: float, kappa: float, h: float
 ) -> Iterator[tuple[float, float]]:
-    """Yield (g1, g2) where axis 3 is parallel to axis 2: (a + g1)² = R − g2² − h², in front of axis 1 and behind it."""
+    """Yield (g1, g2) with axis 3 parallel to axis 2: (a + g1)² = R − g2² − h², in front of axis 1 and behind it."""
     g2 = (Z - kappa * h) / sigma
     for far in _halves(1.0, 0.0, g2 * g2 + h * h - R):
         yield far - a, g2
 
 
 def _halves(a: float, half: float, c: float) -> tuple[float, ...]:
-    """Return the real roots of a x² + 2 half x + c = 0, one where they merge or have just done so."""
+    """Return the real roots of a x² + 2 half x + c = 0; one where they merge, or have just vanished by rounding."""
     square = half * half - a * c
     scale = half * half + abs(a * c)
     if square < -NEARLY * scale:

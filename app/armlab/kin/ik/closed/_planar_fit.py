@@ -1,4 +1,4 @@
-"""Which arms the closed forms in a plane are for."""
+"""Arms to which the closed forms in a plane apply."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.ik.screws import Vector, screws_of
 
 @lru_cache(maxsize=64)
 def plane_for(arm: Arm, structure: str) -> Plane | None:
-    """Return the plane of an arm of this structure whose task asks for exactly what its plane can do; or None."""
+    """Return the plane of an arm of this structure if the task asks for exactly what motion in it can do; else None."""
     known = known_structure(arm)
     if known.key != structure or known.free:
         return None
@@ -24,7 +24,7 @@ def plane_for(arm: Arm, structure: str) -> Plane | None:
 
 
 def _asked(arm: Arm, plane: Plane) -> bool:
-    """Return whether the task controls both directions of the plane, and with a lift or the angle what they need."""
+    """Return whether the task controls both directions of the plane and, with a lift or the angle, what these need."""
     if arm.task.rotation not in ("none", "phi"):
         return False
     if arm.task.rotation == "phi" and abs(abs(plane.n[2]) - 1.0) > ALONG:

@@ -1,4 +1,4 @@
-"""An arm whose turns are all parallel: it moves a plane in itself, and maybe lifts it.
+"""Arms with parallel revolute axes: they move in a plane, and may lift it.
 
 In the plane a point is a complex number; a turn about c is x -> c + exp(i s q) (x - c), s = ±1 its sense, a slide is
 x -> x + u q, and a lift adds to the height.
@@ -19,7 +19,7 @@ from armlab.kin.ik.screws import Screws, Vector
 from armlab.kin.ik.trig import sine_cosine, wrap
 
 ALONG = 1e-9
-"""Sine or cosine of a slide's direction with the plane below which it lies in it or across it."""
+"""Sine or cosine of the angle of a slide with the plane below which it lies in the plane or across it."""
 
 
 @dataclass(frozen=True)
@@ -32,9 +32,9 @@ class Flat:
         0-based.
     turns : bool
     centre : complex
-        Of a turn: where its axis cuts the plane at q = 0, metres.
+        For a turn, the point where its axis meets the plane at q = 0, metres.
     way : complex
-        Of a slide: its direction. Of a turn: its sense, 1 or -1.
+        For a slide, its direction; for a turn, its sense, 1 or -1.
     """
 
     joint: int
@@ -43,13 +43,13 @@ class Flat:
     way: complex
 
     def move(self, x: complex, q: float) -> complex:
-        """Return where the joint carries a point."""
+        """Return the point to which the joint carries a point."""
         if self.turns:
             return self.centre + cmath.exp(1j * self.way.real * q) * (x - self.centre)
         return x + self.way * q
 
     def turned(self, x: complex, to: complex) -> float:
-        """Return the value of a turn that carries a point to the direction of another from its centre."""
+        """Return the angle of a revolute joint that carries a point to the direction of another from its centre."""
         return wrap(self.way.real * cmath.phase((to - self.centre) * (x - self.centre).conjugate()))
 
 
@@ -84,12 +84,12 @@ class Plane:
 
     @property
     def kinds(self) -> str:
-        """Types of the joints in the plane, such as ``"RR"``."""
+        """The types of the joints in the plane, such as ``"RR"``."""
         return "".join("R" if flat.turns else "P" for flat in self.flats)
 
 
 def plane_of(s: Screws) -> Plane:
-    """Return the plane of an arm; its structure must be planar, with at least one turn."""
+    """Return the plane of an arm, whose structure must be planar with at least one revolute joint."""
     n = s.z[s.kinds.index("R")]
     # Frame 0's own x and y where it can be, so that coordinates are those on screen.
     u = np.eye(3)[0] if abs(n[0]) < 0.9 else np.eye(3)[1]
@@ -110,7 +110,7 @@ def plane_of(s: Screws) -> Plane:
 
 
 Way = tuple[dict[int, float], frozenset[int]]
-"""Values by joint (0-based), and the joints that were chosen freely."""
+"""Values by joint (0-based), and the set of joints that were chosen freely."""
 
 
 def solve_plane(plane: Plane, G: Vector, angle: bool) -> list[Way]:
@@ -119,7 +119,7 @@ def solve_plane(plane: Plane, G: Vector, angle: bool) -> list[Way]:
     Parameters
     ----------
     plane : Plane
-        With two joints in the plane, or three where the angle counts, and at most one lift.
+        A plane with two joints, or three when the angle counts, and at most one lift.
     G : ndarray, shape (4, 4)
         Target in frame 0.
     angle : bool
@@ -136,7 +136,7 @@ def solve_plane(plane: Plane, G: Vector, angle: bool) -> list[Way]:
 
 
 def heading(plane: Plane, G: Vector) -> float:
-    """Return the turn about the plane's normal from the hand at q = 0 to the wanted one, radians."""
+    """Return the angle in radians about the plane's normal from the hand at q = 0 to the wanted one."""
     turned = G[:3, :3] @ plane.home[:3, :3].T
     across = np.array([[plane.u @ turned @ plane.u, plane.u @ turned @ plane.v],
                        [plane.v @ turned @ plane.u, plane.v @ turned @ plane.v]])  # fmt: skip
@@ -174,12 +174,12 @@ def _with_angle(plane: Plane, G: Vector, w: complex) -> Iterator[Way]:
 
 
 def _undone(flat: Flat) -> Flat:
-    """Return the inverse motion with the same joint value."""
+    """Return the inverse motion for the same joint value."""
     return Flat(flat.joint, flat.turns, flat.centre, -flat.way)
 
 
 def place_two(first: Flat, second: Flat, t: complex, w: complex, scale: float) -> Iterator[Way]:
-    """Yield all ways in which two joints carry the point t to w in the plane."""
+    """Yield all values of two joints that carry the point t to w in the plane."""
     if first.turns and second.turns:
         yield from _two_turns(first, second, t, w, scale)
     elif first.turns:
@@ -213,7 +213,7 @@ def _two_turns(first: Flat, second: Flat, t: complex, w: complex, scale: float) 
 def _then_first(
     turn: Flat, values: dict[int, float], x: complex, w: complex, scale: float, free: frozenset[int]
 ) -> Iterator[Way]:
-    """Yield the values with those of a turn that carries x to w, or with any where both are its centre."""
+    """Yield the values together with those of a turn that carries x to w, or any value when both are its centre."""
     if abs(w - turn.centre) <= ON_AXIS * scale:
         for q in FREE_ANGLES:
             yield {**values, turn.joint: q}, free | {turn.joint}
@@ -222,7 +222,7 @@ def _then_first(
 
 
 def _combined(ways: tuple[complex, complex], gap: complex) -> Iterator[tuple[float, float]]:
-    """Yield the lengths of two directions that make up a gap."""
+    """Yield the lengths along two directions whose sum is a gap."""
     a, b = ways
     determinant = (a.conjugate() * b).imag
     if abs(determinant) > ALONG:
@@ -230,7 +230,7 @@ def _combined(ways: tuple[complex, complex], gap: complex) -> Iterator[tuple[flo
 
 
 def found_in_plane(n: int, ways: list[Way], none: str) -> Found:
-    """Return ways in a plane as arrays (n,) with sentences for free joints."""
+    """Return solutions in a plane as arrays (n,), with sentences on free joints."""
     q = [np.array([values[i] for i in range(n)]) for values, _ in ways]
     return Found(q, families_of([free for _, free in ways]), "" if q else none)
 

@@ -1,4 +1,4 @@
-"""Real roots of an equation in the last of three joints: at most of degree four in its value or its half tangent."""
+"""Real roots of an equation in the last of three joints, at most of degree four in its value or half-angle tangent."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ import numpy as np
 from armlab.kin.ik.trig import NEARLY, sine_cosine, wrap
 
 FLAT = 1e-12
-"""Relative size below which a coefficient found from samples is zero."""
+"""Size of a coefficient, relative to the samples it is computed from, below which it counts as zero."""
 
 NEAR_REAL = 3e-3
-"""A root this near to the reals (or the unit circle) is looked at: merging roots are torn apart by rounding."""
+"""Distance from the real line (or unit circle) up to which a root is examined: rounding separates merging roots."""
 
 SMALL = 1e-6
-"""Value of the equation, relative to its terms, below which a real number near a root is looked at: forward kinematics
+"""Value of the equation, relative to its terms, below which a real number near a root is examined: forward kinematics
 decides."""
 
 
 @dataclass(frozen=True)
 class Roots:
-    """The real roots, or every value."""
+    """The real roots, or the statement that every value is a root."""
 
     values: tuple[float, ...] = ()
     every: bool = False
@@ -90,7 +90,7 @@ def _of_square(coefficients: Sequence[float], length: float) -> tuple[float, ...
 def _polished(
     starts: Sequence[float], f: Callable[[float], float], size: float, h: float, wrapping: bool
 ) -> tuple[float, ...]:
-    """Return starts after secant steps, without those that are no roots."""
+    """Return the starts improved by secant steps, without those that are no roots."""
     found = []
     for x in starts:
         for _ in range(3):

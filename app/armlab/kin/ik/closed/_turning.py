@@ -1,4 +1,4 @@
-"""Three turns about axes through one point make a rotation: the spherical wrist."""
+"""The spherical wrist: a rotation as three rotations about axes through one point."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from armlab.kin.ik.screws import Vector, across, angle_about, cross, rotation
 from armlab.kin.ik.trig import sine_cosine
 
 STRAIGHT = 1e-10
-"""Sine between the first and the last axis below which they are one line."""
+"""Sine of the angle of the first and last axis below which they are one line."""
 
 RIGHT = 1e-9
-"""Cosine between neighbouring axes below which they are at a right angle."""
+"""Cosine of the angle of neighbouring axes below which it counts as a right angle."""
 
 
 @dataclass(frozen=True)
 class Turned:
-    """Three angles; where ``free``, the first was chosen freely and the last makes up for it."""
+    """Three angles; with ``free`` the first was chosen freely and the last adapted to it."""
 
     q: tuple[float, float, float]
     free: bool

@@ -1,4 +1,4 @@
-"""An arm whose last three axes meet: the first joints place the point, the last three turn the hand."""
+"""Arms whose last three axes meet: the first joints position this point, the last three turn the hand."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armlab.kin.transforms import inverse
 
 
 def wrist_centre(s: Screws) -> Vector:
-    """Return the point where the last three axes meet, at q = 0, in metres and frame 0."""
+    """Return the point where the last three axes meet, at q = 0, in metres, frame 0."""
     fourth, fifth = Line(s.o[-3], s.z[-3]), Line(s.o[-2], s.z[-2])
     return common_normal(fourth, fifth, scale=s.scale).foot2
 

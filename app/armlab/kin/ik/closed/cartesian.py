@@ -14,11 +14,11 @@ from armlab.kin.ik.closed_form import ClosedForm, Found, known_structure
 from armlab.kin.ik.screws import Vector, screws_of
 
 INDEPENDENT = 1e-9
-"""Smallest singular value of the directions that counts."""
+"""Smallest singular value with which the directions of the slides count as independent."""
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why the joint values are linear in the position, or None."""
+    """Return a sentence why the position is linear in the joint values; None when it is not."""
     structure = known_structure(arm)
     if structure.key != "cartesian" or arm.n != len(arm.task.position):
         return None

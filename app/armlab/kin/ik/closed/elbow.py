@@ -27,7 +27,7 @@ from armlab.kin.lines import Line, common_normal
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why joint 1 turns the plane of a 2R, or None."""
+    """Return a sentence why joint 1 turns the plane of a planar 2R; None when it does not."""
     return known_structure(arm).why if places(arm) and known_structure(arm).key == "elbow" else None
 
 
@@ -37,7 +37,7 @@ def solve(arm: Arm, T: Vector) -> Found:
 
 
 def steps(arm: Arm, T: Vector) -> tuple[DerivationStep, ...]:
-    """Return the lines of the derivation; none for an arm with offsets, which the notes do not treat."""
+    """Return the lines of the derivation; none for an arm with offsets, which is not in the notes."""
     lengths = _lengths(screws_of(arm))
     if lengths is None:
         return ()
@@ -100,7 +100,7 @@ def steps(arm: Arm, T: Vector) -> tuple[DerivationStep, ...]:
 
 
 def _second(theta: float, s3: float, c3: float, px: float, py: float, pz: float, L2: float, L3: float) -> float:
-    """Return theta 2 from the two equations; nan where they leave it open or have no solution."""
+    """Return theta 2 from the two equations; nan where they do not determine it or have no solution."""
     if not (math.isfinite(theta) and math.isfinite(s3)):
         return math.nan
     ahead = math.cos(theta) * px + math.sin(theta) * py
@@ -109,7 +109,7 @@ def _second(theta: float, s3: float, c3: float, px: float, py: float, pz: float,
 
 
 def _lengths(s: Screws) -> tuple[Vector, Vector, float, float] | None:
-    """Return shoulder, the direction theta 1 counts from, and both lengths; None for an arm with offsets."""
+    """Return the shoulder, the direction of theta 1 = 0, and both lengths; None for an arm with offsets."""
     shoulder_normal = common_normal(Line(s.o[0], s.z[0]), Line(s.o[1], s.z[1]), scale=s.scale)
     shoulder, across = shoulder_normal.foot2, s.z[1]
     elbow, hand = s.o[2] - shoulder, s.home[:3, 3] - s.o[2]

@@ -17,7 +17,7 @@ from armlab.kin.ik.screws import Vector
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why the task of an arm is what its plane can do, or None."""
+    """Return a sentence why the task is what motion in the arm's plane can do; None when it is not."""
     return None if plane_for(arm, "planar") is None else known_structure(arm).why
 
 

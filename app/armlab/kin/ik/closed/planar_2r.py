@@ -25,7 +25,7 @@ from armlab.kin.ik.trig import wrap
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why an arm is a planar 2R with its tool point as task, or None."""
+    """Return a sentence why the arm is a planar 2R with its tool point as task; None when it is not."""
     plane = plane_for(arm, "planar")
     return known_structure(arm).why if plane is not None and plane.kinds == "RR" and not plane.lifts else None
 
@@ -43,7 +43,7 @@ def solve(arm: Arm, T: Vector) -> Found:
 
 
 def steps(arm: Arm, T: Vector) -> tuple[DerivationStep, ...]:
-    """Return the lines of the derivation at a target, T (4, 4) in frame 0."""
+    """Return the lines of the derivation at a target T (4, 4) in frame 0."""
     plane = _plane(arm)
     l1, l2, p = _lengths(plane, T)
     square = abs(p) ** 2
@@ -95,7 +95,7 @@ def steps(arm: Arm, T: Vector) -> tuple[DerivationStep, ...]:
 
 
 def _joint_values(plane: Plane, first: tuple[float, ...], second: tuple[float, ...]) -> DerivationStep:
-    """Return the line from geometric angles to joint values: senses of the axes and offsets of the table."""
+    """Return the line from geometric angles to joint values: directions of the axes and offsets of the table."""
     one, two = plane.flats
     zero1 = cmath.phase(two.centre - one.centre)
     zero2 = cmath.phase((plane.tool - two.centre) / (two.centre - one.centre)) if two.centre != one.centre else 0.0

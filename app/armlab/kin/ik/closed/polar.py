@@ -26,7 +26,7 @@ from armlab.kin.lines import Line, common_normal
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why joint values are two angles and a length, or None."""
+    """Return a sentence why the joint values are two angles and a length; None when they are not."""
     return known_structure(arm).why if places(arm) and known_structure(arm).key == "polar" else None
 
 
@@ -36,7 +36,7 @@ def solve(arm: Arm, T: Vector) -> Found:
 
 
 def steps(arm: Arm, T: Vector) -> tuple[DerivationStep, ...]:
-    """Return the lines of the derivation; none for an arm whose slide passes beside the shoulder."""
+    """Return the lines of the derivation; none for an arm whose slide does not pass through the shoulder."""
     s = screws_of(arm)
     shoulder = common_normal(Line(s.o[0], s.z[0]), Line(s.o[1], s.z[1]), scale=s.scale).foot1
     rest = s.home[:3, 3] - shoulder

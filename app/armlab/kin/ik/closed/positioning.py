@@ -14,7 +14,7 @@ from armlab.kin.ik.screws import Vector
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why three joints place the tool point, or None."""
+    """Return a sentence why three joints position the tool point; None when they do not."""
     return known_structure(arm).why if places(arm) and known_structure(arm).key == "positioning" else None
 
 

@@ -14,7 +14,7 @@ from armlab.kin.ik.screws import Vector
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why height and plane separate, or None."""
+    """Return a sentence why height and plane can be solved separately; None when they cannot."""
     return None if plane_for(arm, "scara") is None else known_structure(arm).why
 
 

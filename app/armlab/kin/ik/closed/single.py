@@ -1,4 +1,4 @@
-"""One joint.
+"""Arms with one joint.
 
 References
 ----------
@@ -16,7 +16,7 @@ from armlab.kin.ik.screws import Vector, across, angle_about, screws_of
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why one joint follows from the target, or None."""
+    """Return a sentence why the one joint follows from the target; None when it does not."""
     known = arm.n == 1 and (arm.task.rotation == "phi" or (arm.task.position == "xyz" and arm.task.rotation == "none"))
     if not known:
         return None
@@ -26,7 +26,7 @@ def fits(arm: Arm) -> str | None:
 
 
 def solve(arm: Arm, T: Vector) -> Found:
-    """Return the only solution, T (4, 4) in frame 0; a target off the joint's path has none."""
+    """Return the only solution, T (4, 4) in frame 0; none when the target lies off the path of the joint."""
     s = screws_of(arm)
     if s.kinds == "P":
         return Found([np.array([s.z[0] @ (T[:3, 3] - s.home[:3, 3])])], none="The target is off the line of the slide.")

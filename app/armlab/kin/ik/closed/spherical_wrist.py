@@ -24,7 +24,7 @@ from armlab.kin.transforms import inverse
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why position and orientation separate, or None."""
+    """Return a sentence why position and orientation can be solved separately; None when they cannot."""
     structure = known_structure(arm)
     fitting = structure.key == "spherical_wrist" and arm.n == 6 and arm.task.key == "pose" and structure.free == 0
     return structure.why if fitting else None

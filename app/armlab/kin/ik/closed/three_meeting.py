@@ -25,7 +25,7 @@ FAMILY = (
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why position and orientation separate, or None."""
+    """Return a sentence why position and orientation can be solved separately; None when they cannot."""
     structure = known_structure(arm)
     fitting = structure.key == "three_meeting" and structure.joints == (1, 2, 3) and arm.n == 6
     return structure.why if fitting and arm.task.key == "pose" and structure.free == 0 else None

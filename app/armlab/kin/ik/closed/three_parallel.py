@@ -2,8 +2,8 @@
 
 Joints 2, 3 and 4 move everything in a plane across their direction z, so they change neither z nor heights along it.
 With c the point where axes 5 and 6 meet, its height seen from joint 1 is one equation for q1; the direction of z seen
-from joint 6 is one for q5 and gives q6. What is left is a planar 3R with orientation. Where joint 5 makes axis 6
-parallel to z, joint 6 is free.
+from joint 6 is one for q5 and gives q6. The rest is a planar 3R with orientation. Where joint 5 makes axis 6 parallel
+to z, joint 6 is free.
 
 References
 ----------
@@ -28,13 +28,13 @@ from armlab.kin.lines import Line, common_normal
 from armlab.kin.transforms import inverse
 
 NEARLY_STRAIGHT, UNCERTAIN = 2.0 * REACHED_RAD, 3e-3
-"""Sine between axis 6 and the parallel ones up to which any value of joint 6 may reach the target, though one is best;
-and up to which this one is not believed where the planar 3R does not follow it: others are within what counts as
-reached, the farther away the smaller the sine is."""
+"""Sines of the angle between axis 6 and the parallel ones: up to the first any value of joint 6 may reach the target,
+though one is best; up to the second this value is not trusted unless the planar 3R confirms it, since others are within
+what counts as reached, farther away the smaller the sine."""
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why the other joints separate from a planar 3R, or None."""
+    """Return a sentence why the other joints can be solved apart from a planar 3R; None when they cannot."""
     structure = known_structure(arm)
     if structure.key != "three_parallel" or arm.n != 6 or arm.task.key != "pose" or structure.free != 0:
         return None
@@ -52,7 +52,7 @@ def solve(arm: Arm, T: Vector) -> Found:
 
 
 def _with_plane_second(arm: Arm) -> Screws | None:
-    """Return the arm with its parallel axes 2, 3, 4, seen from the tool where they are 3, 4, 5."""
+    """Return the arm with parallel axes 2, 3, 4; one with 3, 4, 5 is reversed, tool to base. None without these."""
     joints = known_structure(arm).joints
     if joints == (3, 4, 5):
         return screws_of(arm).reversed()
@@ -60,7 +60,7 @@ def _with_plane_second(arm: Arm) -> Screws | None:
 
 
 def _meeting(s: Screws, i: int, j: int) -> Vector | None:
-    """Return the point where two axes meet, or None."""
+    """Return the point where two axes meet, or None when they do not."""
     normal = common_normal(Line(s.o[i], s.z[i]), Line(s.o[j], s.z[j]), scale=s.scale)
     return normal.foot1 if normal.kind == "intersecting" else None
 

@@ -16,7 +16,7 @@ from armlab.kin.ik.screws import Vector, screws_of
 
 
 def fits(arm: Arm) -> str | None:
-    """Return why three turns about one point make the orientation, or None."""
+    """Return a sentence why three rotations about one point make the orientation; None when they do not."""
     structure = known_structure(arm)
     fitting = structure.key == "wrist" and arm.task.rotation == "full" and structure.free == 0
     return structure.why if fitting else None

@@ -1,4 +1,4 @@
-"""Iterative inverse kinematics as a lesson shows it: every step as it comes, recorded in full.
+"""Iterative inverse kinematics for lessons: every step unchanged, recorded in full.
 
 The fast solver behind a drag is `armlab.kin.ik.solve`: its methods are compiled, it restarts and it minds the limits.
 """

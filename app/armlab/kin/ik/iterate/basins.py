@@ -25,24 +25,24 @@ from armlab.kin.ik.verdict import checked_locks, joint_values
 from armlab.kin.transforms import as_pose
 
 FAILED, NOT_YET = -1, -2
-"""Entries of a map: no solution was reached from here; this row is still to come."""
+"""Entries of a map: no solution was reached from this start; this row is not computed yet."""
 
 SAME = 1e-3
-"""Distance of angles (chord) and lengths over the length scale within which two solutions are one."""
+"""Distance, of angles (chord) and of lengths in length scales, below which two solutions are one."""
 
 PIECE = 3072
-"""Starts computed at once, over the number of joints: enough that the cost of a call is small against the work."""
+"""Starts computed at once, times the number of joints: enough to make the cost of a call small against the work."""
 
 BREATH = 4096
-"""Steps of single starts, over the number of joints, after which the map is given out, ready or not: some 15 ms of
-Newton's method."""
+"""Steps of single starts, times the number of joints, after which the map so far is given out: some 15 ms of Newton's
+method."""
 
 MOST_PIXELS = 1_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class Basins:
-    """A map as far as it is done.
+    """A map of basins of attraction, possibly unfinished.
 
     Attributes
     ----------
@@ -86,14 +86,14 @@ def basins(
     locked: Sequence[bool] | None = None,
     solutions: ArrayLike | None = None,
 ) -> Iterator[Basins]:
-    """Yield the map of basins of attraction as far as it is done, again and again; stop asking to cancel.
+    """Yield the map of basins of attraction while it is computed; stop iterating to cancel.
 
     Between two of these comes a short spell of work, so a slow method may yield more than once before rows are added.
 
     Parameters
     ----------
     arm : Arm
-        With as many free joints as task components, or fewer, so that solutions are single configurations.
+        An arm with at most as many free joints as task components, so that solutions are single configurations.
     target : array_like, shape (4, 4)
     method : str
         Key of an iterative method.
@@ -159,7 +159,7 @@ def _pieces(run: _Run, rest: Floats, joints: tuple[int, int], across: Floats, up
 
 
 class _Run:
-    """A method, and the solutions it has reached so far."""
+    """A method, and the solutions that it has reached so far."""
 
     def __init__(
         self,
@@ -175,7 +175,7 @@ class _Run:
         self.found = np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64)
 
     def from_starts(self, starts: Floats) -> Iterator[None]:
-        """Leave number of the solution and steps taken (B,) from starts (B, n) in ``found``; yield now and then."""
+        """Put into ``found`` the solution's number and steps (B,) from starts (B, n); yield now and then."""
         index, taken = np.full(len(starts), FAILED), np.zeros(len(starts), dtype=np.int64)
         self.found, work = (index, taken), 0
         if len(self.problem.free) < self.problem.vector.m and not self.method.tall:
@@ -196,7 +196,7 @@ class _Run:
         index[reached] = self._numbered(ends[reached])
 
     def _numbered(self, q: Floats) -> NDArray[np.int64]:
-        """Return the numbers of solutions (B, n), giving new ones to those not met before."""
+        """Return the numbers of solutions (B, n); new ones get new numbers."""
         index, open_rows = np.full(len(q), FAILED), np.arange(len(q))
         number = 0
         while len(open_rows):

@@ -27,10 +27,10 @@ from armlab.kin.ik.verdict import checked_locks, joint_values
 from armlab.kin.transforms import as_pose
 
 MOST_STEPS = 20_000
-"""Of the integration; more would be seen by nobody."""
+"""Largest number of steps of the integration."""
 
 STABLE = 2.785
-"""Largest dt K sigma_max^2 for which RK4 of a decaying linear equation does not grow."""
+"""Largest dt K sigma_max^2 at which RK4 is stable for a decaying linear equation."""
 
 FlowStatus = Literal["converged", "stuck", "going", "unstable", "locked"]
 
@@ -53,7 +53,7 @@ class Flow:
         Lyapunov function of the scaled error, and its derivative by the formula, 1/s.
     status, reason : str
     scaling : str
-        What V is made of, in words.
+        The units combined in V, in words.
     """
 
     t: Floats

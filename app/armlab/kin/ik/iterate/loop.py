@@ -17,23 +17,23 @@ from armlab.kin.ik.iterate.method import IterationMethod, Memory, Move, Paramete
 from armlab.kin.ik.iterate.problem import Floats, Point, Problem
 
 FLAT = 1e-12
-"""|J^T e| relative to sigma_max |e| below which the slope is zero: what rounding leaves of it."""
+"""Slope |J^T e|, relative to sigma_max |e|, below which it is zero but for rounding."""
 
 STILL = 1e-9
-"""Scaled joint change that counts as none where the slope is zero."""
+"""Scaled joint change that counts as no motion where the slope is zero."""
 
 SETTLED = 1e-4
-"""Self-motion of one step, in scaled joints, below which a secondary objective counts as served."""
+"""Self-motion of one step, in scaled joints, below which a secondary objective counts as reached."""
 
 GROWN = 1e8
-"""Scaled error, relative to the first one, beyond which an iteration has diverged."""
+"""Scaled error, relative to the first one, above which an iteration has diverged."""
 
 FARTHEST = 1e9
-"""Scaled joint value beyond which sines have lost their digits."""
+"""Scaled joint value above which sines have lost their digits."""
 
 
 class Fate(IntEnum):
-    """How an iteration stands."""
+    """State of an iteration."""
 
     GOING = 0
     CONVERGED = 1
@@ -51,10 +51,10 @@ class Stage(NamedTuple):
     Attributes
     ----------
     rows : ndarray of int, shape (B,)
-        Which starts they are.
+        Indices of the starts.
     point : Point
     landed : ndarray, shape (B, n)
-        Where the steps led; for iterations that end here the same configuration.
+        Ends of the steps; the same configuration for iterations that end here.
     damping : ndarray, shape (B,)
     fate : ndarray of int, shape (B,)
         `Fate` after this iterate.
@@ -126,7 +126,7 @@ def _evaluated(problem: Problem, q: Floats) -> tuple[Point, Floats]:
 
 
 def within(problem: Problem, point: Point, tolerance: tuple[float, float]) -> NDArray[np.bool_]:
-    """Return where (B,) every error is within its tolerance, metres and radians each for itself."""
+    """Return where (B,) every error is within its tolerance, in metres and radians separately."""
     metres, radians = tolerance
     reached = (point.misfit.position <= metres) & (point.misfit.rotation <= radians)
     own = problem.vector.task.m
@@ -138,7 +138,7 @@ def within(problem: Problem, point: Point, tolerance: tuple[float, float]) -> ND
 def _landed(
     problem: Problem, method: IterationMethod, point: Point, move: Move, reached: NDArray[np.bool_]
 ) -> tuple[Floats, NDArray[np.intp]]:
-    """Return where the steps lead and how the iterations stand; one that ends does not move."""
+    """Return the ends of the steps and the states of the iterations; one that ends does not move."""
     fate, flat = np.full(len(point.q), int(Fate.GOING)), is_flat(point)
     finite = np.asarray(np.all(np.isfinite(move.dq), axis=-1))
     dq = np.where(finite[:, None], move.dq, 0.0)
@@ -157,7 +157,7 @@ def _landed(
 
 
 def is_flat(point: Point) -> NDArray[np.bool_]:
-    """Return where J^T e is zero though e is not: no small motion comes closer, to first order."""
+    """Return where J^T e is zero though e is not, (B,): to first order no small motion comes closer."""
     with np.errstate(over="ignore", invalid="ignore"):
         slope, e = np.linalg.norm(point.slope, axis=-1), np.linalg.norm(point.e, axis=-1)
         return np.asarray(slope <= FLAT * point.sigma_max * e)

@@ -1,4 +1,4 @@
-"""What an iterative method is: a rule for one step. Loop, limits, stopping and words are shared.
+"""Iterative methods: each is a rule for one step; loop, limits, stopping and wording are shared.
 
 A rule for NumPy arrays, many configurations at once, that may look at singular values, has named parameters and may
 remember. The compiled methods behind a drag are another kind of rule: see `armlab.kin.ik.method`.
@@ -33,7 +33,7 @@ class Parameter:
     Attributes
     ----------
     key, symbol, title : str
-        For programs, as the notes write it, and in words.
+        The name in programs, the symbol of the notes, and the name in words.
     default, low, high : float
         Smallest and largest value allowed are included.
     unit : str
@@ -51,7 +51,7 @@ class Parameter:
 
 
 class Move(NamedTuple):
-    """What a method proposes for B configurations with k free joints.
+    """The step that a method proposes for B configurations with k free joints.
 
     Attributes
     ----------
@@ -60,11 +60,11 @@ class Move(NamedTuple):
     damping : ndarray, shape (B,), optional
         The number added to the diagonal of J J^T.
     refused : ndarray of bool, shape (B,), optional
-        Where the method has no step because a matrix cannot be inverted.
+        Configurations without a step, because a matrix cannot be inverted.
     secondary : ndarray, shape (B,), optional
         Length of the part of the step that serves another aim than the task.
     memory : tuple of ndarray
-        What the method wants back at the next step, each with B rows.
+        Arrays that the method needs at the next step, each with B rows.
     """
 
     dq: Floats
@@ -159,7 +159,7 @@ def damped_step(point: Point, damping: Floats) -> Floats:
 
 
 def inverse_step(point: Point, cutoff: float = 0.0) -> Floats:
-    """Return J# e, (B, k), singular values not above ``cutoff`` times the largest taken as zero."""
+    """Return J# e, (B, k); singular values up to ``cutoff`` times the largest are taken as zero."""
     kept = point.sigma > cutoff * point.sigma_max[:, None]
     return _spread(point, np.where(kept, 1.0 / np.where(kept, point.sigma, 1.0), 0.0))
 

@@ -1,8 +1,8 @@
 """Orientation errors and their Jacobians, for many configurations at once, in axes of frame 0.
 
-Of an orientation R and a wanted R_d the error is theta r with R_d R^T = rot(r, theta). With omega the angular velocity
-of R the time derivative of theta^2 / 2 is exactly -theta r . omega, so that J^T e is the exact downhill slope of half
-the squared error: fixed-step gradients and Lyapunov functions are what they claim to be.
+The error of an orientation R with respect to a wanted R_d is theta r with R_d R^T = rot(r, theta). With omega the
+angular velocity of R the time derivative of theta^2 / 2 is exactly -theta r . omega, so that J^T e is the exact
+downhill slope of half the squared error: fixed-step gradients and Lyapunov functions are what they claim to be.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from armlab.kin.rotations import axis_angle, rotation_about
 Floats = NDArray[np.float64]
 
 HALF_TURN_SINE = 1e-6
-"""Below this sine near half a turn the axis is not read off the skew part of a rotation, which vanishes there."""
+"""Sine below which, near half a turn, the axis is not read from the skew part of a rotation, which vanishes there."""
 
 REPRESENTED = 1e-7
-"""Determinant of the Euler rates, sine or cosine of the middle angle, below which the angles are singular."""
+"""Determinant of the Euler rates (sine or cosine of the middle angle) below which the angles are singular."""
 
 
 def rotation_vector(R: Floats) -> Floats:
-    """Return theta r (..., 3) of rotations (..., 3, 3), theta in [0, pi]."""
+    """Return theta r (..., 3), angle times axis, of rotations (..., 3, 3), with theta in [0, pi]."""
     skewed = np.stack([R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], axis=-1)
     sine = 0.5 * np.sqrt(np.sum(skewed * skewed, axis=-1))
     cosine = 0.5 * (np.trace(R, axis1=-2, axis2=-1) - 1.0)
@@ -42,7 +42,7 @@ def rotation_vector(R: Floats) -> Floats:
 
 
 def turn_about_z(R: Floats) -> Floats:
-    """Return the angle about z (...) that comes closest to rotations (..., 3, 3)."""
+    """Return the angle about z (...) of the rotation about z that comes closest to rotations (..., 3, 3)."""
     return np.asarray(np.arctan2(R[..., 1, 0] - R[..., 0, 1], R[..., 0, 0] + R[..., 1, 1]))
 
 
@@ -64,7 +64,7 @@ def approach_error(R: Floats, wanted: Floats) -> Floats:
 def euler_error(R: Floats, wanted: Floats, axes: str, fixed: bool) -> tuple[Floats, Floats]:
     """Return differences of Euler angles (..., 3) in [-pi, pi), and the present angles (..., 3).
 
-    Of the two triples of the present orientation the one nearer to the wanted, principal triple is taken.
+    The triple of the present orientation is the one of two that is nearer to the wanted, principal triple.
     """
     goal = euler_angles(wanted, axes, fixed=fixed).solutions[..., 0, :]
     both = euler_angles(R, axes, fixed=fixed).solutions
@@ -88,7 +88,7 @@ def euler_rates(angles: Floats, axes: str, fixed: bool) -> Floats:
 
 
 def analytic_rows(E: Floats, omega: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-    """Return E^-1 J_omega (..., 3, n) and where E can be inverted; elsewhere the rows are zero."""
+    """Return E^-1 J_omega (..., 3, n) and where E is invertible; elsewhere the rows are zero."""
     regular = np.abs(np.linalg.det(E)) > REPRESENTED
     safe = np.where(regular[..., None, None], E, np.eye(3))
     return np.where(regular[..., None, None], np.linalg.solve(safe, omega), 0.0), regular

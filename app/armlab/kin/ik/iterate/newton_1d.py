@@ -11,7 +11,7 @@ from armlab.errors import InputError
 from armlab.kin.checks import finite_floats, whole_number
 
 SMALL = 1e-14
-"""|f| at which the iteration ends: the rounding of a function of about 1."""
+"""Value |f| at which the iteration ends: the rounding of a function of size about 1."""
 
 
 class Tangent(NamedTuple):
@@ -22,7 +22,7 @@ class Tangent(NamedTuple):
 
     @property
     def root(self) -> float:
-        """Where the line meets y = 0: the next iterate; nan for a line along the axis."""
+        """Intersection with y = 0, the next iterate; nan for a line along the axis."""
         return -self.intercept / self.slope if self.slope else math.nan
 
 
@@ -74,7 +74,7 @@ EXAMPLES = (
         "cycle", "x³ − 2x + 2 = 0: it goes round", lambda x: x**3 - 2.0 * x + 2.0, lambda x: 3.0 * x * x - 2.0, 0.0
     ),
 )
-"""Section 4.4.1 of the notes: f minus a wanted value, its tangent, and what may go wrong."""
+"""Examples of section 4.4.1 of the notes: a function minus a wanted value, its derivative, and what may go wrong."""
 
 
 def newton_1d(
@@ -126,7 +126,7 @@ def newton_1d(
 
 
 def _point(f: Callable[[float], float], df: Callable[[float], float], x: float) -> Newton1D | None:
-    """Return the iterate at x; None where function or slope is not a finite number."""
+    """Return the iterate at x; None when the function or its slope is not finite."""
     try:
         value, slope = float(f(x)), float(df(x))
     except (OverflowError, ValueError, ZeroDivisionError):

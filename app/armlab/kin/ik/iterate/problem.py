@@ -32,14 +32,14 @@ from armlab.kin.transforms import inverse
 Floats = NDArray[np.float64]
 
 SINGULAR = 1e-12
-"""Smallest singular value, relative to the largest, at which a matrix has no inverse worth the name."""
+"""Smallest singular value, relative to the largest, at which a matrix counts as having no inverse."""
 
 FEW = 24
-"""Configurations up to which scalar formulas, one after the other, are faster than those for arrays."""
+"""Largest number of configurations for which scalar formulas, one by one, are faster than those for arrays."""
 
 
 class Misfit(NamedTuple):
-    """How far configurations are from the target, each kind for itself.
+    """Errors of configurations with respect to the target, one array for each kind.
 
     Attributes
     ----------
@@ -81,12 +81,12 @@ class Point(NamedTuple):
 
     @property
     def slope(self) -> Floats:
-        """J^T e (B, k): how fast half the squared error falls with each free joint."""
+        """J^T e (B, k): the rate at which half the squared error falls with each free joint."""
         return np.asarray(np.einsum("bmk,bm->bk", self.J, self.e))
 
     @property
     def sigma_max(self) -> Floats:
-        """The largest singular values (B,); 0 for a task or an arm without any."""
+        """The largest singular values (B,); 0 when there is none."""
         return self.sigma[:, 0] if self.sigma.shape[1] else np.zeros(len(self.q))
 
     @property
@@ -96,7 +96,7 @@ class Point(NamedTuple):
 
     @property
     def w(self) -> Floats:
-        """The product of the singular values (B,); 0 without any."""
+        """The product of the singular values (B,); 0 when there is none."""
         return np.asarray(np.prod(self.sigma, axis=-1)) if self.sigma.shape[1] else np.zeros(len(self.q))
 
     @property
@@ -105,14 +105,14 @@ class Point(NamedTuple):
         return np.asarray(self.sigma_min <= SINGULAR * self.sigma_max)
 
     def take(self, rows: NDArray[np.intp]) -> Point:
-        """Return the points of some rows."""
+        """Return the points of the given rows."""
         misfit = Misfit(*(part[rows] for part in self.misfit))
         q, e, J, U, sigma, Vt = (part[rows] for part in self[:6])
         return Point(q, e, J, U, sigma, Vt, misfit, self.represented[rows])
 
 
 def joined(points: Sequence[Point]) -> Point:
-    """Return the configurations of several points in order as one."""
+    """Return several points, in order, as one."""
     misfit = Misfit(*(np.concatenate(parts) for parts in zip(*(one.misfit for one in points), strict=True)))
     q, e, J, U, sigma, Vt = (np.concatenate(parts) for parts in zip(*(one[:6] for one in points), strict=True))
     return Point(q, e, J, U, sigma, Vt, misfit, np.concatenate([one.represented for one in points]))
@@ -176,18 +176,18 @@ class Problem:
 
     @property
     def sigma_unit(self) -> str:
-        """Unit of singular values: ``"m"`` for positions of turning joints in metres, else a pure number."""
+        """Unit of singular values: ``"m"`` for a position task of revolute joints in metres, else empty."""
         return "m" if not self.mixed and "m" in self.kinds and bool(self.arm.revolute[self.free].any()) else ""
 
     @property
     def beyond(self) -> bool:
-        """Whether the wanted coordinates alone are farther from frame 0 than all links in a line."""
+        """Whether the wanted coordinates alone are farther from frame 0 than the sum of all lengths."""
         return math.hypot(*self.target[self.vector.task.coordinates, 3]) > self.arm.reach * (1.0 + 1e-12)
 
     def at(self, q: Floats) -> Point:
         """Return the task at configurations (B, n).
 
-        What is too large for a number is infinite, without a warning: such an iteration has diverged.
+        A value too large for a number is infinite, without a warning: such an iteration has diverged.
         """
         with np.errstate(all="ignore"):
             return self._at(q)
@@ -212,7 +212,7 @@ class Problem:
         return self._misfit(q, self._tool(q))[0].components * self.row_units
 
     def half_square(self, e: Floats) -> Floats:
-        """Return the cost (B,) of scaled errors (B, m): half their square, angles by theta or by their chord."""
+        """Return the cost (B,) of scaled errors (B, m): half their square, with angles by theta or by their chord."""
         if self.chord:
             turns = e / self.row_units
             theta = np.abs(turns)
@@ -232,7 +232,7 @@ class Problem:
         return self.at(q).w
 
     def land(self, q: Floats, dq: Floats) -> Floats:
-        """Return where steps (B, k) in scaled free joints lead from (B, n): inside the limits when these are kept."""
+        """Return the ends of steps (B, k) in scaled free joints from (B, n), inside the limits when these are kept."""
         after = q.copy()
         after[:, self.free] = np.clip(q[:, self.free] + dq * self.units, self.low[self.free], self.high[self.free])
         return after
@@ -242,11 +242,11 @@ class Problem:
         return np.asarray((after - before)[:, self.free] / self.units)
 
     def _tool(self, q: Floats) -> Floats:
-        """Return the tool in frame 0, (B, 4, 4)."""
+        """Return the tool poses in frame 0, (B, 4, 4)."""
         return np.asarray(self.to_frame_0 @ _evaluated(self.arm.fk, q), dtype=np.float64)
 
     def _misfit(self, q: Floats, tool: Floats) -> tuple[Misfit, Floats | None]:
-        """Return the misfit, and the Euler angles (B, 3) where the error is theirs."""
+        """Return the misfit, and the Euler angles (B, 3) when the error is in these."""
         task, R, wanted = self.vector.task, tool[:, :3, :3], self.target[:3, :3]
         far = (self.target[:3, 3] - tool[:, :3, 3])[:, task.coordinates]
         turn, angles = np.zeros((len(q), 0)), None
@@ -290,7 +290,7 @@ class Problem:
 
 
 def _evaluated(formula: Callable[[Floats], NDArray[np.floating]], q: Floats) -> NDArray[np.floating]:
-    """Return a formula of the arm at configurations (B, n): one by one where that is the faster."""
+    """Return a formula of the arm at configurations (B, n), one by one where that is faster."""
     if 0 < len(q) <= FEW and np.isfinite(q).all():
         return np.array([formula(row) for row in q])
     return formula(q)

@@ -1,4 +1,4 @@
-"""Why an iteration ended, in words a student understands."""
+"""Sentences for students on why an iteration ended."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from armlab.kin.ik.iterate.trace import Status
 from armlab.kin.ik.rest import AT
 
 NEARLY = 1e-6
-"""Smallest singular value, relative to the largest, of a configuration called singular in words."""
+"""Smallest singular value, relative to the largest, up to which a configuration is called singular."""
 
 FEW = 10
-"""Steps too few to say that an iteration goes to and fro."""
+"""Smallest number of steps from which an iteration may be said to oscillate."""
 
 NO_CLOSER = 0.99
-"""Best cost of the second half of the steps, relative to the first half's, that is no progress."""
+"""Best cost of the second half of the steps, relative to that of the first, above which there is no progress."""
 
 
 def jumps_of(problem: Problem, step: Floats) -> tuple[int, ...]:
@@ -69,7 +69,7 @@ def verdict(
 def plain_verdict(
     problem: Problem, converged: bool, last: Point, cost: Floats, jumps: tuple[int, ...]
 ) -> tuple[Status, str]:
-    """Return status and reason of an iteration that converged or ran out of steps, whatever its method."""
+    """Return status and reason of an iteration that converged or ran out of steps, the same for all methods."""
     if converged:
         return "converged", _converged(len(cost) - 1, jumps)
     if problem.beyond:
@@ -123,7 +123,7 @@ def at_limits(problem: Problem, q: NDArray[np.float64]) -> tuple[int, ...]:
 
 
 def scaling(problem: Problem) -> str:
-    """Return in words what one number for the error is made of."""
+    """Return in words how metres and radians are combined in one number for the error."""
     if problem.mixed:
         return f"pure numbers: lengths are divided by {problem.length:.3f} m, half the reach, where they meet radians"
     return "metres and radians as they are: only one kind occurs"

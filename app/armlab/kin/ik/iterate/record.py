@@ -24,7 +24,7 @@ Damping = Callable[[Floats], Floats]
 Limits = Literal["clamp", "none"]
 
 TOLERANCE = (1e-6, 1e-6)
-"""Metres and radians within which a target counts as reached, as everywhere in the lab."""
+"""Errors, in metres and radians, within which a target counts as reached everywhere in the lab."""
 
 
 def iterate(
@@ -41,7 +41,7 @@ def iterate(
     locked: Sequence[bool] | None = None,
     task: TaskVector | str | None = None,
 ) -> Trace:
-    """Run an iterative method as a lesson shows it, every step as it comes, and record everything.
+    """Run an iterative method for a lesson, with every step unchanged, and record everything.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def iterate(
 
 
 def unfit(method: IterationMethod, vector: TaskVector, free: int) -> tuple[Status, str] | None:
-    """Return status and reason why a method cannot begin; None when it can."""
+    """Return the status and the reason why a method cannot start; None when it can."""
     if not free:
         return "locked", "all joints are locked"
     if free < vector.m and not method.tall:
@@ -123,7 +123,7 @@ def filmed(
     Parameters
     ----------
     row : int
-        Which start.
+        Index of the start.
     why_not : tuple, optional
         Status and reason when the method could not begin.
     """
@@ -225,7 +225,7 @@ def checked_tolerance(tolerance: tuple[float, float]) -> tuple[float, float]:
 
 
 def keeps_limits(limits: str) -> bool:
-    """Return whether joint limits are kept; `UnknownName` for another word."""
+    """Return whether joint limits are kept; `UnknownName` for an unknown word."""
     if limits not in ("clamp", "none"):
         raise UnknownName("limits", limits, ("clamp", "none"))
     return limits == "clamp"

@@ -54,7 +54,7 @@ class TaskVector:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The components as the notes write them."""
+        """The names of the components as in the notes."""
         rotation = {"none": (), "phi": ("φ",), "approach": ("o_1", "o_2"), "full": ("o_x", "o_y", "o_z")}
         turns = ("φ", "θ", "ψ") if self.euler else rotation[self.task.rotation]
         return (*(f"p_{letter}" for letter in self.task.position), *turns, *(f"q_{i}" for i, _ in self.joints))
@@ -130,5 +130,5 @@ def task_vector(
 
 
 def wrapped_angle(angle: np.ndarray) -> np.ndarray:
-    """Return angles in [-pi, pi)."""
+    """Return angles in [-pi, pi), of any shape."""
     return np.asarray((angle + math.pi) % (2.0 * math.pi) - math.pi)

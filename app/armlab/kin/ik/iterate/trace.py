@@ -1,4 +1,4 @@
-"""The full record of an iteration: what a film of it shows."""
+"""The full record of an iteration, from which its film is made."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Trace:
     jumps : tuple of int
         Steps (from 1) in which a joint turned by more than half a turn.
     names, kinds : tuple of str
-        Of the task components, and their units.
+        Names of the task components, and their units.
     length : float
         Metres that count as 1 in sigma, w, damping and cost.
     scaling : str

@@ -1,1 +1,1 @@
-"""One file a method; each holds a constant ``METHOD``."""
+"""Compiled methods, one file each, with a constant ``METHOD``."""

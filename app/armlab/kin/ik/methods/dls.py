@@ -21,7 +21,7 @@ from armlab.kin.ik.problem import FLOOR
 
 
 def step(J: Sequence[Sequence[Number]], e: Sequence[Number], gain: Number) -> list[Number]:
-    """Return one damped step; the smaller of the two normal equations is solved."""
+    """Return one damped step, by the smaller of the two systems of normal equations."""
     mu = damping(vec.dot(e, e), gain)
     columns = vec.transpose(J)
     wide = len(J) <= len(columns)
@@ -36,7 +36,7 @@ def step(J: Sequence[Sequence[Number]], e: Sequence[Number], gain: Number) -> li
 
 
 def damping(square: Number, gain: Number) -> Number:
-    """Return mu where e^T e is ``square``."""
+    """Return mu for e^T e = ``square``."""
     return square * gain + FLOOR
 
 

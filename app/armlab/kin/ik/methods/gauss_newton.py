@@ -16,7 +16,7 @@ import numpy as np
 from armlab.kin.ik.method import Method
 
 CUTOFF = 1e-6
-"""Singular values below this part of the largest are taken as zero; J is scaled to pure numbers."""
+"""Singular values, relative to the largest, below which one is taken as zero; J is dimensionless."""
 
 
 def step(J: Sequence[Sequence[float]], e: Sequence[float], gain: float) -> list[float]:

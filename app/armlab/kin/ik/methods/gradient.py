@@ -16,7 +16,7 @@ from armlab.kin.graph.expression import Number
 from armlab.kin.ik.method import Method
 
 TINY = 1e-30
-"""Keeps alpha finite where J^T e vanishes; the step is zero there."""
+"""Smallest divisor, which keeps alpha finite where J^T e vanishes; the step is zero there."""
 
 
 def step(J: Sequence[Sequence[Number]], e: Sequence[Number], gain: Number) -> list[Number]:

@@ -54,7 +54,7 @@ def diagram(part: Loop, t: float) -> Markup:
         for x, anchor, name, value, unit, colour in signals
     ]
     return svg.drawing(
-        "loop-diagram",
+        "chart.loop-diagram",
         WIDTH,
         BACK + 4,
         "Block diagram: the error times K is the force, which the mass integrates to the velocity",
@@ -86,7 +86,7 @@ def bode(part: Loop, units: Units) -> Markup:
     gains = 20.0 * np.log10(part.loop.closed_gain(omega))
     phases = np.degrees(part.loop.phase(omega))
     return svg.drawing(
-        "loop-bode",
+        "chart.loop-bode",
         WIDTH,
         BODE_HIGH,
         f"Gain and phase of W over the frequency; cutoff at {amount(part.loop.cutoff)} rad/s",

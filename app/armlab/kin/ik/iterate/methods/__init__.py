@@ -1,1 +1,1 @@
-"""One file an iterative method; each holds a constant ``ITERATION``."""
+"""Iterative methods, one file each, with a constant ``ITERATION``."""

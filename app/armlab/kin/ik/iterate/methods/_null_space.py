@@ -1,4 +1,4 @@
-"""Self-motion of redundant arms: a step that serves the task and, in what the task leaves over, another aim.
+"""Self-motion of redundant arms: a step that serves the task and, in its null space, a second objective.
 
     dq = J# e + (I - J# J) k grad(objective)
 
@@ -18,14 +18,14 @@ from armlab.kin.ik.iterate.method import Move, inverse_step
 from armlab.kin.ik.iterate.problem import Floats, Point
 
 CUTOFF = 1e-6
-"""Singular values below this part of the largest span the null space, too."""
+"""Singular value, relative to the largest, below which a direction belongs to the null space as well."""
 
 LONGEST = 0.1
-"""Length of the self-motion of one step at most, in scaled joints: its curvature then costs little of the task."""
+"""Longest self-motion of one step, in scaled joints: its curvature then disturbs the task only a little."""
 
 
 def towards(point: Point, wish: Floats) -> Move:
-    """Return the task step plus the part of a wish (B, k), in scaled joints, that leaves the task alone."""
+    """Return the task step plus the part of joint changes (B, k), in scaled joints, that leaves the task alone."""
     kept = (point.sigma > CUTOFF * point.sigma_max[:, None])[:, :, None] * point.Vt
     own = wish - np.einsum("brk,br->bk", kept, np.einsum("brk,bk->br", kept, wish))
     length = np.linalg.norm(own, axis=-1)

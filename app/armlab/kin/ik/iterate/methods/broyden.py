@@ -19,7 +19,7 @@ from armlab.kin.ik.iterate.problem import SINGULAR, Floats, Point, Problem
 
 
 def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory) -> Move:
-    """Return B# e, refused where B has no inverse."""
+    """Return B# e; the step is refused where B has no inverse."""
     B = _corrected(problem, point, memory) if memory else point.J
     # An iterate far away can spoil B; what is not finite is no matrix to invert.
     finite = np.asarray(np.all(np.isfinite(B), axis=(1, 2)))

@@ -24,10 +24,10 @@ GRID = 73
 """Samples of the polynomial over one turn; it has at most two minima, far wider than 5 degrees unless equal."""
 
 POLISH = 8
-"""Newton steps on the polynomial from the best sample; quadratic, so three or four are enough."""
+"""Newton steps on the polynomial from the best sample; convergence is quadratic, so three or four are enough."""
 
 GAIN = 1e-14
-"""Relative decrease that is more than rounding."""
+"""Relative decrease of the cost that is more than rounding."""
 
 
 def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory) -> Move:
@@ -39,7 +39,7 @@ def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory)
 
 
 def _lowered(problem: Problem, q: Floats, cost: Floats, joint: int) -> tuple[Floats, Floats]:
-    """Return configurations (B, n) with one joint at its best, and their cost."""
+    """Return configurations (B, n) with one joint at its best value, and their costs."""
     low, high = problem.low[joint] - q[:, joint], problem.high[joint] - q[:, joint]
     find = _best_turn if problem.arm.revolute[joint] else _best_slide
     tried = q.copy()
@@ -50,14 +50,14 @@ def _lowered(problem: Problem, q: Floats, cost: Floats, joint: int) -> tuple[Flo
 
 
 def _sampled(problem: Problem, q: Floats, joint: int, moves: Floats) -> Floats:
-    """Return the cost (B, k) with one joint moved by each of k values."""
+    """Return the costs (B, k) with one joint moved by each of k values."""
     tried = np.repeat(q[:, None, :], len(moves), axis=1)
     tried[:, :, joint] += moves
     return problem.cost(tried.reshape(-1, q.shape[1])).reshape(len(q), len(moves))
 
 
 def _best_turn(problem: Problem, q: Floats, joint: int, low: Floats, high: Floats) -> Floats:
-    """Return the turn (B,) to the lowest point of a0 + a1 cos + b1 sin + a2 cos 2 + b2 sin 2 within one turn."""
+    """Return the turn (B,) to the minimum of a0 + a1 cos + b1 sin + a2 cos 2 + b2 sin 2 within one turn."""
     at: Floats = 2.0 * math.pi * np.arange(5.0) / 5.0
     costs = _sampled(problem, q, joint, at)
     a1, b1 = (0.4 * costs @ wave for wave in (np.cos(at), np.sin(at)))
@@ -81,7 +81,7 @@ def _best_turn(problem: Problem, q: Floats, joint: int, low: Floats, high: Float
 
 
 def _best_slide(problem: Problem, q: Floats, joint: int, low: Floats, high: Floats) -> Floats:
-    """Return the slide (B,) in metres to the lowest point of a parabola."""
+    """Return the slide (B,) in metres to the minimum of a parabola."""
     unit = problem.arm.length_scale
     before, here, after = _sampled(problem, q, joint, np.array([-unit, 0.0, unit])).T
     bend = after - 2.0 * here + before

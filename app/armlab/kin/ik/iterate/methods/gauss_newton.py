@@ -1,6 +1,6 @@
 """Gauss-Newton: dq = gamma J# e with the pseudo-inverse of any J, square, wide or tall, singular or not.
 
-Of all steps that leave the smallest linearised error it is the shortest. Singular values below a cutoff count as zero,
+It is the shortest of all steps that leave the smallest linearised error. Singular values below a cutoff count as zero,
 so that it has a step even at a singularity, and jumps beside it.
 
 References

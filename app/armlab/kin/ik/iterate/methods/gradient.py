@@ -21,7 +21,7 @@ def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory)
 
 
 def warn(problem: Problem, parameters: Parameters, sigma_max: Floats) -> str:
-    """Return the broken bound in words, or "" where alpha keeps it."""
+    """Return a sentence on the bound that alpha exceeds, or "" when it keeps it."""
     largest = float(sigma_max.max())
     if parameters["alpha"] * largest**2 <= 2.0:
         return ""

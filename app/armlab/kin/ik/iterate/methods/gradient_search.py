@@ -16,11 +16,11 @@ from armlab.kin.ik.iterate.method import IterationMethod, Memory, Move, Paramete
 from armlab.kin.ik.iterate.problem import Point, Problem
 
 HALVINGS = 40
-"""After so many the step is a trillionth of the first: the slope is rounding."""
+"""Largest number of halvings: after them the step is a trillionth of the first, and the slope is rounding."""
 
 
 def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory) -> Move:
-    """Return the gradient step of the first alpha that is good enough, none where there is none."""
+    """Return the gradient step with the first alpha that reduces the cost enough; none when there is none."""
     slope = point.slope
     change = np.einsum("bmk,bk->bm", point.J, slope)
     square = np.einsum("bm,bm->b", change, change)

@@ -15,7 +15,7 @@ from armlab.kin.ik.iterate.problem import Point, Problem
 
 
 def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory) -> Move:
-    """Return the full step, refused where J has no inverse."""
+    """Return the full step; it is refused where J has no inverse."""
     return Move(inverse_step(point), refused=point.singular)
 
 

@@ -17,7 +17,7 @@ from armlab.kin.ik.iterate.problem import Floats, Point, Problem
 
 
 def objective(problem: Problem, q: Floats) -> Floats:
-    """Return H (B,) of configurations (B, n): 0 in the middle, -1/8 with all joints at their limits."""
+    """Return H (B,) at configurations (B, n): 0 in the middle, -1/8 with all joints at their limits."""
     away, _ = _away(problem, q)
     return np.asarray(-np.sum(away**2, axis=-1) / (2.0 * problem.arm.n))
 
@@ -30,7 +30,7 @@ def step(problem: Problem, point: Point, parameters: Parameters, memory: Memory)
 
 
 def _away(problem: Problem, q: Floats) -> tuple[Floats, Floats]:
-    """Return how far joints are from the middle in units of their ranges, and the ranges; a joint without one stays."""
+    """Return distances from the middle in units of the ranges, and the ranges; joints without one do not count."""
     low, high = problem.arm.limits.T
     ranges = np.where(high > low, high - low, 1.0)
     return np.where(high > low, (q - 0.5 * (low + high)) / ranges, 0.0), ranges
