@@ -9,7 +9,7 @@ import viser
 from viser import _icons
 
 from armlab.errors import InputError
-from armlab.ui import adapter
+from armlab.ui import adapter, quick
 from armlab.ui.plugin import tabs
 from support.bare import Bare
 
@@ -158,10 +158,10 @@ def test_icons_are_those_of_viser_and_its_archive_is_opened_once(bare, monkeypat
     names = [getattr(viser.Icon, first.icon) for first, *_ in tabs().values()]
     svg_from_icon = _icons.svg_from_icon
     expected = [svg_from_icon(name) for name in names]
-    adapter._icons()
+    quick._icons()
     monkeypatch.setattr(_icons.zipfile, "ZipFile", None)  # neither viser nor the lab opens it again
-    adapter.icon.cache_clear()
-    assert [adapter.icon(name) for name in names] == expected
+    quick.icon.cache_clear()
+    assert [quick.icon(name) for name in names] == expected
 
     async def work(_browser, do):
         await do(lambda: [bare.client.gui.add_button("B", icon=name) for name in names])

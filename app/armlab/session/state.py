@@ -123,9 +123,9 @@ class State:
         return cls({kind: kind.initial(robot) for kind in part_types()})
 
     def __getitem__(self, kind: type[P]) -> P:
-        part = self._parts[kind]
-        assert isinstance(part, kind)
-        return part
+        part: Any = self._parts[kind]
+        found: P = part
+        return found
 
     def __iter__(self) -> Iterator[Part]:
         return iter(self._parts.values())
@@ -247,11 +247,22 @@ def apply(state: State, command: Command, at: float = 0.0) -> State:
         return changed.dated(at)
     guard(state, changed)
     changed = changed.dated(at)
-    adapted = [(part, part.after(state, changed)) for part in changed]
+    parts = [changed[kind] for kind in _with_own(changed, "after")]
+    adapted = [(part, part.after(state, changed)) for part in parts]
     return changed.replace(*(new for part, new in adapted if new is not part))
 
 
 def guard(before: State, now: State) -> None:
     """Ask every part whether a change is allowed; see `Part.guard`."""
-    for part in before:
-        part.guard(before, now)
+    for kind in _with_own(before, "guard"):
+        before[kind].guard(before, now)
+
+
+def _with_own(state: State, name: str) -> tuple[type[Part], ...]:
+    """Return the types of the parts of a state that have something of their own to say to a change."""
+    return _own_of(tuple(map(type, state)), name)
+
+
+@cache
+def _own_of(kinds: tuple[type[Part], ...], name: str) -> tuple[type[Part], ...]:
+    return tuple(kind for kind in kinds if getattr(kind, name) is not getattr(Part, name))

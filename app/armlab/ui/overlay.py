@@ -48,15 +48,26 @@ class Overlay:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
         elif handle and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
+        if self._form.shows(line, *self._made_of(session)):
+            return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None
         self._form.show(hint, self._place(session), self._steps(session), self._notes(session))
+
+    def _made_of(self, session: Session) -> tuple[object, ...]:
+        """Return all that decides what is shown besides the line."""
+        shelf, robot, history = session.state[Shelf], session.state[RobotPart], session.history
+        return (
+            (shelf.place, _waits(shelf)),
+            (history.undo_label, history.redo_label),
+            (robot.own, robot.robot.key, session.state[LessonPart].open, hidden_tabs(session.state)),
+            (self._tab, self._asked),
+        )
 
     def _place(self, session: Session) -> Markup | None:
         """Return where the student is when it is not their lesson or own work, with the way back."""
         shelf = session.state[Shelf]
         if shelf.place == SANDBOX:
-            title = at_place(shelf.waiting).title if shelf.waiting else "my work"
-            says, way = "Your sandbox", self._form.button("home", f"‹ Back to {title}", BackToLesson(), "chip")
+            says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:
             says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
         else:
@@ -92,3 +103,8 @@ class Overlay:
             "chan": self._form.channel_id,
         }
         return tag("i", id="al-notes", hidden=True, data_notes=json.dumps(notes))
+
+
+def _waits(shelf: Shelf) -> str:
+    """Return the name of what a student has left for a while."""
+    return at_place(shelf.waiting).title if shelf.waiting else "my work"

@@ -14,6 +14,7 @@ import viser
 from armlab.kin.arm import Arm
 from armlab.session.pages import pages, tabs
 from armlab.session.panel_commands import CloseWindow, OpenPanel, OpenWindow, SeeTabs, first_window, hidden_panels
+from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.parts.panels import Panels, Window
@@ -80,11 +81,14 @@ class View:
         self.session: Session = session
         self.camera: Camera = Camera(client, lambda: session.state[Joints].q, self._around)
         self._gallery, self._pace = gallery, pace
+        self._hiding = [layer for layer in layers().values() if layer.hides]
         self._loop = asyncio.get_running_loop()
         self._acted = self._loop.time()
         self._canvas: Canvas | None = None
         self._canvases = 0
         self._drawings: list[Drawing] = []
+        self._seen_drawings: list[Drawing] = []
+        self._seen_because: tuple[object, ...] = ()
         self._tabs: dict[str, Tab] = {}
         self._shown: State | None = None
         self._making: Arm | None = None
@@ -114,6 +118,8 @@ class View:
             if drawn is not None:
                 yield from self._draw(state, drawn)
             self.show()
+            if not self._refreshed:
+                self._refresh_now()  # part of what the browser gets at once
 
     def post(self, command: Command) -> None:
         """Pass on what the person at this page wants."""
@@ -158,7 +164,7 @@ class View:
             return frozenset(layers()) - OF_THE_ROOM
         if predicted:
             return frozenset(key for key, layer in layers().items() if not layer.silent)
-        on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
+        on = [layer for layer in self._hiding if layer.switch is not None and layer.switch.on(state)]
         opened = self._opened(state)
         hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))
         return frozenset(key for hides in hiding for key in hides)
@@ -253,9 +259,15 @@ class View:
         open_panels = self._open_panels(state)
         bare = SKELETON.on(state) or any(panel.see_through for panel in self._opened(state))
         hidden = self._hidden(state)
-        for drawing in self._drawings:
+        # Which layers are seen follows from these alone, and most of them are not.
+        because = (state[Display], open_panels, bare, hidden)
+        same = because == self._seen_because
+        for drawing in self._seen_drawings if same else self._drawings:
             drawing.show(state, open_panels, bare, hidden)
             yield
+        if not same:
+            self._seen_drawings = [drawing for drawing in self._drawings if drawing.seen]
+            self._seen_because = because
 
     def _change_robot(self, state: State) -> None:
         """Draw another arm; a figure that is new is made outside the event loop, and the present one stays so long."""
@@ -287,7 +299,7 @@ class View:
         for drawing in self._drawings:
             if drawing.layer.key != "arm":
                 drawing.canvas.remove()
-        self._drawings = []
+        self._drawings, self._seen_because = [], ()
         if canvas is not None:
             canvas.stop()
             self._loop.call_later(LINGER, lambda: None if self._closed else canvas.remove())
@@ -319,11 +331,15 @@ class View:
         if self._refresh is None:
             wait = max(0.0, self._refreshed + self._pace.interval(PANEL_INTERVAL) - self._loop.time())
             if wait == 0.0:
-                self._refresh_now()
+                self._come_to_panels()
             else:
-                self._refresh = self._loop.call_later(wait, self._refresh_now)
+                self._refresh = self._loop.call_later(wait, self._come_to_panels)
+
+    def _come_to_panels(self) -> None:
+        self._pace.spread.put(self, self._refresh_now)
 
     def _refresh_now(self) -> None:
+        self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
             self._refresh = None
@@ -357,6 +373,7 @@ class View:
         """Stop; the browser is gone."""
         self._closed = True
         self._post(CloseWindow(self.client.client_id))
+        self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:
