@@ -28,11 +28,6 @@ Picked = Callable[[float, float, int], Wish]
 class Marks(dict[str, Attribute]):
     """Attributes of an element, to be unpacked into `tag`."""
 
-    def __str__(self) -> str:
-        from armlab.ui.html import tag
-
-        return str(tag("i", **self))[2:-5]
-
 
 class Form:
     """Markup with controls that carry what they do.

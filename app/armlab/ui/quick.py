@@ -52,7 +52,7 @@ def icon(name: str) -> str:
 
 
 def _ready(kind: type[Message], field: str) -> Callable[..., dict[str, Any]]:
-    """Return the function that makes a message about the pose of a node ready to be packed, where its numbers are plain ones.
+    """Return the function that makes a message about a node's pose ready to be packed, where its numbers are plain.
 
     viser looks up the type of every number, a third of what such a message costs, and a drag is made of them.
     """

@@ -217,7 +217,6 @@ class View:
                     # A jump; under a hand on the handle the eye stays where it is.
                     self._loop.call_later(SETTLED, self._keep_in_view)
                 lesson_changed = self._lesson.open(state)
-            self.client.flush()
             if lesson_changed:
                 self._lesson_changed(state)
             if before is not None and self._window(before) is not self._window(state):
@@ -247,7 +246,6 @@ class View:
     def _keep_in_view(self) -> None:
         if not self._closed:
             self.camera.keep_in_view()
-            self.client.flush()
 
     def _show_layers(self, state: State) -> None:
         if self._robot is None or state[RobotPart].robot is not self._robot.robot:
@@ -356,7 +354,6 @@ class View:
             self._show_overlay()
             self._timeline.show(state, self._open_panels(state))
             self._tell()
-        self.client.flush()
 
     def _tell(self) -> None:
         notice = self.session.notice

@@ -41,9 +41,9 @@ def vectors(rows: Sequence[Row]) -> Markup:
     return tag("table.sc-table", head_line("", "x", "y", "z", "|·|"), [_row(*row) for row in rows])
 
 
-def _row(name: str, unit: str, cells: Sequence[str]) -> Markup:
+def _row(name: str, unit: str, texts: Sequence[str]) -> Markup:
     head = tag("th", name, (" ", tag("small", unit)) if unit else None)
-    return tag("tr", head, [tag(classes("td", zero=not cell.strip("0.")), cell) for cell in cells])
+    return tag("tr", head, [tag(classes("td", zero=not text.strip("0.")), text) for text in texts])
 
 
 def said(kind: str, text: str) -> Markup:
