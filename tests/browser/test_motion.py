@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.state import planned
 from armlab.content.robots import catalogue
 from armlab.session.state import State
@@ -57,7 +57,7 @@ def test_a_waypoint_is_added_where_the_arm_stands_and_dragged(visit):
 
 
 def test_the_motion_is_played_and_scrubbed_and_the_arm_comes_back(visit):
-    plan = planned(with_plan(State.initial(catalogue()["planar_2r"])))
+    plan = planned(with_planned(State.initial(catalogue()["planar_2r"])))
     lab = at_plan(visit, "planar_2r")
     stood = turned(lab)
     lab.page.locator('.al button[data-cell="play-motion"]').click()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import SetMove
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import SampleBy
 from armlab.benches.motion.steps.worked import steps
 from armlab.content.robots import catalogue
@@ -35,7 +35,7 @@ def test_the_steps_are_drawn_one_on_the_other_and_few_samples_show_how_far_the_t
     assert "expected a whole number" in lab.page.locator("p.no[role=alert]").inner_text()
     lab.type_into("samples", "4")
     state = State.initial(catalogue()["puma560"])
-    found = steps(with_plan(apply(apply(state, SetMove(1, space="cartesian")), SampleBy(4))))
+    found = steps(with_planned(apply(apply(state, SetMove(1, space="cartesian")), SampleBy(4))))
     for step, drawn in DRAWN.items():
         lab.press(f"step {step}")
         lab.until(lambda drawn=drawn: drawn <= shown(lab))

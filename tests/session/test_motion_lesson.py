@@ -11,7 +11,7 @@ from armlab.benches.motion.laws.state import Laws
 from armlab.benches.motion.plan import job as jobs_plan
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove
 from armlab.benches.motion.plan.examples import TakeExample
-from armlab.benches.motion.plan.job import JOB, with_plan
+from armlab.benches.motion.plan.job import JOB, with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJoint, UseShare
 from armlab.benches.motion.plan.measured import measuring
 from armlab.benches.motion.plan.planning import making
@@ -332,7 +332,7 @@ def test_a_player_who_does_not_plan_is_told_so(own):
     player = Player(lesson("c"), planning=False)
     player.go_to(2)
     assert planned(player.session.state) is None
-    assert planned(with_plan(player.session.state)) is not None
+    assert planned(with_planned(player.session.state)) is not None
 
 
 def test_a_plan_of_another_state_is_not_seen(corners):

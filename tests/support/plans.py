@@ -2,7 +2,7 @@
 
 from armlab.benches.motion.files.read import motion_csv
 from armlab.benches.motion.plan.commands import SetMove
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.points import AddWaypoint
 from armlab.benches.motion.plan.state import planned
 from armlab.content.robots import catalogue
@@ -20,7 +20,7 @@ def opened(key="puma560", points=2, law=None):
         state = apply(apply(state, RandomPose()), AddWaypoint())
     if law is not None:
         state = apply(state, SetMove(1, law=law))
-    return with_plan(state)
+    return with_planned(state)
 
 
 def table(state, rate=200.0):

@@ -15,7 +15,7 @@ import zstandard
 
 from armlab.benches.motion.files.read import column_names, motion_csv, plan_json
 from armlab.benches.motion.files.ui.page import size_text
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.points import SelectWaypoint
 from armlab.benches.motion.plan.state import planned
 from armlab.content.robots import catalogue
@@ -31,7 +31,7 @@ from support.student import run, student
 
 
 def opened(key="puma560"):
-    return with_plan(State.initial(catalogue()[key]))
+    return with_planned(State.initial(catalogue()[key]))
 
 
 def scenario(state):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.figures import TOOL, Overrun
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor
 from armlab.benches.motion.plan.moves import Move, Waypoint
 from armlab.benches.motion.plan.state import Plan
@@ -70,7 +70,7 @@ def state_of(key, points=None, *commands, space="joint", path="line"):
     state = state.replace(replace(part, waypoints=waypoints, moves=moves))
     for command in commands:
         state = apply(state, command)
-    return with_plan(state)
+    return with_planned(state)
 
 
 def lines(state, quantity, of="", other=None, units=UNITS):
@@ -312,7 +312,7 @@ def out_of_reach(k):
     far[:2, 3] *= 3.0 * 2.0 / np.linalg.norm(far[:2, 3])
     points = list(part.waypoints)
     points[k + 1] = replace(points[k + 1], pose=tuple(far.reshape(16).tolist()))
-    return with_plan(state.replace(replace(part, waypoints=tuple(points))))
+    return with_planned(state.replace(replace(part, waypoints=tuple(points))))
 
 
 def test_the_comparison_says_who_is_faster_and_why():

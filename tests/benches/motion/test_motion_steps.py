@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import SetMove
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import SampleBy
 from armlab.benches.motion.plan.points import SetWaypointPose
 from armlab.benches.motion.plan.ui.joint_marks import joint_dots
@@ -34,7 +34,7 @@ def looked(key, *commands):
     state = State.initial(catalogue()[key])
     for command in commands:
         state = apply(state, command)
-    return steps(with_plan(state))
+    return steps(with_planned(state))
 
 
 def broken():
@@ -135,7 +135,7 @@ def test_every_arm_has_words_for_every_step(key):
     for space in ("joint", "cartesian"):
         state = apply(state, SetMove(1, space=space))
         state = apply(state, Set(Notation, "length", "m"))
-        found = steps(with_plan(state))
+        found = steps(with_planned(state))
         for markup in everything(found, units_of(state)):
             assert "nan" not in markup
             assert "None" not in markup

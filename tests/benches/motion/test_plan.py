@@ -8,7 +8,7 @@ import pytest
 
 from armlab.benches.motion.plan.commands import AllMovesLike, SetMove, SetMoveOption
 from armlab.benches.motion.plan.examples import EXAMPLES, TakeExample
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitJoint, LimitTool, SampleBy, UseShare
 from armlab.benches.motion.plan.moves import MOST_WAYPOINTS
 from armlab.benches.motion.plan.points import (
@@ -53,7 +53,7 @@ def with_points(state, count):
 
 
 def worked_out(state):
-    return planned(with_plan(state))
+    return planned(with_planned(state))
 
 
 @pytest.mark.parametrize("robot", list(catalogue().robots))
@@ -66,7 +66,7 @@ def test_every_arm_opens_with_a_motion_that_can_be_run(robot):
 
 @pytest.mark.parametrize("key", list(EXAMPLES))
 def test_every_example_is_what_it_says(key):
-    state = with_plan(after(opened("puma560"), TakeExample(key)))
+    state = with_planned(after(opened("puma560"), TakeExample(key)))
     kind = {"out_of_reach": "no", "given_time": "no"}.get(key, "ok")
     assert judged(planned(state)).kind == kind
     assert np.allclose(state[Joints].q, state[Plan].waypoints[0].q)
@@ -278,7 +278,7 @@ def test_a_dragged_waypoint_follows_and_out_of_reach_it_is_kept_and_said():
     assert "out of reach" in plan.trouble
     assert Feasible.NOT_REACHED in plan.legs[0].worth
     # What is in front of the leg that cannot be run is still a motion.
-    later = with_plan(
+    later = with_planned(
         after(with_points(opened("planar_2r"), 3), SetMove(2, space="cartesian"), DragWaypoint(2, far, drag))
     )
     assert planned(later).motion is not None
@@ -334,7 +334,7 @@ def test_there_are_not_more_waypoints_than_can_be_told_apart():
 
 
 def test_the_clip_moves_the_arm_and_puts_it_back():
-    state = with_plan(after(opened(), RandomPose()))
+    state = with_planned(after(opened(), RandomPose()))
     stood = state[Joints].q
     plan = planned(state)
     on = after(state, OpenClip("motion"))
@@ -348,8 +348,8 @@ def test_the_clip_moves_the_arm_and_puts_it_back():
 
 
 def test_a_new_plan_takes_the_arm_along_while_it_is_on():
-    state = after(with_plan(opened()), OpenClip("motion"), Seek(100.0))
-    changed = with_plan(after(state, LastFor(9.0), SetWaypointJoint(1, 0, 0.1)))
+    state = after(with_planned(opened()), OpenClip("motion"), Seek(100.0))
+    changed = with_planned(after(state, LastFor(9.0), SetWaypointJoint(1, 0, 0.1)))
     assert duration(changed) == pytest.approx(9.0)
     assert np.allclose(changed[Joints].q, planned(changed).motion.at(changed[Timeline].time))
 

@@ -4,14 +4,14 @@ import numpy as np
 
 from armlab.benches.motion.plan.examples import TakeExample
 from armlab.benches.motion.plan.frame import trihedron
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.state import planned
 from armlab.content.robots import catalogue
 from armlab.session.state import State, apply
 
 
 def example(key):
-    return planned(with_plan(apply(State.initial(catalogue()["puma560"]), TakeExample(key))))
+    return planned(with_planned(apply(State.initial(catalogue()["puma560"]), TakeExample(key))))
 
 
 def test_on_an_arc_it_is_that_of_the_circle():

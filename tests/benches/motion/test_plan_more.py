@@ -7,7 +7,7 @@ import pytest
 
 from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
 from armlab.benches.motion.plan.figures import MOST_SPANS
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitJoint, LimitTool, SampleBy
 from armlab.benches.motion.plan.moves import Waypoint
 from armlab.benches.motion.plan.paths import places
@@ -49,7 +49,7 @@ def through(state, rows):
 
 
 def worked_out(state):
-    return planned(with_plan(state))
+    return planned(with_planned(state))
 
 
 def speeds(arm, motion):
@@ -188,7 +188,7 @@ def test_a_joint_that_the_arm_has_not_is_refused(joint):
 
 
 def test_the_plan_beside_one_in_a_given_time_is_as_fast_as_it_can():
-    state = with_plan(after(opened(), LastFor(25.0), CompareMoves(True)))
+    state = with_planned(after(opened(), LastFor(25.0), CompareMoves(True)))
     other = state[Plan].other
     assert planned(state).duration == pytest.approx(25.0)
     assert other.question.duration is None
@@ -197,7 +197,7 @@ def test_the_plan_beside_one_in_a_given_time_is_as_fast_as_it_can():
 
 
 def test_the_arm_goes_back_to_where_it_stood_last_not_to_where_it_once_stood():
-    state = with_plan(opened())
+    state = with_planned(opened())
     state = after(state, OpenClip(CLIP_KEY), OpenClip(""))
     assert state[Plan].before is None
     state = after(state, RandomPose())

@@ -7,7 +7,7 @@ import pytest
 
 from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.plan.commands import SetMoveOption
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.moves import Move, Stretch, Waypoint
 from armlab.benches.motion.plan.paths import joint_path, joint_scales
 from armlab.benches.motion.plan.points import SetWaypointJoint
@@ -132,7 +132,7 @@ def test_the_script_of_a_plan_lays_the_same_way(rng, tmp_path, monkeypatch):
     arm, part = state[Joints].arm, state[Plan]
     points = tuple(Waypoint(tuple(q)) for q in rng.uniform(*(0.5 * arm.limits.T), size=(4, arm.n)).tolist())
     moves = (Move(path=Chosen("overfly", (("speed", (0.7,)),))),) * 3
-    state = with_plan(state.replace(replace(part, waypoints=points, moves=moves, example="")))
+    state = with_planned(state.replace(replace(part, waypoints=points, moves=moves, example="")))
     motion = planned(state).motion
     monkeypatch.chdir(tmp_path)
     made = {"__name__": "script"}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import SetMove, SetMoveOption
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitTool
 from armlab.benches.motion.plan.state import Plan, planned
 from armlab.benches.motion.plan.words import judged
@@ -21,7 +21,7 @@ from support.plans import ROBOTS, opened
 def after(state, *commands):
     for command in commands:
         state = apply(state, command)
-    return with_plan(state)
+    return with_planned(state)
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
@@ -62,7 +62,7 @@ def test_a_corner_is_told_with_its_time_and_the_time_optimal_law_stops_there():
     state = opened("scara", points=3)
     for k in (1, 2):
         state = apply(state, SetMove(k, path="polyline"))
-    plan = planned(with_plan(state))
+    plan = planned(with_planned(state))
     (corner,) = {each.start for each in plan.violations if each.quantity == "acceleration" and each.start == each.end}
     assert plan.legs[0].trajectory.law.at(corner) == pytest.approx(plan.legs[0].path.pieces[0], abs=1e-9)
     said = judged(plan)

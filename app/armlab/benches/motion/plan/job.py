@@ -78,7 +78,7 @@ def delivered(state: State, missing: Asked, found: Found) -> State:
     return ARM.shown(now) if here else now
 
 
-def with_plan(state: State) -> State:
+def with_planned(state: State) -> State:
     """Return the state with its plan worked out, at once: for tests and for those who can wait."""
     missing = asked(state)
     for found in run(missing):

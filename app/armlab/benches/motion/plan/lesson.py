@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from armlab.benches.motion.plan import commands, limits, points
-from armlab.benches.motion.plan.job import JOB, with_plan
-from armlab.benches.motion.plan.seen import asks_for_motion, checks_motion, plan_changed, seen_plan
+from armlab.benches.motion.plan.job import JOB, with_planned
+from armlab.benches.motion.plan.seen import asks_for_motion, checks_motion, motion_changed, seen_motion
 from armlab.benches.motion.plan.state import CLIP_KEY, Plan, planned
 from armlab.content import evidence
 from armlab.content.actions import Action
@@ -37,11 +37,11 @@ def again(data: Json, told: SeenMotion, robot: Robot) -> SeenMotion:
     poses = part.samples * sum(move.space == "cartesian" for move in part.moves)
     if poses > MOST_POSES:
         raise InputError(f"motion: it has {poses} poses to solve; at most {MOST_POSES} are looked at again")
-    state = with_plan(State.initial(robot).replace(replace(part, compared=False, before=None)))
-    return replace(seen_plan(state, told.played), time=told.time)
+    state = with_planned(State.initial(robot).replace(replace(part, compared=False, before=None)))
+    return replace(seen_motion(state, told.played), time=told.time)
 
 
-def plan_commands(action: Action, state: State) -> Iterator[Command]:
+def motion_commands(action: Action, state: State) -> Iterator[Command]:
     """Yield what a solution does to the plan of the motion."""
     if isinstance(action, EditWaypoint):
         k = state[Plan].selected if action.k is None else action.k
@@ -73,9 +73,9 @@ TAUGHT = Taught(
     JOB,
     asks_for_motion,
     checks_motion,
-    plan_changed,
+    motion_changed,
     ended,
-    seen_plan,
+    seen_motion,
     again,
-    plan_commands,
+    motion_commands,
 )

@@ -14,7 +14,7 @@ from armlab.benches.motion.plan.laws import bounds_of, fastest, independent_moti
 from armlab.benches.motion.plan.moves import Stretch
 from armlab.benches.motion.plan.paths import joint_path, shortfall, tool_path
 from armlab.benches.motion.plan.question import LONGEST, Feasible, Leg, Planned, Question
-from armlab.benches.motion.plan.recorded import recorded_plan
+from armlab.benches.motion.plan.recorded import recorded_motion
 from armlab.benches.motion.plan.samples import DRAWN, drawn_leg, exceeded, sampled, spans_of, too_fast
 from armlab.errors import InputError
 from armlab.kin.ik.branches import branch_names
@@ -39,7 +39,7 @@ APART = 1e-6
 def making(question: Question) -> Iterator[Planned | None]:
     """Work out a plan; yield None between pieces of the work, and at last the plan."""
     if question.recorded is not None:
-        yield from recorded_plan(question)
+        yield from recorded_motion(question)
         return
     legs: list[Leg] = []
     q: Floats | None = np.array(question.waypoints[0].q)

@@ -18,7 +18,7 @@ from armlab.kin.motion import Motion, Trajectory, Violation, law_type, path_type
 Floats = NDArray[np.float64]
 
 
-def recorded_plan(question: Question) -> Iterator[Planned | None]:
+def recorded_motion(question: Question) -> Iterator[Planned | None]:
     """Yield None between pieces of the work, and at last the plan of the recorded motion of a question."""
     recorded = question.recorded
     assert recorded is not None

@@ -34,12 +34,12 @@ def checks_motion(step: Step) -> bool:
     return step.check is not None and step.check.of_motion
 
 
-def plan_changed(before: State, now: State) -> bool:
+def motion_changed(before: State, now: State) -> bool:
     """Return whether the plan of a state is another one, worked out or not."""
     return now[Plan] is not before[Plan] and now.derived(question) != before.derived(question)
 
 
-def seen_plan(state: State, played: bool) -> SeenMotion:
+def seen_motion(state: State, played: bool) -> SeenMotion:
     """Return what there is to see of the motion.
 
     Parameters

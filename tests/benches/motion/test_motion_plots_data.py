@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.figures import TOOL, Binding
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import CompareMoves, LastFor, LimitTool
 from armlab.benches.motion.plan.moves import Move, Waypoint
 from armlab.benches.motion.plan.question import Recorded
@@ -36,7 +36,7 @@ def planned(key, points=None, *commands, law="trapezoidal", space="joint", **cha
     state = state.replace(replace(part, waypoints=waypoints, moves=moves, **changes))
     for command in commands:
         state = apply(state, command)
-    return with_plan(state)
+    return with_planned(state)
 
 
 def inside(robot, rng, count):
@@ -154,10 +154,10 @@ def test_only_what_was_asked_for_and_belongs_to_the_plan_is_compared():
     plan = state[Plan].planned
     assert compared(state, plan) is state[Plan].other
     assert compared(apply(state, CompareMoves(False)), plan) is None
-    changed = with_plan(apply(apply(state, CompareMoves(False)), LimitTool(0.5)))
+    changed = with_planned(apply(apply(state, CompareMoves(False)), LimitTool(0.5)))
     stale = apply(changed, CompareMoves(True))
     assert compared(stale, stale[Plan].planned) is None
-    assert compared(with_plan(stale), stale[Plan].planned) is not None
+    assert compared(with_planned(stale), stale[Plan].planned) is not None
 
 
 def test_a_motion_from_a_file_has_no_other_kind_of_moves():

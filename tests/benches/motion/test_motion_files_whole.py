@@ -21,7 +21,7 @@ from armlab.benches.motion.files.commands import (
 from armlab.benches.motion.files.read import column_names, plan_json
 from armlab.benches.motion.files.script import motion_script
 from armlab.benches.motion.plan.commands import SetMove
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor, LimitJerk, LimitTool, UseShare
 from armlab.benches.motion.plan.moves import Waypoint
 from armlab.benches.motion.plan.state import Plan, planned, question
@@ -68,7 +68,7 @@ def test_a_plan_of_another_arm_brings_its_arm_along():
     state = apply(State.initial(catalogue()["puma560"]), reading("\ufeff\n" + text))
     assert state[RobotPart].robot is catalogue()["ur10e"]
     assert plan_json(state) == text
-    assert planned(with_plan(state)).whole
+    assert planned(with_planned(state)).whole
 
 
 def test_a_plan_of_an_own_table_brings_the_table_along():
@@ -268,13 +268,13 @@ def recorded():
     ],
 )
 def test_a_script_makes_the_same_motion_and_says_nothing(make, tmp_path):
-    state = with_plan(make())
+    state = with_planned(make())
     assert planned(state).whole
     assert_same(state, tmp_path, run_alone if make is in_space else run_here)
 
 
 def test_a_script_holds_only_what_it_needs_and_no_words_of_a_student():
-    state = with_plan(own_table())
+    state = with_planned(own_table())
     robot = replace(state[RobotPart].robot, name='x"""\nimport os')
     text = motion_script(replace(state[RobotPart], robot=robot), planned(state), 40.0, "motion.csv")
     assert "import os" not in text
@@ -288,6 +288,6 @@ def test_of_a_plan_that_ends_early_the_script_makes_what_can_be_run(tmp_path):
     away[0, 3] = 2.5
     far = replace(state[Plan].waypoints[2], pose=tuple(away.ravel().tolist()))
     state = state.replace(replace(state[Plan], waypoints=(*state[Plan].waypoints[:2], far)))
-    state = with_plan(apply(state, SetMove(2, space="cartesian")))
+    state = with_planned(apply(state, SetMove(2, space="cartesian")))
     assert not planned(state).whole
     assert_same(state, tmp_path, run_alone)

@@ -17,7 +17,7 @@ from armlab.benches.motion.files.commands import (
 )
 from armlab.benches.motion.files.read import MOST_SAMPLES
 from armlab.benches.motion.files.table import MOST_BYTES, MOST_COLUMNS, MOST_ROWS
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import LastFor
 from armlab.benches.motion.plan.state import Plan, planned
 from armlab.content.robots import catalogue
@@ -60,26 +60,26 @@ def test_a_table_has_units_in_its_header_and_the_motion_in_its_rows():
 def test_too_many_samples_are_refused_with_their_number():
     state = opened()
     with pytest.raises(InputError, match=rf"10000 make \d+ rows of 20 s; expected at most {MOST_SAMPLES} rows"):
-        table(with_plan(apply(state, LastFor(20.0))), 10_000.0)
+        table(with_planned(apply(state, LastFor(20.0))), 10_000.0)
     for rate in (0.0, -1.0, float("nan"), float("inf"), 10_001.0):
         with pytest.raises(InputError, match="samples a second: expected more than 0 and at most 10000"):
             table(state, rate)
 
 
 def test_a_motion_at_its_limits_read_again_keeps_them_and_without_rates_but_for_the_jumps():
-    state = with_plan(apply(opened(), LastFor(2.0)))
-    again = planned(with_plan(apply(state, ReadMotion(table(state)))))
+    state = with_planned(apply(opened(), LastFor(2.0)))
+    again = planned(with_planned(apply(state, ReadMotion(table(state)))))
     assert again.violations == ()
     # A table with its rates is believed at its samples.
     fast = opened()
-    with_rates = planned(with_plan(apply(fast, ReadMotion(table(fast)))))
+    with_rates = planned(with_planned(apply(fast, ReadMotion(table(fast)))))
     assert with_rates.violations == ()
     assert with_rates.fastest == pytest.approx(planned(fast).fastest, rel=1e-6)
     # Without them its acceleration swings over where it jumps.
     names, *rows = table(fast).splitlines()
     only = "\n".join(",".join(row.split(",")[: 1 + fast[Joints].arm.n]) for row in (names, *rows))
     jumps = planned(fast).motion.edges
-    over = planned(with_plan(apply(fast, ReadMotion(only)))).violations
+    over = planned(with_planned(apply(fast, ReadMotion(only)))).violations
     assert over
     assert all(np.abs(jumps - 0.5 * (each.start + each.end)).min() < 0.06 for each in over)
     assert max(each.end - each.start for each in over) < 0.1
@@ -89,7 +89,7 @@ def test_a_motion_at_its_limits_read_again_keeps_them_and_without_rates_but_for_
 def test_a_table_read_again_is_the_same_motion(key):
     state = opened(key, points=3, law="quintic")
     motion = planned(state).motion
-    again = with_plan(apply(state, ReadMotion(table(state))))
+    again = with_planned(apply(state, ReadMotion(table(state))))
     found = planned(again).motion
     assert found.duration == pytest.approx(motion.duration, abs=1e-8)
     t = motion.sample(rate=200.0).t
@@ -103,7 +103,7 @@ def test_a_table_read_again_is_the_same_motion(key):
 def test_a_smooth_motion_is_the_same_between_its_samples_too():
     state = opened(law="septic")
     motion = planned(state).motion
-    found = planned(with_plan(apply(state, ReadMotion(table(state))))).motion
+    found = planned(with_planned(apply(state, ReadMotion(table(state))))).motion
     t = np.linspace(0.0, motion.duration, 5003)
     np.testing.assert_allclose(found.at(t), motion.at(t), rtol=0, atol=1e-6)
 
@@ -224,7 +224,7 @@ def test_a_recorded_motion_plays_in_its_own_time_and_the_waypoints_wait():
     text = table(opened())
     read = apply(state, ReadMotion(text))
     assert (read[Plan].duration, read[Plan].example) == (None, "")
-    plan = planned(with_plan(apply(read, OpenClip("motion"))))
+    plan = planned(with_planned(apply(read, OpenClip("motion"))))
     assert plan.legs[0].stretch is None
     assert plan.duration == pytest.approx(planned(opened()).duration, abs=1e-8)
     back = apply(read, BackToWaypoints())
@@ -254,7 +254,7 @@ def test_waypoints_are_samples_of_the_motion_and_the_more_the_closer(by):
         away = np.linalg.norm(knots[:, None] - q, axis=2)
         assert away.min(axis=1).max() < 1e-9
         assert (np.diff(away.argmin(axis=1)) > 0).all()
-        curve = planned(with_plan(apply(read, MakeWaypoints(count, by)))).samples.q
+        curve = planned(with_planned(apply(read, MakeWaypoints(count, by)))).samples.q
         missed.append(np.linalg.norm(q[:, None] - curve, axis=2).min(axis=1).max())
     assert missed[2] < 0.15 < missed[1] < missed[0]
 

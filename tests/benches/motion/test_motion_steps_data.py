@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.motion.plan.commands import SetMove
-from armlab.benches.motion.plan.job import with_plan
+from armlab.benches.motion.plan.job import with_planned
 from armlab.benches.motion.plan.limits import SampleBy, UseShare
 from armlab.benches.motion.plan.points import AddWaypoint, SelectWaypoint, SetWaypointPose
 from armlab.benches.motion.plan.question import Feasible
@@ -30,7 +30,7 @@ def planned(key, *commands):
     state = State.initial(catalogue()[key])
     for command in commands:
         state = apply(state, command)
-    return with_plan(state)
+    return with_planned(state)
 
 
 def out_of_reach():
@@ -155,7 +155,7 @@ def test_samples_that_are_all_solved_can_be_of_two_branches():
 def test_stretches_are_told_apart_by_the_selected_waypoint():
     state = State.initial(catalogue()["puma560"])
     state = apply(apply(state, AddWaypoint()), SetMove(2, space="cartesian"))
-    state = with_plan(state)
+    state = with_planned(state)
     for k, (first, last, in_space) in {0: (0, 1, False), 1: (0, 1, False), 2: (1, 2, True)}.items():
         found = steps(apply(state, SelectWaypoint(k)))
         assert (found.stretch.first, found.stretch.last, found.in_space) == (first, last, in_space)
@@ -165,13 +165,13 @@ def test_stretches_are_told_apart_by_the_selected_waypoint():
 def test_without_a_plan_there_are_no_steps_and_old_numbers_are_kept_while_they_hold():
     fresh = State.initial(catalogue()["planar_2r"])
     assert steps(fresh) is None
-    state = with_plan(fresh)
+    state = with_planned(fresh)
     one, other = steps(state), steps(state)
     assert one is not other
     assert kept(other, one) is one
     assert kept(None, one) is None
     assert kept(one, None) is one
-    slower = steps(with_plan(apply(state, UseShare(velocity=0.5))))
+    slower = steps(with_planned(apply(state, UseShare(velocity=0.5))))
     assert kept(slower, one) is slower
 
 
