@@ -6,4 +6,4 @@ from armlab.benches.velocity.statics.examples import EXAMPLES, ChooseExample
 from armlab.session.bench import Bench
 
 BENCH = Bench("statics", 70, EXAMPLES, ChooseExample)
-"""For lessons: ``statics/along`` and so on."""
+"""Bench whose examples lessons name as ``statics/along`` and so on."""
