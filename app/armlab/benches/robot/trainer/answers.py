@@ -1,4 +1,4 @@
-"""What a person has answered in the assignment trainer, and how it is written down."""
+"""The student's answers in the assignment trainer, and how they are written."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Cells = tuple[float | None, ...]
 Counts = tuple[int, ...]
 
 LARGEST = 1e5
-"""Metres or radians a cell takes: values in a wrong unit must get through, to be told what they are."""
+"""Largest value of a cell, metres or radians: values in a wrong unit must pass, so that a hint can say so."""
 
 MOST_COUNTED = 10**6
 
@@ -65,12 +65,12 @@ class Answers:
         return cls(axes, None, 0, (0,) * (n + 1), False, cells, None, 0, ((0,) * len(FIELDS),) * n, 0)
 
     def to_json(self) -> Json:
-        """Return the answers written down."""
+        """Return the answers as JSON."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @classmethod
     def from_json(cls, data: Json, n: int) -> Self:
-        """Return the answers read back.
+        """Return the answers read from JSON.
 
         Raises
         ------

@@ -12,7 +12,7 @@ from armlab.ui.units import Units
 
 WIDTH, HEIGHT = 320, 124
 TOP, BOTTOM = 14, 16
-"""Height of the mark of a bar that is cut, and of the names of the methods."""
+"""Size of the picture, and the room at its top for the mark of a cut bar and at its bottom for the methods' names."""
 
 LARGEST = 2.5
 """Length at which a bar is cut, in multiples of the longest of the other methods."""
