@@ -1,4 +1,4 @@
-"""The command palette (Ctrl+K) and the keys."""
+"""The command palette (Ctrl+K) and the keyboard shortcuts."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from armlab.ui.switches import Switch
 
 
 class Page(Protocol):
-    """What an entry can act on: the page of a browser."""
+    """The page of a browser, on which an entry acts."""
 
     client: viser.ClientHandle
     camera: Camera
     session: Session
 
     def post(self, command: Command) -> None:
-        """Hand in a command."""
+        """Post a command."""
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front."""

@@ -1,4 +1,4 @@
-"""One layer on one canvas: built when it is first wanted, and what fails in it stops no other."""
+"""One layer on one canvas: built when it is first wanted; its failures stop no other layer."""
 
 from __future__ import annotations
 

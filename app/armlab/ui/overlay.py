@@ -1,4 +1,4 @@
-"""What lies over the scene: a line that says what to do or how it went, undo and redo, and notes to the page's script.
+"""The layer over the scene: a line with the verdict or the next step, undo and redo, and notes to the page's script.
 
 The markup is put into viser's own main window, which the style sheet hides except for these children; so it stays
 mounted whatever tab is open.
@@ -37,12 +37,12 @@ class Overlay:
         self._tab, self._asked = "", ""
 
     def open_tab(self, title: str) -> None:
-        """Ask the page's script to bring a tab to the front with the next `show`."""
+        """Let the page's script bring a tab to the front at the next `show`."""
         # Another word each time: the page may outlive the server that asked before.
         self._tab, self._asked = title, secrets.token_hex(4)
 
     def show(self, session: Session, handle: bool) -> None:
-        """Show the state of a session; without the handle in the scene there is nothing to say about it."""
+        """Show the state of a session; the line on the target appears only while its handle is in the scene."""
         line: Inside = None
         if handle and session.state[Target].pose is not None:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
@@ -52,7 +52,8 @@ class Overlay:
         self._form.show(hint, self._place(session), self._steps(session), self._notes(session))
 
     def _place(self, session: Session) -> Markup | None:
-        """Return where the student is when it is not their lesson or own work, with the way back."""
+        """Return a sentence on the student's present place, if it is not their lesson or own work, with the button
+        back."""
         shelf = session.state[Shelf]
         if shelf.place == SANDBOX:
             title = at_place(shelf.waiting).title if shelf.waiting else "my work"
@@ -78,7 +79,7 @@ class Overlay:
         return tag("div.al-over.al-steps", buttons)
 
     def _notes(self, session: Session) -> Markup:
-        """Return what the page's script reads: the address of this lesson or arm, and the tab to open."""
+        """Return the notes to the page's script: the address of this lesson or arm, and the tab to open."""
         self._form.takes("tabs", self._tabs_said)
         robot = session.state[RobotPart]
         path = "/" if robot.own else f"/robot/{robot.robot.key}"

@@ -1,4 +1,4 @@
-"""What a panel and a layer of the scene are: each is one file, found by folder."""
+"""Panels and layers of the scene: each is one file, found by its folder."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class Layer:
-    """The constant ``LAYER`` of a module in `armlab.ui.scene`: something drawn in the scene.
+    """The constant ``LAYER`` of a module in `armlab.ui.scene`: a part of the scene.
 
     Parameters
     ----------
@@ -99,13 +99,13 @@ class Layer:
 
     @property
     def panels(self) -> frozenset[str]:
-        """The panels with which it comes and goes."""
+        """The panels with which the layer is shown."""
         return frozenset(filter(None, (self.panel,) if isinstance(self.panel, str) else self.panel))
 
 
 @cache
 def pages() -> dict[str, Page]:
-    """Return what is known of all pages in order, without their panels."""
+    """Return the data of all pages in order, without their panels."""
     found = discover_pages("PAGE", Page)
     for page in found.values():
         if page.tab and (page.tab not in found or found[page.tab].tab):
@@ -114,7 +114,7 @@ def pages() -> dict[str, Page]:
 
 
 def panel(key: str) -> Panel:
-    """Return the panel of a page, which is imported now; `PluginError` when it is broken."""
+    """Return the panel of a page, which is imported now; `PluginError` if it is broken."""
     found = _imported(key)
     if isinstance(found, PluginError):
         raise found
@@ -123,7 +123,7 @@ def panel(key: str) -> Panel:
 
 @cache
 def _imported(key: str) -> Panel | PluginError:
-    """Return a panel, or why there is none: what is broken stays so until the lab is started again."""
+    """Return a panel, or the error of its import; a broken one stays so until the lab is restarted."""
     try:
         found = constant_of(f"{pages()[key].package}.ui.page", "PANEL", Panel)
         _refuse_unknown(key, found.hides)
@@ -133,14 +133,14 @@ def _imported(key: str) -> Panel | PluginError:
 
 
 def panels() -> None:
-    """Import all panels; `PluginError` with the name of the first that is broken."""
+    """Import all panels; `PluginError` with the name of the first broken one."""
     for key in pages():
         panel(key)
 
 
 @cache
 def tabs() -> dict[str, tuple[Page, ...]]:
-    """Return the tabs in order: the key of each, which is that of its first page, and its pages."""
+    """Return the tabs in order: the key of each, which is that of its first page, with its pages."""
     found = pages()
     return {
         key: (first, *(page for page in found.values() if page.tab == key))

@@ -1,4 +1,4 @@
-"""One tab of the dock: its pages, of which one is shown; built when first seen, refreshed only while seen."""
+"""One tab of the dock: its pages, of which one is shown, built when first seen, and updated only while seen."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from armlab.ui.widgets import Gui
 log = logging.getLogger(__name__)
 
 COVERED = "Answer the question of the lesson first."
-"""What stands on a page that would tell the answer."""
+"""Text in place of a page that would show the answer."""
 
 
 class Tab:
-    """A tab.
+    """One tab of the dock.
 
     Parameters
     ----------
@@ -73,14 +73,14 @@ class Tab:
 
     @property
     def panel(self) -> Panel | None:
-        """The panel of the present page; None where it cannot be imported, which the page says."""
+        """The panel of the present page, or None if it cannot be imported, which the page says."""
         try:
             return panel_of(self.page)
         except PluginError:
             return None
 
     def turn_to(self, key: str) -> None:
-        """Show another page with the next `show`."""
+        """Choose another page for the next `show`."""
         if key in self.pages and key != self.page:
             self.page = key
             self._show_head()
@@ -146,7 +146,7 @@ class Tab:
             self.show(self._shown, again=True, hidden=self._hidden)
 
     def _leave_out(self, hidden: frozenset[str]) -> None:
-        """Take pages away, or bring them back, and stand on one that is there."""
+        """Remove pages, or bring them back, and show one that remains."""
         left = [key for key in self.pages if key not in hidden]
         if hidden & set(self.pages) == self._hidden or not left:
             return
@@ -155,7 +155,7 @@ class Tab:
         self._show_head()
 
     def _cover(self, page: Page, state: State) -> bool:
-        """Show a sentence instead of a page that would tell what is to be predicted."""
+        """Show a sentence instead of a page that would show the answer to a prediction."""
         covered = bool(state[LessonPart].hides) and not page.always
         if covered and self._built != COVERED:
             with self._container:
@@ -165,14 +165,14 @@ class Tab:
         return covered
 
     def _tell_broken(self) -> None:
-        """Show, once each time it is turned to, that a page cannot be shown, and why in the log."""
+        """Show once for each choice of the page that it is broken; the reason is in the log."""
         if self._built != self.page:
             self._built, self._show, self._shown = self.page, None, None
             with self._container:
                 self._try(panel_of, self.page)
 
     def _try(self, call: Callable[..., Any], *arguments: Any) -> Any:
-        """Return the result; a panel that fails is replaced by a line, and the rest lives on."""
+        """Return the result; a panel that fails is replaced by a line, and the rest of the lab goes on."""
         try:
             return call(*arguments)
         except Exception:

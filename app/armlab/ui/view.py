@@ -1,4 +1,4 @@
-"""One browser: its scene and panels, showing the state of one session."""
+"""One browser: its scene and panels, which show the state of one session."""
 
 from __future__ import annotations
 
@@ -36,29 +36,31 @@ from armlab.ui.widgets import Gui
 log = logging.getLogger(__name__)
 
 PANEL_INTERVAL = 0.125
-"""Seconds between refreshes of panels: the scene follows a hand at once, numbers at a pace they can be read."""
+"""Time between updates of panels, seconds: the scene follows a drag at once, numbers at a pace that can be read."""
 
 DOCK_WIDTH = 345
-"""Pixels: leaves the scene 75 % of a window of 1400, 66 % of 1024 and 58 % of a tablet's 820."""
+"""Width of the dock, pixels, which leaves the scene 75 % of a window of 1400, 66 % of 1024 and 58 % of a tablet's
+820."""
 
 FIRST_TAB = "joints"
 
 SETTLED = 0.6
-"""Seconds after which a move made by the lab has ended."""
+"""Time after which a move made by the lab has ended, seconds."""
 
 OF_THE_ROOM = frozenset({"stage"})
-"""Keys of layers that are there without the arm, too."""
+"""Keys of layers that exist without the arm, too."""
 
 LINGER = 0.15
-"""Seconds for which the bodies of an arm stay after it was edited: the page takes as long to unpack the new ones."""
+"""Time for which the bodies of an arm stay after it was edited, seconds: the page takes as long to unpack the new
+ones."""
 
 
 ELSEWHERE = 3.0
-"""Seconds after which what happens is not what the person at this page did last."""
+"""Time after which a change is no result of the student's last action on this page, seconds."""
 
 
 class View:
-    """One browser; to be shown anything it has to be built.
+    """One browser, which is built before it can be shown.
 
     Attributes
     ----------
@@ -97,7 +99,7 @@ class View:
         self._seen: frozenset[str] = frozenset((pages()[self._front].tab or self._front,))
 
     def build(self) -> Generator[None, None, None]:
-        """Build the page, a piece of a millisecond or two at a time; the browser gets it when it is whole."""
+        """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
         with self.client.atomic():
             self._theme(self.session.state)
             self._overlay = Overlay(self.client, self.post, self._tabs_seen)
@@ -117,7 +119,7 @@ class View:
             self.show()
 
     def post(self, command: Command) -> None:
-        """Pass on what the person at this page wants."""
+        """Pass on a command of the student at this page."""
         self._acted = self._loop.time()
         self._post(command)
 
@@ -139,16 +141,16 @@ class View:
 
     @property
     def open_panels(self) -> frozenset[str]:
-        """The keys of the panels a person sees."""
+        """The keys of the visible panels."""
         return frozenset(self._tabs[key].page for key in self._seen)
 
     @property
     def _opened(self) -> tuple[Panel, ...]:
-        """The panels a person sees, without those that cannot be imported."""
+        """The visible panels, without those that cannot be imported."""
         return tuple(found for key in self._seen if (found := self._tabs[key].panel) is not None)
 
     def _hidden(self, state: State) -> frozenset[str]:
-        """Return the keys of layers that are in the way of an open panel, or of a layer that is switched on."""
+        """Return the keys of layers that are hidden by a prediction, an open panel, or a layer that is switched on."""
         predicted = state[LessonPart].hides
         if "arm" in predicted:
             return frozenset(layers()) - OF_THE_ROOM
@@ -174,7 +176,7 @@ class View:
         self._panels_changed()
 
     def _tabs_seen(self, text: str) -> None:
-        """Take from the page's script which tabs are seen, a list of keys."""
+        """Read from the page's script which tabs are visible, a list of keys."""
         try:
             seen = frozenset(key for key in json.loads(text) if key in self._tabs)
         except (ValueError, TypeError):
@@ -226,7 +228,7 @@ class View:
         self._refresh_soon()
 
     def _lesson_changed(self, state: State) -> None:
-        """Make room in the picture, and bring the bench of the lesson to the front."""
+        """Adapt the camera to a lesson, and bring its bench to the front."""
         lesson = state[LessonPart].lesson
         if self._shown is not None and self._loop.time() - self._acted > ELSEWHERE:
             now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"
@@ -237,7 +239,7 @@ class View:
             self.open_tab(front)
 
     def _step_changed(self, before: LessonPart, state: State) -> None:
-        """Bring the bench of another step to the front, if the step names it or it is another one."""
+        """Bring the bench of another step to the front, if the step names it or it differs."""
         part = state[LessonPart]
         step = part.step
         if step is None or part.name == before.name:
@@ -246,14 +248,14 @@ class View:
             self.open_tab(part.bench)
 
     def _front_of(self, wanted: str, state: State) -> str:
-        """Return the panel to bring to the front: the lesson's, or another one for one that it hides."""
+        """Return the panel to bring to the front: the lesson's, or another one if the lesson hides that."""
         there = [key for key in pages() if key not in hidden_panels(state)]
         if wanted in there:
             return wanted
         return next(iter(there), "") if not self.open_panels <= set(there) else ""
 
     def _around(self) -> Points:
-        """Return the points that open panels want in the picture beside the arm."""
+        """Return the points that open panels want inside the picture beside the arm."""
         state = self.session.state
         return np.vstack([NOTHING, *(panel.around(state) for panel in self._opened)])
 
@@ -277,7 +279,7 @@ class View:
             yield
 
     def _change_robot(self, state: State) -> None:
-        """Draw another arm; a figure that is new is made outside the event loop, and the present one stays so long."""
+        """Draw another arm; a new figure is made outside the event loop, and the present one stays until then."""
         arm = state[RobotPart].robot.arm
         drawn = self._gallery.ready(arm)
         if drawn is None:
@@ -290,7 +292,7 @@ class View:
             pass
 
     def _draw(self, state: State, drawn: Drawn) -> Iterator[None]:
-        """Draw the arm of a state, a layer at a time."""
+        """Draw the arm of a state, one layer at a time."""
         self._remove_drawings()
         self._canvases += 1
         self._canvas = Canvas(self.client, drawn, self.post, state[Joints].q, self._canvases)
@@ -312,7 +314,7 @@ class View:
             self._loop.call_later(LINGER, lambda: None if self._closed else canvas.remove())
 
     def _look_at(self, drawn: Drawn, before: RobotPart | None) -> None:
-        """Follow another arm with the camera; an edit of the same table leaves the eye where it is."""
+        """Follow another arm with the camera; an edit of the same table keeps the view."""
         assert self._robot is not None
         edited = (
             before is not None
@@ -323,7 +325,7 @@ class View:
         self.camera.follow(self._robot.robot, drawn.figure, stay=edited)
 
     def _figure_made(self, arm: Arm, problem: BaseException | None) -> None:
-        """Show what was made. One that cannot be drawn is said once, and not tried again."""
+        """Show the new figure. One that cannot be drawn is reported once, and not tried again."""
         if problem is not None:
             log.error("the arm cannot be drawn", exc_info=problem)
             self.client.add_notification("Not drawn", "This arm cannot be drawn; the numbers are right.", color="red")
@@ -372,7 +374,7 @@ class View:
         )
 
     def close(self) -> None:
-        """Stop; the browser is gone."""
+        """Stop all work, because the browser has closed."""
         self._closed = True
         if self._refresh is not None:
             self._refresh.cancel()

@@ -1,4 +1,4 @@
-"""Examples of section 4.4 of the notes: an arm, a start, a target and runs, and what to look at. One entry each."""
+"""Examples of section 4.4 of the notes: an arm, a start, a target and runs, and what to look at."""
 
 from __future__ import annotations
 
@@ -141,12 +141,13 @@ EXAMPLES: dict[str, Example] = {
         ),
     )
 }
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseExample(Command):
-    """Put arm, start, target, task vector and runs of an example in place, and its film on at the beginning."""
+    """Load the arm, the start, the target, the task vector and the runs of an example, and open its film at the
+    start."""
 
     key: str
     label: ClassVar[str] = "example of iterations"
