@@ -54,8 +54,8 @@ def make_server(port: int) -> viser.ViserServer:
     """Return a viser server on loopback, silent, that accepts from its pages only the messages of the lab's own page.
 
     viser prints a banner with its own address even when told to be quiet; people must see the front's address only.
-    What is shared by all pages has no controls: viser's handlers for it, public tunnels and forms that are passed on to
-    everybody among them, are taken away.
+    No controls are shared by all pages: viser's handlers for shared ones are removed, with those for public tunnels and
+    for forms that are passed on to all pages.
     """
     logging.getLogger("websockets.server").setLevel(logging.CRITICAL)
     # Each text would be kept for ever, so that it is shown once: a stranger may send as many as he likes.

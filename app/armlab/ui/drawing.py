@@ -18,7 +18,7 @@ from armlab.ui.pace import Pace, Paced
 
 
 class LayerCanvas:
-    """What a layer draws on: the canvas it shares with the others, and a scene that remembers what it has added.
+    """The canvas that a layer shares with the others, and a scene that remembers the nodes that the layer has added.
 
     Attributes
     ----------

@@ -124,8 +124,8 @@ class Fields:
     def refuse(self, cell: str, text: str, why: str) -> None:
         """Show the typed text as refused, with the reason below the fields.
 
-        It stands until the next input, except for one that follows at once elsewhere. Of a field it goes when another
-        value is to be shown there, and of what is no field when other markup is, if it could be read by then.
+        It stays until the next input, except one that follows at once elsewhere. The sentence of a field is removed
+        when the field has another value; one of any other element when the markup changes and there was time to read.
         """
         self._mistake = _Mistake(cell, text[:LONGEST_TYPED], why)
 

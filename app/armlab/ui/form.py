@@ -38,9 +38,9 @@ class Marks(dict[str, Attribute]):
 class Form:
     """Markup with controls that carry their actions.
 
-    What is made between two `show` is bound to what the second shows, and only that can be pressed or filled: a cell
-    that is not on the page, disabled, or not among the options does nothing. A refusal, of the text here or of a
-    command by the worker, stands where the wish came from, with the text as it was typed.
+    Controls made between two calls of `show` belong to the second call, and only those can be pressed or filled: a cell
+    that is not on the page, disabled, or not among the options does nothing. A refusal, of a text by the form or of a
+    command by the worker, is shown at the control that sent it, with the text as it was typed.
 
     Parameters
     ----------

@@ -177,7 +177,7 @@ class Lab:
     async def _grant(self, session: Session, wish: str) -> None:
         """Carry out the request of a link, if it can be read, before the page is built.
 
-        What it cannot have, the session says in a notice.
+        The session shows a notice if the request cannot be met.
         """
         command = wished(session.state, wish)
         if command is None:

@@ -76,8 +76,8 @@ class Layer:
     watches : tuple of part types
         ``show`` is called at once when one of these parts has changed.
     build : callable
-        ``build(canvas, state) -> show``; ``show`` is called at once. Called anew when the arm has changed. What it adds
-        to ``canvas.scene`` is shown, hidden and removed as a whole.
+        ``build(canvas, state) -> show``; ``show`` is called at once. Called again when the arm has changed. The nodes
+        that it adds to ``canvas.scene`` are shown, hidden and removed as a whole.
     switch : Switch or None
         With which a person shows or hides it; it is built when first switched on, and not shown while it is off.
     panel : str or tuple of str

@@ -56,7 +56,7 @@ def run(missing: Todo) -> Iterator[dict[int, Outcome] | None]:
 def delivered(state: State, missing: Todo, found: dict[int, Outcome]) -> State:
     """Return the state with the new runs; the arm moves to the new run if the old one had moved it.
 
-    What was found for another arm is thrown away.
+    Runs of another arm are dropped.
     """
     part, arm = state[Control], state[Joints].arm
     colours = {run.colour for run in part.runs}

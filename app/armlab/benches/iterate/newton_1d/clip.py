@@ -1,4 +1,4 @@
-"""The film of the tangents: at each iterate the tangent is drawn, followed to the axis, and then the curve is met."""
+"""The film of the tangents: at each iterate the tangent is drawn, followed to the axis, and then the line up to the curve."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def run(missing: Todo) -> Iterator[Found | None]:
 def delivered(state: State, missing: Todo, found: Found) -> State:
     """Return the state with the new films; the arm moves to the new film if the old one had moved it.
 
-    What was found for another arm is thrown away.
+    Films of another arm are dropped.
     """
     part, arm = state[Iterations], state[Joints].arm
     colours = {run.colour for run in part.runs}

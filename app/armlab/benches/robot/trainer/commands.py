@@ -151,7 +151,7 @@ class SetAnswer(Command):
         0-based.
     field : "a", "alpha", "d" or "theta"
     value : float or None
-        Metres or radians; None empties the cell. Of the joint variable it is the offset.
+        Metres or radians; None empties the cell. In the cell of the joint variable it is the offset.
     """
 
     row: int

@@ -52,8 +52,9 @@ def _measured(state: State, point: Floats) -> Measured | None:
 def silhouette(found: Found, q: NDArray[np.float64]) -> Floats:
     """Return the arm in a configuration seen from the side, a polyline of shape (k, 2) in metres.
 
-    Along the direction outward to the tool and along the axis of joint 1; where joint 1 slides, across it. Of a planar
-    arm in its plane. It follows the links of the table: along the axis of a joint, then along the common normal.
+    The coordinates are outward towards the tool and along the axis of joint 1, or across it if joint 1 slides; those of
+    a planar arm lie in its plane. The line follows the links of the table: along the axis of a joint, then along the
+    common normal.
     """
     arm, joint = found.arm, found.section.joint
     frames = np.asarray(arm.frames(q), dtype=np.float64)

@@ -87,7 +87,7 @@ def _variable(arm: Arm, joint: int, theta: str) -> str:
 def _terms(latex: str) -> list[tuple[str, str]]:
     """Return the parts between plus and minus signs, also inside parentheses, each with the sign before it.
 
-    Each becomes a formula of its own, so that lines can break there. What is in braces or under a function stays whole.
+    Each becomes a formula of its own, so that lines can break there. Parts in braces or under a function stay whole.
     """
     terms: list[tuple[str, str]] = []
     sign, start, whole = "", 0, 0
