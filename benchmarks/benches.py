@@ -6,7 +6,8 @@ from itertools import islice
 
 import drag
 import servers
-from armlab.ui.plugin import pages, switches
+from armlab.session.pages import pages
+from armlab.ui.plugin import switches
 from rounds import quantile, sized
 from support.fake_browser import FakeBrowser
 

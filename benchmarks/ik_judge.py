@@ -76,13 +76,17 @@ def all_solutions(share: float, seed: int) -> Iterator[str]:
     yield from shown or ["| nothing | – | – | – |"]
 
 
+def cases(title: str, share: float, seed: int = SEED) -> Iterator[Case]:
+    """Return a share of the cases of a class, at least one."""
+    make, count = CLASSES[title]
+    return islice(make(np.random.default_rng([seed, list(CLASSES).index(title), 0])), part_of(count, share))
+
+
 def judged_class(title: str, share: float, seed: int) -> Score:
     """Solve and judge a share of the cases of a class, at least one."""
-    make, count = CLASSES[title]
-    number = list(CLASSES).index(title)
-    rng, search = np.random.default_rng([seed, number, 0]), np.random.default_rng([seed, number, 1])
+    search = np.random.default_rng([seed, list(CLASSES).index(title), 1])
     score = Score()
-    for k, case in enumerate(islice(make(rng), part_of(count, share))):
+    for k, case in enumerate(cases(title, share, seed)):
         start = time.process_time()
         found = ik.solve_all(case.arm, case.T)
         score.seconds.append(time.process_time() - start)

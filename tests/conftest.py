@@ -15,6 +15,11 @@ from armlab.content.robots import Robot, catalogue
 DATA = Path(__file__).parent / "data"
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with browsers: they take longest, and wait half of the time, in which others are done."""
+    items.sort(key=lambda item: item.get_closest_marker("browser") is None)
+
+
 @pytest.fixture
 def rng() -> np.random.Generator:
     """The same random numbers in every run."""
@@ -41,3 +46,9 @@ def url() -> Iterator[str]:
 
     with running_lab() as address:
         yield address
+
+
+@pytest.fixture
+def reads_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a refusal count as read as soon as it is there; otherwise a person has a second for it."""
+    monkeypatch.setattr("armlab.ui.fields.SEEN", 0.0)

@@ -10,14 +10,18 @@ The kinematics core works alone, in a script or a notebook:
 
 from __future__ import annotations
 
-from numpy.typing import ArrayLike
+from importlib import import_module
+from typing import TYPE_CHECKING
 
-from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, ContentError, InputError, UnknownName
-from armlab.kin import ik
-from armlab.kin.arm import Arm
-from armlab.kin.dh import Row
 from armlab.version import VERSION
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from armlab.kin import ik
+    from armlab.kin.arm import Arm
+    from armlab.kin.dh import Row
 
 __version__ = VERSION
 
@@ -34,6 +38,22 @@ __all__ = [
     "robots",
 ]
 
+_LATER = {"Arm": "armlab.kin.arm:Arm", "Row": "armlab.kin.dh:Row", "ik": "armlab.kin.ik"}
+"""Names that are imported when somebody first asks for them: the lab serves its page before it needs NumPy."""
+
+
+def __getattr__(name: str) -> object:
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module, _, inside = _LATER[name].partition(":")
+    found = import_module(module)
+    globals()[name] = getattr(found, inside) if inside else found
+    return globals()[name]
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
 
 def load(key: str) -> Arm:
     """Return the arm of a robot file, such as ``"puma560"``.
@@ -45,11 +65,15 @@ def load(key: str) -> Arm:
     ContentError
         The file is broken.
     """
+    from armlab.content.robots import catalogue
+
     return catalogue()[key].arm
 
 
 def robots() -> list[str]:
     """Return the keys of all robots, by family."""
+    from armlab.content.robots import catalogue
+
     return list(catalogue().robots)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import gc
 import logging
 import os
 import queue
@@ -13,56 +14,65 @@ import threading
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
 from urllib.parse import quote
 
 from armlab import __version__
-from armlab.commands import command_types, listing, run_command
-from armlab.content.lessons import lessons
-from armlab.content.robots import catalogue
 from armlab.errors import ArmlabError, PluginError
 from armlab.front.addresses import addresses
 from armlab.front.room import LONGEST
-from armlab.front.start import Running, Settings, start
+
+if TYPE_CHECKING:
+    from armlab.front.start import Running
 
 DEFAULT_ROBOT = "puma560"
 DEFAULT_PORTS = range(8080, 8100)
+
+UNVISITED = 3.0
+"""Seconds after which a lab that nobody has opened yet looks whether all of it can be used."""
+
+# A signal may come at any point of the main thread; of all that waits only this queue can be told in the middle of it.
+Ended: TypeAlias = "queue.SimpleQueue[str]"
+"""Where the end is told: why, or an empty text when a person wants it."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command, or without one the lab until Ctrl-C; return the exit status."""
     arguments = sys.argv[1:] if arguments is None else arguments
     if arguments and not arguments[0].startswith("-"):
+        from armlab.commands import run_command
+
         return run_command(arguments)
     options = parser().parse_args(arguments)
+    gc.disable()  # until the first page: of what the start makes nothing is garbage, and looking takes a seventh of it
+    from armlab.front.start import Settings, start
+
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
+    ended: Ended = queue.SimpleQueue()
+    settings = Settings(
+        host=options.host,
+        ports=[options.port] if options.port is not None else list(DEFAULT_PORTS),
+        opening=options.robot,
+        folder=state_folder(options.state),
+        labs=options.labs,
+        lessons=tuple(options.lessons),
+        code=options.code or "",
+        names=tuple(options.name),
+    )
     try:
-        opening = catalogue()[options.robot]
-        for problem in catalogue().problems:
-            print(f"armlab: {problem}", file=sys.stderr)
-        running = start(
-            Settings(
-                host=options.host,
-                ports=[options.port] if options.port is not None else list(DEFAULT_PORTS),
-                opening=opening.key,
-                folder=state_folder(options.state),
-                labs=options.labs,
-                lessons=tuple(options.lessons),
-                code=options.code or "",
-                names=tuple(options.name),
-            )
-        )
+        running = start(settings, lambda port: _tell(port, options, ended))
     except ArmlabError as error:
+        gc.enable()
         print(f"armlab: {error}", file=sys.stderr)
         return 1
-    return _run(running, options)
+    return _run(running, ended)
 
 
-def _run(running: Running, options: argparse.Namespace) -> int:
-    # A signal may come at any point of this thread; of all that waits only this queue can be told in the middle of it.
-    ended: queue.SimpleQueue[None] = queue.SimpleQueue()
+def _tell(port: int, options: argparse.Namespace, ended: Ended) -> None:
+    """Say where the lab is and open a browser there; from now on Ctrl-C ends the lab in order."""
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: ended.put(None))
-    own, others = addresses(options.host, running.port)
+        signal.signal(number, lambda *_: ended.put(""))
+    own, others = addresses(options.host, port)
     own += f"?code={quote(options.code)}" if options.code else ""
     print(f"Armlab is open at {own}")
     for other in others:
@@ -70,30 +80,45 @@ def _run(running: Running, options: argparse.Namespace) -> int:
     print("Stop it with Ctrl-C.", flush=True)
     if not options.no_browser:
         threading.Thread(target=_open_browser, args=(own,), daemon=True).start()
-    if not options.labs and (broken := _broken_panel()):
-        print(f"armlab: {broken}", file=sys.stderr)
-        running.stop()
-        return 1
-    # The front of a class reads the lessons for this alone, and students can come in meanwhile.
-    for problem in lessons().problems:
-        print(f"armlab: {problem}", file=sys.stderr)
-    _wait(ended)
+
+
+def _run(running: Running, ended: Ended) -> int:
+    """Wait for the end, and meanwhile look for what is broken; return the exit status."""
+    looking = threading.Thread(target=_look, args=(running, ended), name="armlab-looking")
+    looking.start()
+    problem = _wait(ended)
     running.stop()
-    return 0
+    looking.join()
+    if problem:
+        print(f"armlab: {problem}", file=sys.stderr)
+    return 1 if problem else 0
 
 
-def _broken_panel() -> PluginError | None:
-    """Import all panels, which are else imported when they are opened; return why one cannot be."""
-    from armlab.ui.plugin import panels  # the front of a class does without
+def _look(running: Running, ended: Ended) -> None:
+    """Say which robots and lessons cannot be used, and end a lab with a page that cannot be.
 
-    try:
-        panels()
-    except PluginError as error:
-        return error
-    return None
+    All of them are imported and read for this, which takes longer than the start. So it comes after the first page.
+    """
+    from armlab.content.lessons import lessons
+    from armlab.content.robots import catalogue
+
+    running.wait_for_page(UNVISITED)
+    gc.enable()
+    if running.stopping:
+        return
+    if running.lab is not None:
+        from armlab.ui.plugin import panels  # the front of a class does without; its labs look themselves
+
+        try:
+            panels()
+        except PluginError as error:
+            ended.put(str(error))
+            return
+    for problem in (*catalogue().problems, *lessons().problems):
+        print(f"armlab: {problem}", file=sys.stderr)
 
 
-def _wait(ended: queue.SimpleQueue[None]) -> None:
+def _wait(ended: Ended) -> str:
     while True:
         # Where a waiting thread hears no signal, it does now and then.
         with contextlib.suppress(queue.Empty):
@@ -136,6 +161,8 @@ class _Parser(argparse.ArgumentParser):
     """Its help also lists the commands, which are looked for only then."""
 
     def format_help(self) -> str:
+        from armlab.commands import command_types, listing
+
         return f"{super().format_help()}\n{listing(command_types())}"
 
 

@@ -11,19 +11,10 @@ import importlib
 import pkgutil
 from collections.abc import Iterable, Iterator
 from types import ModuleType
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 from armlab.errors import PluginError
-
-
-class Keyed(Protocol):
-    """What every plug-in constant has."""
-
-    @property
-    def key(self) -> str:
-        """A unique short name."""
-        ...
-
+from armlab.registry import Keyed, Registry
 
 T = TypeVar("T")
 K = TypeVar("K", bound=Keyed)
@@ -32,7 +23,7 @@ BENCHES = "armlab.benches"
 """The package whose sub-packages are the tabs, and theirs the pages."""
 
 
-def discover(package: ModuleType, constant: str, kind: type[K]) -> dict[str, K]:
+def discover(package: ModuleType, constant: str, kind: type[K], word: str = "") -> Registry[K]:
     """Import every public module of a package and collect one constant from each.
 
     Parameters
@@ -43,21 +34,23 @@ def discover(package: ModuleType, constant: str, kind: type[K]) -> dict[str, K]:
         Name of the constant, such as ``"PANEL"``.
     kind : type
         What the constant must be an instance of.
+    word : str, optional
+        What one is called in sentences; that of the constant when left out.
 
     Returns
     -------
-    dict
-        Key to constant, ordered by ``order`` where the constants have one, then by key.
+    Registry
+        The constants by key, ordered by ``order`` where they have one, then by key.
 
     Raises
     ------
     PluginError
         A module fails to import, its constant is missing or of another kind, or a key comes twice.
     """
-    return _collected(_public(package), constant, kind)
+    return _collected(_public(package), constant, kind, word)
 
 
-def discover_in_benches(role: str, constant: str, kind: type[K], *shared: ModuleType) -> dict[str, K]:
+def discover_in_benches(role: str, constant: str, kind: type[K], *shared: ModuleType) -> Registry[K]:
     """Collect one constant from every module with a role in the folder of a page.
 
     Parameters
@@ -72,7 +65,7 @@ def discover_in_benches(role: str, constant: str, kind: type[K], *shared: Module
 
     Returns
     -------
-    dict
+    Registry
         As of `discover`.
 
     Raises
@@ -84,7 +77,7 @@ def discover_in_benches(role: str, constant: str, kind: type[K], *shared: Module
     return _collected([*names, *_with_role(role)], constant, kind)
 
 
-def discover_pages(constant: str, kind: type[K]) -> dict[str, K]:
+def discover_pages(constant: str, kind: type[K]) -> Registry[K]:
     """Collect one constant from the packages of all pages; see `discover`."""
     return _collected(bench_pages(), constant, kind)
 
@@ -122,15 +115,11 @@ def _public(package: ModuleType) -> Iterator[str]:
             yield f"{package.__name__}.{info.name}"
 
 
-def _collected(names: Iterable[str], constant: str, kind: type[K]) -> dict[str, K]:
-    found: dict[str, K] = {}
-    origin: dict[str, str] = {}
-    for name in names:
-        plugin = constant_of(name, constant, kind)
-        if plugin.key in found:
-            raise PluginError(f"{name}: the key {plugin.key!r} is already used by {origin[plugin.key]}")
-        found[plugin.key], origin[plugin.key] = plugin, name
-    return dict(sorted(found.items(), key=lambda item: (getattr(item[1], "order", 0), item[0])))
+def _collected(names: Iterable[str], constant: str, kind: type[K], word: str = "") -> Registry[K]:
+    names = list(names)
+    word = word or constant.lower()
+    found = Registry(word, [constant_of(name, constant, kind) for name in names], names)
+    return Registry(word, sorted(found.values(), key=lambda plugin: (getattr(plugin, "order", 0), plugin.key)))
 
 
 def constant_of(module_name: str, constant: str, kind: type[T]) -> T:

@@ -1,5 +1,6 @@
 """A bench is a folder: what tabs may see of each other, what in them draws, and how far their styles reach."""
 
+import json
 import re
 import shutil
 import subprocess
@@ -9,8 +10,10 @@ import pytest
 
 from armlab.session.bench import benches
 from armlab.session.job import jobs
+from armlab.session.pages import pages
 from armlab.session.parts.timeline import clips
-from armlab.ui.plugin import layers, pages, panel
+from armlab.ui.plugin import layers, panel
+from support.everything import everything
 from support.sources import PACKAGE, TOP, imports_of
 
 DRAWING = ("armlab.ui", "viser", "trimesh", "latex2mathml")
@@ -115,46 +118,88 @@ def test_what_lies_in_a_bench_is_found_and_nothing_twice():
     assert len(list((PACKAGE / "benches").glob("*/*/ui/scene*.py"))) < len(layers())
     assert len(list((PACKAGE / "benches").glob("*/*/job*.py"))) == len(jobs())
     assert len(list((PACKAGE / "benches").glob("*/*/clip*.py"))) == len(clips())
-    assert len(list((PACKAGE / "benches").glob("*/*/bench.py"))) == len(benches())
+    assert len(list((PACKAGE / "benches").glob("*/*/examples.py"))) == len(benches())
 
+
+GONE = ("workspace", "iterate/basins")
+"""A whole tab, and one page of a tab: folders of benches that no other bench builds on."""
 
 WITHOUT = """
 import asyncio
+import json
+from support.everything import everything
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import running_lab
 from armlab.front.page import make_page
 from armlab.session.play import problems
-from armlab.ui.plugin import layers, pages, panel
 
 async def main(url):
     browser = FakeBrowser(url, cookie_of(url))
     await browser.connect()
     await browser.until(lambda: "al-notes" in browser.html())
-    await browser.open("target", "velocity", "motion", "control")
+    await browser.open("target", "velocity", "motion", "control", "iterations", "help")
     before = browser.counts["SetOrientationMessage"]
     await browser.set_value(browser.slider(1), 20.0)
     await browser.until(lambda: browser.counts["SetOrientationMessage"] > before)
+    assert not any(title in browser.html() for title in ("Basins", "Workspace"))
     await browser.close()
 
 with running_lab() as url:
     asyncio.run(main(url))
-assert not {"workspace", "section", "dexterous", "what_if"} & {*pages(), *layers()}
 assert b".b-workspace" not in make_page().html
 assert problems("first_arm") == []
-print("lives without")
+print(json.dumps(everything()))
 """
 
 
-def test_a_lab_without_one_tab_starts_and_shows_no_trace_of_it(tmp_path):
+@pytest.fixture(scope="module")
+def without(tmp_path_factory):
+    """A copy of the lab without some of its benches, and the variables to start it with."""
+    copy = tmp_path_factory.mktemp("without")
     for name in ("app", "robots"):
-        shutil.copytree(TOP / name, tmp_path / name)
-    (tmp_path / "lessons").mkdir()
-    shutil.copy(TOP / "lessons" / "first_arm.md", tmp_path / "lessons")
-    shutil.copy(TOP / "pyproject.toml", tmp_path)
-    shutil.rmtree(tmp_path / "app/armlab/benches/workspace")
-    variables = {"PYTHONPATH": f"{tmp_path / 'app'}:{TOP / 'tests'}", "PATH": "/usr/bin:/bin", "HOME": str(tmp_path)}
-    done = subprocess.run([sys.executable, "-c", WITHOUT], env=variables, capture_output=True, text=True, cwd=tmp_path)
-    assert "lives without" in done.stdout, done.stderr
+        shutil.copytree(TOP / name, copy / name)
+    (copy / "lessons").mkdir()
+    for lesson in ("first_arm.md", "newton_arm.md"):
+        shutil.copy(TOP / "lessons" / lesson, copy / "lessons")
+    shutil.copy(TOP / "pyproject.toml", copy)
+    for folder in GONE:
+        shutil.rmtree(copy / "app/armlab/benches" / folder)
+    return copy, {"PYTHONPATH": f"{copy / 'app'}:{TOP / 'tests'}", "PATH": "/usr/bin:/bin", "HOME": str(copy)}
+
+
+def test_a_lab_without_some_benches_starts_and_shows_no_trace_of_them(without):
+    copy, variables = without
+    done = subprocess.run([sys.executable, "-c", WITHOUT], env=variables, capture_output=True, text=True, cwd=copy)
+    assert done.stdout, done.stderr
+    left, whole = json.loads(done.stdout), everything()
+    missing = {kind: sorted(set(whole[kind]) - set(left[kind])) for kind in whole}
+    assert missing["page"] == sorted(key for key, page in pages().items() if is_gone(page.package))
+    for kind, name in (("job", "job*.py"), ("clip", "clip*.py"), ("bench", "examples.py"), ("facts", "facts.py")):
+        files = [file for folder in GONE for file in (PACKAGE / "benches" / folder).rglob(name)]
+        assert len(missing[kind]) == len(files), kind
+    assert {"section", "dexterous", "basins"} <= set(missing["part"])
+    assert all(set(left[kind]) <= set(whole[kind]) for kind in whole)
+
+
+def is_gone(module):
+    """Return whether a module lies in one of the folders that the copy does not have."""
+    names = tuple(f"armlab.benches.{folder.replace('/', '.')}" for folder in GONE)
+    return module in names or module.startswith(tuple(f"{name}." for name in names))
+
+
+def test_a_lab_without_one_page_passes_the_tests_of_the_others_of_its_tab(without):
+    copy, variables = without
+    tab = TOP / "tests/benches/iterate"
+    others = [file for file in sorted(tab.glob("test_*.py")) if not any(map(is_gone, imports_of(file)))]
+    assert 1 < len(others) < len(list(tab.glob("test_*.py")))
+    shutil.copytree(TOP / "tests/support", copy / "tests/support")
+    shutil.copytree(TOP / "tests/data", copy / "tests/data")
+    for file in (TOP / "tests/conftest.py", *others):
+        (copy / file.relative_to(TOP)).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(file, copy / file.relative_to(TOP))
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "tests/benches"]
+    done = subprocess.run(command, env=variables, capture_output=True, text=True, cwd=copy)
+    assert done.returncode == 0, done.stdout
 
 
 def test_every_file_the_page_about_the_house_names_is_there():

@@ -19,6 +19,7 @@ from support.arms import random_arm, random_q
 sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 import ik_judge
+import ik_slow
 from judging.cases import CLASSES, Case, made
 from judging.charges import charges
 from judging.curves import error_along
@@ -256,3 +257,23 @@ def test_a_smallest_run_fills_both_tables():
     assert len(single.splitlines()) == 2 + len(catalogue().robots) + 2
     for table in (every, refuted, single):
         assert len({line.count("|") for line in table.splitlines()}) == 1
+
+
+def test_a_smallest_run_of_the_clock_times_one_case_of_each_class():
+    _, every, slowest = "\n".join(ik_slow.measure(share=0.0)).split("\n\n")
+    assert len(every.splitlines()) == 2 + len(CLASSES) + 1
+    assert len(slowest.splitlines()) >= 2 + ik_slow.SHOWN
+    milliseconds = [float(row.split()[1]) for row in slowest.splitlines()[2:]]
+    assert milliseconds == sorted(milliseconds, reverse=True)
+
+
+def test_the_clock_times_the_cases_that_the_judge_judges(monkeypatch):
+    """With the judge's own random search between the cases, or without it."""
+    title, judged_cases = "structured 6R, moved by 0, 1e-10 to 1e-2", []
+    monkeypatch.setattr(ik_judge, "charges", lambda case, *_: judged_cases.append(case) or [])
+    ik_judge.judged_class(title, 3 / 3600, 11)
+    clocked = list(ik_judge.cases(title, 3 / 3600, 11))
+    assert len(clocked) == 3
+    for one, other in zip(judged_cases, clocked, strict=True):
+        assert_allclose(one.q, other.q, rtol=0, atol=0)
+        assert_allclose(one.T, other.T, rtol=0, atol=0)

@@ -5,6 +5,7 @@ import time
 import numpy as np
 import pytest
 
+from armlab.ui.view import View
 from support.lab import open_lab
 from support.page import COARSE, LabPage
 
@@ -192,6 +193,18 @@ def test_the_command_palette_knows_the_commands(visit):
     lab.page.keyboard.press("Enter")
     lab.rest()
     np.testing.assert_allclose(lab.slider_values(6), 0.0, atol=0.01)
+
+
+def test_a_new_page_tells_of_the_tab_the_lab_opens_and_of_no_tab_before(visit, monkeypatch):
+    """The page begins with the first tab, the lessons, all of which would be read for it."""
+    told, take = [], View._tabs_seen
+    monkeypatch.setattr(View, "_tabs_seen", lambda view, text: (told.append(text), take(view, text)))
+    lab = visit()
+    lab.until(lambda: bool(told))
+    lab.open_tab("Pose")
+    lab.until(lambda: told[-1] == '["pose"]')
+    assert told[0] == '["joints"]'
+    assert '["lessons"]' not in told
 
 
 def test_a_finger_moves_sliders_and_handle(visit):

@@ -5,6 +5,7 @@ import pytest
 
 from armlab.content.robots import catalogue
 from armlab.ui.figure.anatomy import anatomy_of
+from support.student import run, student
 
 pytestmark = pytest.mark.browser
 PUMA = catalogue()["puma560"]
@@ -145,6 +146,33 @@ def test_a_typed_target_is_reached_and_a_wrong_one_is_refused(visit):
     assert lab.page.locator('input[data-cell="x"]').input_value() == nonsense
     assert lab.target()[0] == pytest.approx(0.5, abs=1e-6)
     assert lab.page.locator("img[src=x]").count() == 0
+
+
+def test_what_is_typed_and_taken_back_gives_way_to_what_the_lab_says(visit, url):
+    lab = visit()
+    lab.open_tab("Target")
+    field = lab.page.locator('input[data-cell="x"]')
+    before = field.input_value()
+    field.press("End")
+    field.press("1")
+    field.press("Backspace")
+    cookie = "; ".join(f"{each['name']}={each['value']}" for each in lab.page.context.cookies())
+
+    async def elsewhere():
+        browser = await student(url, cookie)
+        await browser.open("target")
+        seen = browser.html()
+        await browser.press("x", "500")
+        await browser.until(lambda: browser.html() != seen)
+        await browser.close()
+
+    run(elsewhere())
+    lab.until(lambda: abs(lab.target()[0] - 0.5) < 1e-6)
+    lab.rest()
+    assert field.input_value() == before, "the cursor is in the field"
+    field.evaluate("field => field.blur()")
+    lab.rest()
+    assert float(field.input_value()) == pytest.approx(500.0)
 
 
 def test_named_poses_random_and_held_joints(visit):

@@ -3,7 +3,8 @@
 import pytest
 
 from armlab.content.lessons import lessons
-from armlab.ui.plugin import pages, switches
+from armlab.session.pages import pages
+from armlab.ui.plugin import switches
 
 
 @pytest.fixture(params=list(lessons().lessons))

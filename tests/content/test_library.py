@@ -149,6 +149,13 @@ def test_a_file_becomes_a_folder(lab):
     assert found.lesson("first").file == "first/lesson.md"
 
 
+def test_a_lesson_that_moves_as_it_is_into_another_folder_is_found_there(lab, mine):
+    found = Library([lab, mine])
+    (lab / "first.md").rename(mine / "first.md")
+    found.changed()
+    assert found.lesson("first").file == "mine/first.md"
+
+
 def test_a_picture_that_changes_changes_its_lesson(lab):
     (lab / "second").mkdir()
     (lab / "second" / "lesson.md").write_text(text(body="![x](a.png)"), encoding="utf-8")

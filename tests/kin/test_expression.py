@@ -1,12 +1,15 @@
 """The expression graph and its two numeric back-ends."""
 
 import math
+import tracemalloc
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 
 from armlab.kin.graph.expression import Expression, Graph, absolute, cos, live_nodes, sin, square_root
 from armlab.kin.graph.kernel import Kernel
+from armlab.kin.graph.scratch import KEPT, Scratch
 from armlab.kin.graph.tape import CHUNK, Tape
 
 
@@ -184,6 +187,55 @@ def test_half_angle_sine_and_cosine_are_exact_to_the_last_digits(graph):
     Kernel(graph, [sin(x), cos(x)], 1).batch(angles[:, None], out)
     np.testing.assert_allclose(out[:, 0], np.sin(angles), rtol=0, atol=5e-16)
     np.testing.assert_allclose(out[:, 1], np.cos(angles), rtol=0, atol=5e-16)
+
+
+def test_what_other_calls_left_behind_changes_nothing(graph, rng):
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [sin(x) * y + 0.5, 2.0, cos(x + y)], 2)
+    for dtype in (np.float64, np.float32):
+        values = rng.uniform(-2, 2, (300, 2)).astype(dtype)
+        first, again = np.empty((300, 3), dtype), np.empty((200, 3), dtype)
+        kernel.batch(values, first)
+        block = KEPT.take(1)
+        block[:] = 0xFF
+        KEPT.give_back(block)
+        kernel.batch(values[:200], again)
+        np.testing.assert_array_equal(again, first[:200])
+
+
+def test_what_one_computes_in_nobody_else_does_until_it_is_given_back():
+    scratch = Scratch()
+    first, second = scratch.take(100), scratch.take(100)
+    assert not np.shares_memory(first, second)
+    scratch.give_back(first)
+    assert scratch.take(50) is first
+    scratch.give_back(second)
+    assert len(scratch.take(200)) >= 200
+
+
+def test_threads_may_compute_at_once(graph, rng):
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [sin(x * y) + cos(y), x - y * 3.0], 2)
+    batches = rng.uniform(-2, 2, (4, 2 * CHUNK + 5, 2))
+    alone, found = np.empty((4, 2 * CHUNK + 5, 2)), np.full((4, 2 * CHUNK + 5, 2), np.nan)
+    for values, out in zip(batches, alone, strict=True):
+        kernel.batch(values, out)
+    with ThreadPoolExecutor(4) as threads:
+        list(threads.map(kernel.batch, batches, found))
+    np.testing.assert_array_equal(found, alone)
+
+
+def test_a_second_call_asks_for_no_more_memory(graph, rng):
+    x, y = graph.variable(0), graph.variable(1)
+    kernel = Kernel(graph, [sin(x + y * float(k)) for k in range(1, 40)], 2)
+    values, out = rng.uniform(-2, 2, (1000, 2)), np.empty((1000, 39))
+    kernel.batch(values, out)
+    tracemalloc.start()
+    kernel.batch(values, out)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    # Views of some hundred rows; the rows themselves are forty times 8 kB.
+    assert peak < 40_000
 
 
 def test_registers_are_used_again(graph):

@@ -134,6 +134,23 @@ def test_a_family_and_what_stands_for_it():
     assert "a curve of singular configurations" in found.reason
 
 
+def test_a_long_curve_that_closes_is_given_once_around():
+    """Four joints turn and turn back on a way of 25 rad: further than one goes in one direction to see it close."""
+    numbers = [(-0.82, 0.0, 0.12), (0.92, -H, 0.0), (0.0, -H, 0.0), (0.88, 0.0, 0.0), (0.0, H, 0.0), (0.5, -H, 0.0)]
+    arm = Arm.from_dh([("R", a, alpha, d, 0.0) for a, alpha, d in numbers], task="pose")
+    T = np.asarray(arm.fk([0.0, -H, 0.0, math.pi, 0.0, -H]))
+    found = solve_general(arm, T)
+    assert (found.completeness, len(found.families)) == ("infinite", 2)
+    for curve in found.families:
+        assert worst_error(arm, curve, T) < 1e-10
+        apart = np.linalg.norm((curve[:, None] - curve + math.pi) % (2 * math.pi) - math.pi, axis=2)
+        around = np.append(np.diagonal(apart, 1), apart[-1, 0])
+        # One step is 0.35 rad and the last, which closes the curve, up to twice as long.
+        assert around.max() < 0.7
+        assert 22.0 < around.sum() < 30.0
+        assert apart[np.triu_indices(len(curve), 1)].min() > 0.3
+
+
 def test_an_arm_of_fewer_than_six_freedoms():
     """Four parallel axes: what it reaches, it reaches in infinitely many ways."""
     rows = [("R", 0.5, 0.0, 0.1, 0.0), ("R", 0.4, 0.0, 0.0, 0.0), ("R", 0.3, 0.0, 0.0, 0.0), ("R", 0.2, H, 0.0, 0.0)]

@@ -112,6 +112,9 @@ def test_a_singular_arm_measures_zero_and_never_less() -> None:
         values = measure.values(arm, q)
         assert np.all(values >= 0.0)
         assert np.all(values < 1e-8)
+    # What is below the digits of the squares is zero: of noise a logarithmic scale would make a picture.
+    assert MEASURES["sigma_min"].values(arm, q).tolist() == [0.0, 0.0, 0.0]
+    assert MEASURES["inverse_condition"].values(arm, q).tolist() == [0.0, 0.0, 0.0]
     still = Arm.from_dh([("R", 0, 0, 0, 0)], task="xy")
     assert MEASURES["inverse_condition"].values(still, np.zeros((3, 1))).tolist() == [0, 0, 0]
 

@@ -159,6 +159,20 @@ def test_a_held_joint_is_moved_by_nobody(state):
     assert apply(free, TakePose("zero"))[Joints].q[2] == 0.0
 
 
+def test_held_joints_are_freed_to_stand_where_an_example_wants_them(state):
+    held = apply(state, LockJoint(2, True))[Joints]
+    wanted = np.full(6, 0.25)
+    freed = held.freed_at(wanted)
+    assert freed.locked == (False,) * 6
+    np.testing.assert_allclose(freed.q, np.clip(wanted, *held.arm.limits.T), atol=1e-12)
+
+
+def test_a_whole_move_of_a_slider_is_one_step_and_those_of_two_sliders_are_two():
+    assert MoveJoint(0, 0.1).stroke == MoveJoint(0, 0.2).stroke
+    assert MoveJoint(0, 0.1).stroke != MoveJoint(1, 0.1).stroke
+    assert TakePose("zero").stroke is None
+
+
 def test_locking_does_not_move_the_target(state):
     away = apply(state, DragTarget(moved(target_pose(state), 0.05, 0, 0), 1))
     assert apply(away, LockJoint(1, True))[Target].pose is not None

@@ -23,10 +23,10 @@ def written(data):
 
 def test_there_are_golden_data_of_every_part_and_of_many_links():
     assert len(GOLDEN["links"]) >= 20
-    assert set(GOLDEN["parts"]) == {kind.key for kind in part_types()}
+    assert set(GOLDEN["parts"]) == {kind.key for kind in part_types() if kind.saved}
 
 
-@pytest.mark.parametrize("kind", part_types(), ids=lambda kind: kind.key)
+@pytest.mark.parametrize("kind", [kind for kind in part_types() if kind.saved], ids=lambda kind: kind.key)
 def test_a_part_is_read_and_written_as_it_was(kind):
     for data in GOLDEN["parts"][kind.key]["puma560"]:
         assert written(kind.from_json(json.loads(written(data)), PUMA).to_json()) == written(data)

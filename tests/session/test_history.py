@@ -75,3 +75,14 @@ def test_two_hundred_small_steps_are_all_kept(session):
         session.apply(MoveJoint(0, 0.001 * (k + 1)), 3.0 * k)
     session.apply(ChooseRobot("puma560"), 1000.0)
     assert len(session.history.past) == 200
+
+
+def test_a_slider_that_is_moved_on_after_an_undo_makes_a_step_of_its_own(session):
+    session.apply(MoveJoint(0, 0.1), 0.0)
+    session.apply(MoveJoint(1, 0.2), 1.0)
+    before = session.state
+    session.apply(MoveJoint(0, 0.3), 2.0)
+    session.apply(Undo(), 2.1)
+    session.apply(MoveJoint(0, 0.4), 2.2)
+    session.apply(Undo(), 2.3)
+    assert session.state is before

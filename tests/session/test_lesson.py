@@ -13,7 +13,6 @@ from armlab.session.lesson_commands import (
     Answer,
     CloseLesson,
     GoToStep,
-    LookAt,
     OpenLesson,
     ReloadLesson,
     SignAs,
@@ -21,6 +20,7 @@ from armlab.session.lesson_commands import (
     UnlockHint,
 )
 from armlab.session.lesson_progress import MOST_TYPED
+from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.display import Display, Show
 from armlab.session.parts.joints import Joints, LockJoint, MoveJoint, TakePose
 from armlab.session.parts.lesson import LONGEST_NAME, LessonPart, check_line, has_its_arm, observed
@@ -365,6 +365,5 @@ def test_a_film_counts_when_it_was_played_to_its_end_in_this_step(fresh, own):
 
 
 def test_the_panel_that_is_looked_at_is_seen(fresh, own):
-    state = done(fresh, OpenLesson("t"), LookAt("film"))
+    state = done(fresh, OpenLesson("t"), OpenPanel("film"))
     assert observed(state).panel == "film"
-    assert done(state, LookAt("film")) is state

@@ -30,7 +30,8 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import OpenShared, Shelf
 from armlab.session.parts.target import PlaceTarget, Target
 from armlab.session.parts.timeline import OpenClip, Seek, Timeline
-from armlab.session.share import LONGEST, VERSION, from_short, short
+from armlab.session.share import VERSION, from_short, short
+from armlab.session.share_text import LONGEST
 from armlab.session.state import State, apply
 from support.arms import random_arm, random_q
 
@@ -220,6 +221,14 @@ def test_a_link_that_lost_its_end_says_so():
     for cut in range(2, len(text)):
         with pytest.raises(InputError, match="copy the whole link again"):
             from_short(text[:cut])
+
+
+def test_a_link_with_something_behind_its_end_is_refused():
+    text = short(busy(PUMA, np.random.default_rng(2)))
+    packed = base64.urlsafe_b64decode(text[1:] + "===")
+    assert from_short(VERSION + base64.urlsafe_b64encode(packed).decode().rstrip("=")).to_json()
+    with pytest.raises(InputError, match="its end is missing or does not belong to it"):
+        from_short(VERSION + base64.urlsafe_b64encode(packed + b"more").decode().rstrip("="))
 
 
 @pytest.mark.parametrize(

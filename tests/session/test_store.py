@@ -187,6 +187,16 @@ def test_without_a_folder_only_so_many_idle_sessions_are_held():
     assert len(store._live) == MOST_IDLE
 
 
+def test_without_a_folder_what_was_found_is_held_as_long_as_anything_since_it_does_not_come_back(monkeypatch):
+    monkeypatch.setattr(module, "MOST_UNSEEN", 0)
+    store = Store(None, PUMA)
+    crowd(store, 2)
+    store.let_go((), time.monotonic() + 2.0 * OPENING)
+    assert len(store._live) == 2
+    store.let_go((), time.monotonic() + 2.0 * IDLE)
+    assert not store._live
+
+
 def test_steps_of_undo_of_all_students_together_are_bounded(monkeypatch):
     monkeypatch.setattr(module, "MOST_HELD", 2_000_000)
     store = Store(None, PUMA)

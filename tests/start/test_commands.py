@@ -95,7 +95,7 @@ def test_commands_load_no_viser_and_the_lab_no_commands(work):
     assert "viser" not in out.splitlines()[-1].split()
     assert "armlab.commands.check" in out
     out, err = command(code=f"import armlab.cli, armlab.front.start; {loaded}").communicate(timeout=WAIT)
-    assert (out.split(), err) == (["armlab.commands"], "")
+    assert (out.split(), err) == ([], "")
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
@@ -114,7 +114,7 @@ def test_ctrl_c_is_one_line(place):
 
 @pytest.mark.skipif(os.name == "nt", reason="pipes of POSIX")
 def test_a_reader_that_has_had_enough_is_no_error(place):
-    running = command("lesson", "sheet", "mine/v.md", "--variants", "0-999")
+    running = command("lesson", "sheet", "mine/v.md", "--variants", "0-299")
     running.stdout.close()
     err = running.stderr.read()
     running.stderr.close()

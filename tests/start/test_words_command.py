@@ -7,7 +7,7 @@ from armlab.commands._words import words_listed
 from armlab.content.bench_words import is_word
 from armlab.session.bench import benches
 from armlab.session.facts import facts_of_benches
-from armlab.session.words import all_words
+from armlab.session.words import pages_with_words, words_of
 from support.bench_lesson import BENCHES
 
 BEGIN, END = "<!-- armlab lesson words -->\n", "<!-- end of armlab lesson words -->"
@@ -22,7 +22,7 @@ def test_the_guide_lists_what_there_is():
 def test_every_word_fact_and_example_is_listed():
     text = words_listed()
     facts = [f"{page}.{name}" for page, found in facts_of_benches().items() for name in found.facts]
-    for name in (*all_words(), *facts):
+    for name in (*(word for page in pages_with_words() for word in words_of(page)), *facts):
         assert is_word(name)
         assert f"| `{name}` |" in text
     for bench in benches().values():

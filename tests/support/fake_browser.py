@@ -24,7 +24,7 @@ import websockets
 import zstandard
 from websockets.asyncio.client import connect
 
-from armlab.ui import plugin as plugins
+from armlab.session.pages import pages
 from armlab.ui.tab import COVERED
 from support.patience import LOOK, Patience
 
@@ -208,7 +208,7 @@ class FakeBrowser:
         notes = self._markup_with("al-notes")
         assert notes is not None
         channel = json.loads(html.unescape(notes["props"]["content"].split('data-notes="', 1)[1].split('"', 1)[0]))
-        found = plugins.pages()
+        found = pages()
         tabs = {key: found[key].tab or key for key in panels}
         await self.press_on(channel["chan"], "tabs", json.dumps(sorted(set(tabs.values()))))
         for key, tab in tabs.items():

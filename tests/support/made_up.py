@@ -300,7 +300,7 @@ FILES = {
     f"{BENCH_FOLDER}/facts.py": FACT,
     f"{BENCH_FOLDER}/job.py": JOB,
     f"{BENCH_FOLDER}/clip.py": CLIP,
-    f"{BENCH_FOLDER}/bench.py": BENCH,
+    f"{BENCH_FOLDER}/examples.py": BENCH,
     "app/armlab/content/checks/made_up.py": CHECK,
     "app/armlab/content/questions/made_up.py": QUESTION,
     "app/armlab/commands/made_up.py": COMMAND,

@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
-from armlab.ui.plugin import pages
+from armlab.session.pages import pages
 from support.at_rest import Traffic, told
 from support.patience import WAIT, Patience
 

@@ -5,9 +5,12 @@ import warnings
 
 import numpy as np
 import pytest
+import viser
+from viser import _icons
 
 from armlab.errors import InputError
-from armlab.ui import adapter
+from armlab.ui import adapter, quick
+from armlab.ui.plugin import tabs
 from support.bare import Bare
 
 
@@ -149,3 +152,19 @@ def test_what_is_said_to_a_page_that_has_gone_is_no_warning():
         bare.run(work)
         adapter.stop_server(server)
     assert [one for one in said if "closed connection" in str(one.message)] == []
+
+
+def test_icons_are_those_of_viser_and_its_archive_is_opened_once(bare, monkeypatch):
+    names = [getattr(viser.Icon, first.icon) for first, *_ in tabs().values()]
+    svg_from_icon = _icons.svg_from_icon
+    expected = [svg_from_icon(name) for name in names]
+    quick._icons()
+    monkeypatch.setattr(_icons.zipfile, "ZipFile", None)  # neither viser nor the lab opens it again
+    quick.icon.cache_clear()
+    assert [quick.icon(name) for name in names] == expected
+
+    async def work(_browser, do):
+        await do(lambda: [bare.client.gui.add_button("B", icon=name) for name in names])
+        await do(lambda: bare.client.gui.add_tab_group().add_tab("T", names[0]))
+
+    bare.run(work)

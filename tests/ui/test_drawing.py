@@ -9,6 +9,7 @@ from armlab.content.robots import catalogue
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import Joints, MoveJoint
 from armlab.session.state import State, apply
+from armlab.ui.drawing import LayerCanvas
 from armlab.ui.layer_drawing import Drawing
 from armlab.ui.plugin import Layer
 from armlab.ui.switches import SKELETON, Switch
@@ -157,3 +158,14 @@ def test_a_layer_that_fails_is_logged_and_stops_nothing(canvas, state, caplog):
     drawing.show(state, frozenset(), bare=False, hidden=frozenset())
     drawing.show(apply(state, MoveJoint(0, 0.3)), frozenset(), bare=False, hidden=frozenset())
     assert caplog.text.count("layer broken failed") == 1
+
+
+def test_a_layer_that_follows_the_arm_draws_the_newest_state_at_every_pose(canvas, state):
+    canvas.shown, drawn = "shown", []
+    layer = LayerCanvas(canvas, None)
+    show = layer.follow(state, lambda *what: drawn.append(what))
+    canvas.listeners[0]("on the way")
+    moved = apply(state, MoveJoint(0, 0.3))
+    show(moved)
+    canvas.listeners[0]("there")
+    assert drawn == [(state, "on the way"), (moved, "shown"), (moved, "there")]

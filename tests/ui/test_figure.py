@@ -12,11 +12,13 @@ from armlab.kin.rotations import rotation_from_quaternion
 from armlab.kin.transforms import transform
 from armlab.ui.figure.anatomy import anatomy_of
 from armlab.ui.figure.figure import build_figure
-from armlab.ui.figure.glb import merged
+from armlab.ui.figure.glb import MOST_SHORT, merged, scene_glb
 from armlab.ui.figure.marks import SYMBOL_STEP, symbol_height, symbols_of
-from armlab.ui.figure.mesh import placed
+from armlab.ui.figure.mesh import Solid, placed
 from armlab.ui.figure.solids import CREASE, SIDES, along, band, block, drum, lathe, lid
 from armlab.ui.figure.tubes import tube
+from armlab.ui.scene._voxels import CORNERS
+from armlab.ui.scene._voxels import SIDES as TRIANGLES
 from support.arms import random_arm, random_q
 
 H = np.pi / 2
@@ -212,6 +214,27 @@ def test_glb_files_keep_normals_and_sharp_edges(robot):
         for mesh, solid in zip(meshes, solids, strict=True):
             np.testing.assert_allclose(mesh.vertices, solid.vertices, rtol=0, atol=1e-6)
             np.testing.assert_allclose(mesh.vertex_normals, solid.normals, rtol=0, atol=1e-6)
+
+
+@pytest.mark.parametrize("count", [3, MOST_SHORT, MOST_SHORT + 1])
+def test_a_glb_file_tells_all_its_vertices_apart_and_keeps_its_material(count):
+    vertices = np.column_stack([np.arange(count), np.zeros(count), np.ones(count)])
+    last = np.array([[0, 1, count - 1]])
+    solid = Solid(vertices, np.tile((0.0, 1.0, 0.0), (count, 1)), last)
+    scene = trimesh.load(io.BytesIO(scene_glb([(solid, ((255, 0, 188), 0.4, 0.25))])), file_type="glb", process=False)
+    (mesh,) = scene.geometry.values()
+    assert mesh.faces.tolist() == last.tolist()
+    assert mesh.vertices.tolist() == vertices.tolist()
+    material = mesh.visual.material
+    # A half of full light is 188 of 255 on a screen; the reader keeps colours as whole numbers.
+    np.testing.assert_allclose(material.baseColorFactor, (255, 0, 128, 255), rtol=0, atol=1)
+    assert (material.roughnessFactor, material.metallicFactor) == (0.4, 0.25)
+
+
+def test_the_box_of_a_voxel_is_closed_and_turned_outwards():
+    box = trimesh.Trimesh(CORNERS, TRIANGLES, process=False)
+    assert box.is_watertight
+    assert box.volume == pytest.approx(1.0, abs=1e-12)
 
 
 def test_symbols_have_the_height_the_skeleton_counts_on(robot):

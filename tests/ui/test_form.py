@@ -114,6 +114,17 @@ def test_a_drag_goes_by_itself_so_that_a_newer_one_may_replace_it():
     assert form.posted[1].commands == (drag,)
 
 
+def test_what_is_made_of_the_same_need_not_be_made_again_until_something_is_typed_or_pressed():
+    form = BareForm()
+    asked = [form.shows("a", 1), form.shows("a", 1), form.shows("a", 2), form.shows("a", 2)]
+    form.fields.stale = True
+    asked.append(form.shows("a", 2))
+    form.fields.stale = False
+    asked.append(form.shows("a", 2))
+    assert asked == [False, True, False, True, False, True]
+    assert [BareForm().shows(), form.shows(), form.shows()] == [False, False, True]
+
+
 @pytest.fixture(scope="module")
 def url(tmp_path_factory):
     with running_lab(tmp_path_factory.mktemp("state"), "planar_2r") as address:

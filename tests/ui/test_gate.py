@@ -95,6 +95,14 @@ def test_a_hostile_message_is_dropped_and_honest_ones_go_on(bare, message, caplo
     assert all(len(record.message) < 400 for record in caplog.records)
 
 
+@pytest.mark.parametrize("name", [name for name in HOSTILE if name.startswith("a camera")])
+def test_a_camera_that_cannot_be_does_not_pass(name):
+    message = {key: value for key, value in HOSTILE[name].items() if key != "type"}
+    honest = {key: value for key, value in CAMERA.items() if key != "type"}
+    assert Gate().passes(CAMERA["type"], honest, None)
+    assert not Gate().passes(HOSTILE[name]["type"], message, None)
+
+
 def test_the_log_hears_of_a_flood_once(caplog):
     gate = Gate()
     assert not any(gate.passes("ShareUrlRequest", {}, None) for _ in range(1000))

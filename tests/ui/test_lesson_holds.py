@@ -167,6 +167,25 @@ def test_panels_a_lesson_hides_are_not_there(url):
     run(main())
 
 
+def test_a_bench_a_lesson_hides_is_not_opened_from_the_palette(url):
+    async def main():
+        browser = await in_lesson(url, "hiding")
+
+        async def choose(label):
+            await browser.send({"type": "CommandTriggerMessage", "uuid": browser.control(label)["uuid"]})
+
+        await choose("Help")
+        await browser.until(lambda: notes(browser)["tab"] == "Help")
+        looked = browser.counts["SetCameraPositionMessage"]
+        for label in ("Open Joints", "Open Ellipsoid", "Look from the front"):
+            await choose(label)
+        await browser.until(lambda: browser.counts["SetCameraPositionMessage"] > looked)
+        assert notes(browser)["tab"] == "Help"
+        await browser.close()
+
+    run(main())
+
+
 def test_a_bench_a_lesson_hides_is_not_offered_in_the_index(url):
     async def main():
         browser = await in_lesson(url, "hiding")

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from armlab.content.robots import catalogue
+from armlab.ui.layer_drawing import Drawing
+from armlab.ui.plugin import layers
 from support.fake_browser import FakeBrowser, cookie_of
 from support.lab import open_lab, running_lab
 from support.student import arm_nodes, run, settled, student
@@ -42,6 +44,24 @@ def test_a_new_student_sees_the_arm_its_sliders_and_its_handle(url):
         await browser.close()
 
     run(main())
+
+
+def test_a_drag_asks_only_the_layers_that_are_seen(url, monkeypatch):
+    asked, show = set(), Drawing.show
+
+    def noted(drawing, *arguments):
+        asked.add(drawing.layer.key)
+        show(drawing, *arguments)
+
+    async def main():
+        browser = await student(url)
+        monkeypatch.setattr(Drawing, "show", noted)
+        await drag_by(browser, (0.0, 0.1, 0.05))
+        await browser.close()
+
+    run(main())
+    assert {"arm", "gizmo"} <= asked
+    assert len(asked) < len(layers()) / 4
 
 
 def test_dragging_the_handle_moves_sliders_numbers_and_verdict(url):

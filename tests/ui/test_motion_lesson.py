@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from armlab.ui.plugin import tabs
+from armlab.session.pages import tabs
 from support.lab import running_lab
 from support.motion_lesson import MOTION
 from support.own_lessons import in_lesson, notes, piece, to_step, write

@@ -48,6 +48,13 @@ def test_more_work_means_longer_intervals_up_to_a_limit_and_rest_forgets(clock):
     assert pace.interval(0.125) == 0.125
 
 
+@pytest.mark.parametrize(("times", "longer"), [(2.0, 4.0), (3.0, 9.0)])
+def test_three_times_the_share_is_shown_a_ninth_as_often(clock, times, longer):
+    pace = Pace(clock, idle)
+    pace.timed(lambda: setattr(clock, "now", clock.now + times * SHARE * MEMORY))
+    assert pace.interval(0.1) == pytest.approx(0.1 * longer, rel=1e-12)
+
+
 def test_a_busy_process_leaves_less_for_what_may_lag(clock):
     busy = [0.0]
     pace = Pace(clock, lambda: busy[0])

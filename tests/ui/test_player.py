@@ -8,11 +8,11 @@ import pytest
 from armlab.benches.robot.film.clip import ends_of
 from armlab.content.robots import catalogue
 from armlab.session.fields import Set
+from armlab.session.pages import pages
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.timeline import Advance, OpenClip, Play, Seek, Timeline
 from armlab.session.session import Refuse, Session
 from armlab.ui.player import INTERVAL, PATIENCE, Player
-from armlab.ui.plugin import pages
 from armlab.ui.timeline_bar import SPEEDS, TimelineBar
 from support.forms import BareFields
 from support.student import run, student

@@ -61,3 +61,12 @@ def test_all_spans_of_a_ragged_line_are_halved_together(rng, monkeypatch):
 def test_of_points_that_are_equally_far_the_first_stays(rng):
     points = np.array([[0, 0, 0], [1, 1, 0], [2, 1, 0], [3, 0, 0]], dtype=float)
     assert simplified(points, 0.9).tolist() == [0, 1, 3]
+
+
+def test_lines_one_behind_the_other_lose_the_points_that_each_would_lose_by_itself(rng):
+    lines = [np.cumsum(rng.normal(size=(n, 3)), axis=0) for n in (40, 1, 2, 3, 150, 1)]
+    after = np.cumsum([len(line) for line in lines])
+    alone = [start + simplified(line, 0.7) for line, start in zip(lines, [0, *after[:-1]], strict=True)]
+    together = simplified(np.concatenate(lines), 0.7, [*after[:-1], *(after - 1)])
+    assert together.tolist() == np.concatenate(alone).tolist()
+    assert len(together) < after[-1]

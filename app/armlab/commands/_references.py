@@ -163,7 +163,7 @@ def _unknown(kind: str, names: Iterable[str], known: Iterable[str]) -> Iterator[
 
 
 def _panels() -> Iterable[str]:
-    from armlab.ui.plugin import pages
+    from armlab.session.pages import pages
 
     return pages()
 

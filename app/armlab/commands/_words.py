@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from armlab.errors import UnknownName
 from armlab.page import Page
 from armlab.plugins import constant_of
+from armlab.registry import known_name
 from armlab.session.arguments import Argument
 from armlab.session.bench import benches
 from armlab.session.facts import KINDS, facts_of_benches
@@ -22,8 +22,7 @@ def words_listed(pages: Sequence[str] = ()) -> str:
         There is no such page.
     """
     for page in pages:
-        if page not in pages_with_words():
-            raise UnknownName("page", page, pages_with_words())
+        known_name("page", page, pages_with_words())
     lines = [line for page in pages or pages_with_words() for line in _page(page)]
     return "\n".join(lines if pages else [*lines, *_examples()]) + "\n"
 

@@ -189,6 +189,11 @@ class StateCheck:
         return tuple(dict.fromkeys(getattr(self.check, "noted", ())))
 
     @property
+    def panels(self) -> tuple[str, ...]:
+        """Keys of the panels that it asks to open."""
+        return tuple(getattr(self.check, "panels", ()))
+
+    @property
     def goals(self) -> tuple[Goal, ...]:
         """Goals that the lesson marks in the scene."""
         return tuple(getattr(self.check, "goals", ()))

@@ -9,8 +9,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from types import MappingProxyType
-
-from markdown_it.token import Token
+from typing import TYPE_CHECKING
 
 from armlab.content import robots
 from armlab.content.bench_words import placed
@@ -26,6 +25,9 @@ from armlab.content.robots import KEY, Catalogue
 from armlab.content.variants import NoValue, Value, Variants
 from armlab.errors import ContentError, InputError
 from armlab.kin.checks import whole_number
+
+if TYPE_CHECKING:
+    from markdown_it.token import Token
 
 MOST_STEPS = 200
 """Largest number of steps of a lesson; a lesson of one hour has about ten."""

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import NamedTuple
-
-from markdown_it.token import Token
+from typing import TYPE_CHECKING, NamedTuple
 
 from armlab.content.actions import Action, read_begin, read_solution
 from armlab.content.bench_words import placed
@@ -22,6 +20,9 @@ from armlab.content.reader import Table
 from armlab.content.robots import Catalogue, Robot
 from armlab.content.variants import Value
 from armlab.errors import suggestion
+
+if TYPE_CHECKING:
+    from markdown_it.token import Token
 
 TABLES = ("start", "check", "question", "solution")
 """TOML blocks; at most one of each in a step."""

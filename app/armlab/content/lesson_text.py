@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-
-from markdown_it.token import Token
+from typing import TYPE_CHECKING
 
 from armlab.content.lesson_lines import LessonError
 from armlab.content.live import all_live_values
 from armlab.content.markdown import Extras, TextError, html_of, tokens_of
 from armlab.errors import ContentError
 from armlab.kin.arm import MAX_JOINTS, Arm
+
+if TYPE_CHECKING:
+    from markdown_it.token import Token
 
 
 @dataclass(frozen=True)

@@ -14,18 +14,17 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
-
-import latex2mathml.converter
-from markdown_it import MarkdownIt
-from markdown_it.renderer import RendererHTML
-from markdown_it.rules_inline import StateInline
-from markdown_it.token import Token
-from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from armlab.content.bench_words import is_word
 from armlab.errors import ContentError, InputError, suggestion
+
+if TYPE_CHECKING:
+    from markdown_it import MarkdownIt
+    from markdown_it.renderer import RendererHTML
+    from markdown_it.rules_inline import StateInline
+    from markdown_it.token import Token
 
 _ELEMENTS = re.compile(
     "math|mrow|mi|mn|mo|mtext|mspace|mfrac|msqrt|mroot|msub|msup|msubsup|munder|mover|munderover|mtable|mtr|mtd|mstyle"
@@ -72,6 +71,8 @@ def formula(latex: str, block: bool = False) -> str:
     InputError
         It cannot be converted, or is more than mathematics; the text names it.
     """
+    import latex2mathml.converter  # with the first text: the lab opens without one
+
     try:
         hyphens = latex.replace("\u2212", "-")  # the converter knows them as minus signs, and no others
         converted: str = latex2mathml.converter.convert(hyphens, display="block" if block else "inline")
@@ -281,6 +282,9 @@ def is_allowed(address: str) -> bool:
 
 @cache
 def _parser() -> MarkdownIt:
+    from markdown_it import MarkdownIt  # with the first text: the lab opens without one
+    from mdit_py_plugins.dollarmath import dollarmath_plugin
+
     parser = MarkdownIt("commonmark", {"html": False}).enable("table")
     parser.validateLink = is_allowed  # type: ignore[method-assign, assignment]
     dollarmath_plugin(parser, allow_labels=False, allow_blank_lines=False, double_inline=True)

@@ -11,9 +11,10 @@ from armlab.content.table_cells import plain
 from armlab.content.table_grid import Grid, read_grid
 from armlab.content.table_header import DH, SHOWN, Column, convention_of, in_order_of_craig, is_khalil, read_header
 from armlab.content.table_values import PastedCells
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import MAX_JOINTS
 from armlab.kin.dh import CONVENTIONS, Convention, Row
+from armlab.registry import known_name
 
 MOST_COLUMNS = 60
 """Largest number of cells in a line; a table with limits of each joint has a dozen."""
@@ -73,8 +74,7 @@ def parse_table(text: str, default_convention: str = "standard", order: Sequence
     >>> parse_table("a, alpha, d, theta\\n0.5, 90, 0, q1").rows[0].a
     0.5
     """
-    if default_convention not in CONVENTIONS:
-        raise UnknownName("convention", default_convention, CONVENTIONS)
+    known_name("convention", default_convention, CONVENTIONS)
     if sorted(order) != sorted(DH):
         raise InputError(f"order: expected the columns {SHOWN}, each once, got {', '.join(order)}")
     grid = read_grid(text)

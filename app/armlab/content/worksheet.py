@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.content.robots import Robot
 from armlab.content.worksheet_formats import Latex, Markdown, Text, Writer
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row, link_transform
 from armlab.kin.ellipsoid import velocity_ellipsoid
@@ -17,6 +17,7 @@ from armlab.kin.joint_scale import counted_speeds
 from armlab.kin.length_power import length_power
 from armlab.kin.rotations import axis_angle, euler_zyx
 from armlab.kin.task import Task
+from armlab.registry import known_name
 
 Array = NDArray[np.float64]
 
@@ -70,10 +71,8 @@ def worksheet(robot: Robot, q: ArrayLike, format: str = "markdown", *, angle: st
     ----------
     Notes 4.10-4.16 (standard); Craig, *Introduction to Robotics*, 3.6 (modified); notes 5.52-5.65 and 5.144.
     """
-    if format not in FORMATS:
-        raise UnknownName("format", format, FORMATS)
-    if angle not in ANGLES:
-        raise UnknownName("angle", angle, ANGLES)
+    known_name("format", format, FORMATS)
+    known_name("angle", angle, ANGLES)
     arm = robot.arm
     values = np.array(q, dtype=np.float64)
     if values.shape != (arm.n,) or not np.isfinite(values).all():

@@ -20,10 +20,11 @@ from armlab.content.observation import Observation
 from armlab.content.quantities import UNITS
 from armlab.content.robots import Camera, Robot
 from armlab.content.write_robot import robot_toml
-from armlab.errors import ContentError, InputError, UnknownName
+from armlab.errors import ContentError, InputError
 from armlab.kin.checks import finite_floats
 from armlab.kin.rotations import euler_zyx
 from armlab.kin.transforms import as_pose
+from armlab.registry import known_name
 
 Vector = NDArray[np.float64]
 
@@ -96,8 +97,7 @@ def lesson_text(
     if not robot.arm.within_limits(goal):
         raise InputError(f"q: expected values inside the joint limits of {robot.name}")
     for asked in answers:
-        if asked.unit not in UNITS:
-            raise UnknownName("unit of a question", asked.unit, UNITS)
+        known_name("unit of a question", asked.unit, UNITS)
     last = "\n".join(line for number, asked in enumerate(answers, start=1) for line in _question(number, asked))
     for task in (_pose_task(robot, goal), _joints_task(robot, goal)):
         for start in _starts(robot, goal):

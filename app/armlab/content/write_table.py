@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from armlab.content.arithmetic import shortest, shortest_degrees
-from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.dh import Row
+from armlab.registry import known_name
 
 FORMATS = ("csv", "markdown", "latex")
 ANGLE_UNITS = ("deg", "rad")
@@ -25,10 +25,8 @@ def write_table(arm: Arm, format: str, angle: str = "deg") -> str:
     str
         Lengths in metres, all digits; ends with a line break. Read back, numbers agree to 1e-12.
     """
-    if format not in FORMATS:
-        raise UnknownName("format", format, FORMATS)
-    if angle not in ANGLE_UNITS:
-        raise UnknownName("angle", angle, ANGLE_UNITS)
+    known_name("format", format, FORMATS)
+    known_name("angle", angle, ANGLE_UNITS)
     before = arm.convention == "modified"
     rows = [_cells(row, i + 1, angle) for i, row in enumerate(arm.rows)]
     if format == "latex":

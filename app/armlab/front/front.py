@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import hashlib
 import io
 import re
@@ -30,6 +31,10 @@ HEADERS = {
 }
 HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+\Z")
 PROTOCOL = re.compile(r"viser-v[0-9.]{1,20}\Z")
+STARTING = 30.0
+"""Longest wait of a socket for labs that are being started, s."""
+GIVEN_UP = 0.5
+"""Interval of looking whether its browser waits as well, s: viser's page gives up after 5 and asks anew."""
 HALF_A_YEAR = 180 * 86400
 FOREIGN = ("websocket", "playbackPath")
 """Query parameters of viser that would connect the page to a foreign server, or play a foreign recording."""
@@ -45,7 +50,8 @@ class Front:
     secret : str
         The secret by which this front identifies itself to its labs.
     labs : sequence of int
-        Loopback ports, one of which a browser always gets; they may change when a lab is started again.
+        Loopback ports, one of which a browser always gets; they may change when a lab is started again. While there are
+        none, pages are served, and their sockets wait for `open_labs`.
     hosts : frozenset of str, or None
         Names this front is addressed by; None accepts every name.
     limits : Limits
@@ -67,6 +73,7 @@ class Front:
         self._labs, self._hosts = labs, hosts
         self._limits, self._room = limits or Limits(), room
         self.doors = Doors(self._limits)
+        self._there = asyncio.Event()
         self._meters: dict[str, Meter] = {}
         self._wishes = Wishes()
         self._open: Counter[str] = Counter()
@@ -78,6 +85,11 @@ class Front:
         self.app.router.add_get("/", self._visit)
         for path in ROUTES:
             self.app.router.add_get(path, self._visit)
+
+    def open_labs(self, labs: Sequence[int]) -> None:
+        """Let the sockets of pages through to labs, also those that wait; to be called on the front's loop."""
+        self._labs = labs
+        self._there.set()
 
     async def _with_client(self, _app: web.Application) -> AsyncIterator[None]:
         self._client = aiohttp.ClientSession(auto_decompress=False)
@@ -170,6 +182,7 @@ class Front:
         self._open[token] += 1
         try:
             # The lab first: a browser is accepted only when there is something to talk to; it tries again otherwise.
+            await asyncio.wait_for(self._labs_for(request), STARTING)
             lab = await self._client.ws_connect(
                 f"ws://127.0.0.1:{self._lab_of(token)}",
                 protocols=[protocol],
@@ -177,7 +190,7 @@ class Front:
                 compress=0,
                 headers=headers,
             )
-        except (aiohttp.ClientError, OSError):
+        except (aiohttp.ClientError, OSError, TimeoutError):
             self._release(token)
             if wish is not None:
                 self._wishes.put(token, wish)
@@ -198,6 +211,14 @@ class Front:
             await lab.close()
             self._release(token)
         return browser
+
+    async def _labs_for(self, request: web.Request) -> None:
+        """Return when there are labs; raise `TimeoutError` when the browser has given up before, as viser's does."""
+        while not self._labs:
+            if request.transport is None:
+                raise TimeoutError
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._there.wait(), GIVEN_UP)
 
     def _release(self, token: str) -> None:
         self._open[token] -= 1

@@ -21,10 +21,10 @@ from pathlib import Path
 import zstandard
 
 from armlab.errors import ArmlabError
-from armlab.plugins import bench_pages
 
 # The digits of the base-88 code of viser's build: printable ASCII without quotes, brackets and ampersand.
 _DIGITS = "".join(character for character in map(chr, range(0x21, 0x7F)) if character not in "\"&<>'`")
+_VALUES = bytes(max(0, _DIGITS.find(chr(code))) for code in range(256))
 _LOADER = re.compile(r'<script data-p="([^"]*)" data-ss="(\d+)" data-cs="(\d+)">(.*?)</script>', re.DOTALL)
 
 FRAMES = "'self' http://localhost:* http://127.0.0.1:*"
@@ -93,16 +93,22 @@ def make_page(title: str = "Armlab") -> Page:
 
 
 def decode_base88(text: str) -> bytes:
-    """Return the bytes of a base-88 text: five digits for four bytes, most significant first."""
-    value_of = {character: value for value, character in enumerate(_DIGITS)}
-    decoded = bytearray()
-    for start in range(0, len(text), 5):
-        group = text[start : start + 5]
-        value = 0
-        for character in group:
-            value = value * 88 + value_of[character]
-        decoded += value.to_bytes(len(group) - 1, "big")
-    return bytes(decoded)
+    """Return the bytes of a base-88 text: five digits for four bytes, most significant first.
+
+    All groups are one whole number, four bytes of it each, in which none overflows into the next: so the
+    page is decoded by ten long operations instead of a million short ones.
+    """
+    digits = text.encode().translate(_VALUES)
+    whole = len(digits) // 5
+    groups = 0
+    for place in range(5):
+        lanes = bytearray(4 * whole)
+        lanes[3::4] = digits[place : 5 * whole : 5]
+        groups = 88 * groups + int.from_bytes(lanes, "big")
+    last = 0
+    for digit in digits[5 * whole :]:
+        last = 88 * last + digit
+    return groups.to_bytes(4 * whole, "big") + last.to_bytes(max(0, len(digits) % 5 - 1), "big")
 
 
 def _asset(file: Traversable) -> str:
@@ -123,12 +129,16 @@ def _assets(ending: str) -> str:
 def _bench_styles() -> str:
     """Return the stylesheets of the benches, each restricted to the pages of its own tab."""
     found = []
-    for page in bench_pages():
-        file = resources.files(page) / "style.css"
-        if file.is_file():
-            tab = page.split(".")[-2]
-            found.append(f".b-{tab} {{\n{_asset(file)}}}")
+    for tab in _folders(resources.files("armlab") / "benches"):
+        for page in _folders(tab):
+            file = page / "style.css"
+            if file.is_file():
+                found.append(f".b-{tab.name} {{\n{_asset(file)}}}")
     return "\n".join(found)
+
+
+def _folders(place: Traversable) -> list[Traversable]:
+    return sorted((entry for entry in place.iterdir() if entry.is_dir()), key=lambda entry: entry.name)
 
 
 def _hash(code: bytes) -> str:

@@ -9,6 +9,7 @@ import socket
 import sys
 import tempfile
 import threading
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,9 +17,8 @@ from typing import TYPE_CHECKING
 
 from aiohttp import web
 
-from armlab.content.lessons import add_folder
-from armlab.content.robots import catalogue
-from armlab.errors import ArmlabError
+from armlab import resources
+from armlab.errors import ArmlabError, InputError
 from armlab.front.addresses import served_names
 from armlab.front.doors import Site, let_open_many_files
 from armlab.front.front import Front
@@ -85,19 +85,40 @@ class Running:
     port : int
     lab : Lab or None
         The lab itself; None where the labs are processes of their own.
+    stopping : bool
     """
 
     def __init__(self, port: int, opened: ExitStack, lab: Lab | None = None) -> None:
         self.port, self.lab = port, lab
         self._opened = opened
+        self._first = lab.first_page if lab is not None else threading.Event()
+        self.stopping = False
+
+    def wait_for_page(self, seconds: float) -> None:
+        """Return when the first page is on a screen, the lab is to end, or the time is over.
+
+        The labs behind the front of a class it does not know.
+        """
+        self._first.wait(seconds)
 
     def stop(self) -> None:
         """Close the connections of all pages, save, and end."""
+        self.stopping = True
+        self._first.set()
         self._opened.close()
 
 
-def start(settings: Settings) -> Running:
-    """Start the lab; returns when the front listens.
+def start(settings: Settings, on_served: Callable[[int], None] = lambda port: None) -> Running:
+    """Start the front, then the lab behind it; returns when both are open.
+
+    A browser takes longest to unpack the page. So it gets that at once, and most of what the lab imports is imported
+    meanwhile; its socket waits in the front.
+
+    Parameters
+    ----------
+    settings : Settings
+    on_served : callable
+        Called with the port when the page is served.
 
     Raises
     ------
@@ -106,22 +127,39 @@ def start(settings: Settings) -> Running:
     FolderInUse
         Another lab keeps its students there.
     InputError
-        A folder of lessons is none.
+        A folder of lessons is none, or there is no such arm.
+    ContentError, PluginError
+        The file of the arm, or a plug-in, cannot be used. All but these are raised before the page is served.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
     let_open_many_files()
-    for folder in settings.lessons:
-        add_folder(folder)
+    _refuse_unknown(settings)
     with ExitStack() as opened:
         kept = _kept_secret(settings.folder, opened)
+        behind = opened.enter_context(ExitStack())  # closed after the front, which says goodbye to the pages
         secret = secrets.token_urlsafe(24)
-        lab, labs = _open_labs(settings, secret, opened)
         room = Room(settings.code, kept) if settings.code else None
         names = served_names(settings.host) | {name.lower() for name in settings.names}
-        front = Front(make_page(), Tokens(kept), secret, labs, names, room=room)
-        port = _open_front(front, settings, opened)
+        front = Front(make_page(), Tokens(kept), secret, [], names, room=room)
+        port, loop = _open_front(front, settings, opened)
+        on_served(port)
+        lab, labs = _open_labs(settings, secret, behind)
+        loop.call_soon_threadsafe(front.open_labs, labs)
+        if settings.lessons:
+            _add_lessons(settings.lessons)
         # All is well: what was opened stays open until `Running.stop`.
         return Running(port, opened.pop_all(), lab)
+
+
+def _refuse_unknown(settings: Settings) -> None:
+    """Raise `InputError` for an arm or a folder of lessons that is not there, without reading those that are."""
+    for folder in settings.lessons:
+        if not folder.is_dir():
+            raise InputError(f"lessons: expected a folder, got {str(folder)!r}")
+    if not (resources.folder("robots") / f"{settings.opening}.toml").is_file():
+        from armlab.content.robots import catalogue
+
+        catalogue()[settings.opening]  # says which there are
 
 
 def _kept_secret(folder: Path | None, opened: ExitStack) -> bytes:
@@ -152,16 +190,24 @@ def _open_labs(settings: Settings, secret: str, opened: ExitStack) -> tuple[Lab 
         processes = LabProcesses(settings.labs, settings.opening, sessions, secret, settings.lessons)
         opened.callback(processes.stop)
         return None, processes.ports
-    # Imported here: the front of a class does not need viser in its own process.
+    # Imported here: a browser gets its page before, and the front of a class does not need viser in its own process.
+    from armlab.content.robots import catalogue
     from armlab.ui.lab import Lab
 
-    lab = Lab(catalogue()[settings.opening], sessions, secret)
+    lab = Lab(catalogue()[settings.opening], sessions, secret, 0, settings.lessons)
     opened.callback(lab.stop)
     return lab, [lab.port]
 
 
-def _open_front(front: Front, settings: Settings, opened: ExitStack) -> int:
-    """Open the front in its own thread; return its port."""
+def _add_lessons(folders: tuple[Path, ...]) -> None:
+    from armlab.content.lessons import add_folder
+
+    for folder in folders:
+        add_folder(folder)
+
+
+def _open_front(front: Front, settings: Settings, opened: ExitStack) -> tuple[int, asyncio.AbstractEventLoop]:
+    """Open the front in its own thread; return its port and its loop."""
     loop = asyncio.new_event_loop()
     thread = threading.Thread(target=loop.run_forever, daemon=True, name="armlab-front")
     thread.start()
@@ -174,7 +220,7 @@ def _open_front(front: Front, settings: Settings, opened: ExitStack) -> int:
     opened.callback(end)
     runner, port = asyncio.run_coroutine_threadsafe(_listen(front, settings), loop).result()
     opened.callback(lambda: asyncio.run_coroutine_threadsafe(runner.cleanup(), loop).result(5.0))
-    return port
+    return port, loop
 
 
 async def _listen(front: Front, settings: Settings) -> tuple[web.AppRunner, int]:

@@ -6,7 +6,7 @@ import re
 import time
 from collections.abc import Callable, Mapping
 
-from armlab.session.share import LONGEST, TEXT
+from armlab.session.share_text import LONGEST, TEXT
 
 ROUTES = ("/robot/{name}", "/lesson/{name}", "/lesson/{name}/{variant}", "/state/{state}")
 

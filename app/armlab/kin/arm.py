@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin import formulas
 from armlab.kin.checks import as_floats, wrong
 from armlab.kin.dh import CONVENTIONS, Convention, Row, RowLike, row_of
@@ -20,6 +20,7 @@ from armlab.kin.rotations import Array
 from armlab.kin.task import Task, task_named
 from armlab.kin.task_choice import default_task
 from armlab.kin.transforms import as_pose
+from armlab.registry import known_name
 
 MAX_JOINTS = 12
 DEFAULT_STROKE = (0.0, 1.0)
@@ -105,8 +106,7 @@ class Arm:
             raise wrong("rows", "a list of rows", rows)
         if not 1 <= len(rows) <= MAX_JOINTS:
             raise InputError(f"rows: an arm has 1 to {MAX_JOINTS} joints, got {len(rows)}")
-        if convention not in CONVENTIONS:
-            raise UnknownName("convention", convention, CONVENTIONS)
+        known_name("convention", convention, CONVENTIONS)
         checked = tuple(row_of(row, f"row {i + 1}") for i, row in enumerate(rows))
         n = len(checked)
         base_pose = as_pose(np.eye(4) if base is None else base, "base")

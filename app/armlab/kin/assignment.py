@@ -23,6 +23,7 @@ from armlab.kin.dh import Row
 from armlab.kin.graph.walker import SNAP
 from armlab.kin.relations import axis_relations
 from armlab.kin.transforms import as_pose, inverse, transform
+from armlab.registry import known_name
 
 Vector = NDArray[np.float64]
 
@@ -228,8 +229,7 @@ def judge_row(
         A cell that a row does not have; a cell left out counts as "not a number".
     """
     for name in got:
-        if name not in CELLS:
-            raise UnknownName("cell", name, CELLS)
+        known_name("cell", name, CELLS)
     verdicts = {
         name: judge_cell(getattr(expected, name), got.get(name), kind, tolerance) for name, kind in CELLS.items()
     }

@@ -13,13 +13,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.dh import CONVENTIONS, Convention, Row, common_normals
 from armlab.kin.graph.walker import SNAP, exact
 from armlab.kin.task import Task
 from armlab.kin.task_choice import default_task
 from armlab.kin.transforms import as_pose
+from armlab.registry import known_name
 
 
 @dataclass(frozen=True)
@@ -89,8 +89,7 @@ def converted(arm: Arm, convention: Convention) -> Arm:
     >>> [row.a for row in other.rows], other.tool[0, 3].item()
     ([0.0, 1.0], 0.5)
     """
-    if convention not in CONVENTIONS:
-        raise UnknownName("convention", convention, CONVENTIONS)
+    known_name("convention", convention, CONVENTIONS)
     if convention == arm.convention:
         return arm
     return _to_modified(arm) if convention == "modified" else _to_standard(arm)

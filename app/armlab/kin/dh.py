@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import as_floats, finite_floats, wrong
+from armlab.registry import known_name
 
 Convention = Literal["standard", "modified"]
 Kind = Literal["R", "P"]
@@ -81,8 +82,7 @@ def row_of(entry: RowLike, where: str = "row") -> Row:
         values: dict[str, object] = {name: getattr(entry, name) for name in FIELDS}
     elif isinstance(entry, Mapping):
         for name in entry:
-            if name not in FIELDS:
-                raise UnknownName(where, name, FIELDS)
+            known_name(where, name, FIELDS)
         values = dict(entry)
     else:
         if not isinstance(entry, Sequence):

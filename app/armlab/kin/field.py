@@ -11,6 +11,7 @@ import numpy as np
 
 from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import as_floats, whole_number, wrong
+from armlab.registry import known_name
 
 Kind = Literal["number", "whole", "choice", "flag", "vector", "list", "rows", "text"]
 Options = Mapping[str, Any]
@@ -144,8 +145,7 @@ def checked_options(where: str, fields: Iterable[Field], given: Options) -> dict
     """
     known = {field.key: field for field in fields}
     for key in given:
-        if key not in known:
-            raise UnknownName(f"options of {where}", key, known)
+        known_name(f"options of {where}", key, known)
     return {key: field.checked(given.get(key, field.default)) for key, field in known.items()}
 
 

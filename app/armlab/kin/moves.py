@@ -15,13 +15,14 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats, whole_number, wrong
 from armlab.kin.dh import CONVENTIONS, Convention, Row
 from armlab.kin.graph.walker import exact
 from armlab.kin.rotations import axis_angle, rotation_from_axis_angle
 from armlab.kin.transforms import transform
+from armlab.registry import known_name
 
 Symbol = Literal["theta", "d", "a", "alpha"]
 ORDER: dict[Convention, tuple[Symbol, Symbol, Symbol, Symbol]] = {
@@ -96,8 +97,7 @@ def moves_of(row: Row, q_i: float, convention: Convention) -> tuple[Move, Move, 
     >>> [f"{move.kind} {move.axis} {move.amount}" for move in moves_of(Row("R", a=0.5, d=0.2), 1.0, "standard")]
     ['turn z 1.0', 'shift z 0.2', 'shift x 0.5', 'turn x 0.0']
     """
-    if convention not in CONVENTIONS:
-        raise UnknownName("convention", convention, CONVENTIONS)
+    known_name("convention", convention, CONVENTIONS)
     made = {
         "theta": Move("theta", "z", "turn", row.theta + (q_i if row.revolute else 0.0), row.revolute),
         "d": Move("d", "z", "shift", row.d + (0.0 if row.revolute else q_i), not row.revolute),

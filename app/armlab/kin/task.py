@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from armlab.errors import UnknownName
 from armlab.kin.graph import vector as vec
 from armlab.kin.graph.expression import Number
 from armlab.kin.graph.vector import Vector
 from armlab.kin.graph.walker import Frame
+from armlab.registry import Registry
 
 Rotation = Literal["none", "phi", "approach", "full"]
 
@@ -87,9 +87,9 @@ class Task:
         return list(turn) if self.rotation == "full" else []
 
 
-NAMED: dict[str, Task] = {
-    task.key: task
-    for task in (
+NAMED: Registry[Task] = Registry(
+    "task",
+    (
         Task("x", "none"),
         Task("y", "none"),
         Task("z", "none"),
@@ -107,12 +107,10 @@ NAMED: dict[str, Task] = {
         Task("xyz", "phi"),
         Task("xyz", "approach"),
         Task("xyz", "full"),
-    )
-}
+    ),
+)
 
 
 def task_named(key: str) -> Task:
     """Return the task of this name, such as ``"xy phi"``, ``"xyz approach"`` or ``"pose"``."""
-    if not isinstance(key, str) or key not in NAMED:
-        raise UnknownName("task", key, NAMED)
     return NAMED[key]

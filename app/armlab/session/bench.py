@@ -7,14 +7,15 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, ClassVar
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.plugins import discover_in_benches
+from armlab.registry import Registry, known_name
 from armlab.session.state import Command, State
 
 
 @dataclass(frozen=True)
 class Bench:
-    """The constant ``BENCH`` of ``bench.py`` of a page.
+    """The constant ``BENCH`` of ``examples.py`` of a page.
 
     Parameters
     ----------
@@ -35,18 +36,15 @@ class Bench:
 
 
 @cache
-def benches() -> dict[str, Bench]:
+def benches() -> Registry[Bench]:
     """Return all benches by key."""
-    return discover_in_benches("bench", "BENCH", Bench)
+    return discover_in_benches("examples", "BENCH", Bench)
 
 
 def _found(name: str) -> tuple[Bench, str]:
     bench, _, key = name.partition("/")
-    if bench not in benches():
-        raise UnknownName("bench", bench, benches())
-    if key not in benches()[bench].examples:
-        raise UnknownName(f"example of the bench {bench!r}", key, benches()[bench].examples)
-    return benches()[bench], key
+    found = benches()[bench]
+    return found, known_name(f"example of the bench {bench!r}", key, found.examples)
 
 
 def choosing(name: str) -> Command:

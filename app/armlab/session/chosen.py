@@ -8,8 +8,9 @@ from typing import Any, Protocol, Self
 
 import numpy as np
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.field import Field, seen_fields
+from armlab.registry import known_name
 from armlab.session.state import Json
 
 Value = Any
@@ -47,8 +48,7 @@ class Chosen:
         InputError
             No such kind or option, or a wrong value.
         """
-        if key not in kinds:
-            raise UnknownName("kind", key, kinds)
+        known_name("kind", key, kinds)
         chosen = cls(key)
         for name, value in options.items():
             chosen = chosen._set(kinds[key], name, value)
@@ -81,8 +81,7 @@ class Chosen:
     def _set(self, kind: Kind, name: str, value: Value) -> Self:
         """Return the choice with one option set, even if the others do not allow it."""
         known = {field.key: field for field in kind.fields}
-        if name not in known:
-            raise UnknownName(f"option of {self.key}", name, known)
+        known_name(f"option of {self.key}", name, known)
         others = {key: given for key, given in self.given if key != name}
         if value is not None:
             others[name] = _frozen(known[name].checked(value))

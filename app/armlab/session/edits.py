@@ -17,6 +17,7 @@ from armlab.kin.arm import DEFAULT_STROKE, MAX_JOINTS, Arm
 from armlab.kin.convert import converted, remainders
 from armlab.kin.dh import CONVENTIONS, Kind, Row
 from armlab.kin.task_choice import default_task
+from armlab.registry import known_name
 from armlab.session.parts.robot import RobotPart
 from armlab.session.sizes import ANGLES, LENGTHS, LONGEST, check_cell, check_limits, check_size, check_sizes
 from armlab.session.state import Command, State
@@ -59,8 +60,7 @@ class SetCell(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the edited arm."""
-        if self.field not in LENGTHS + ANGLES:
-            raise UnknownName("cell", self.field, LENGTHS + ANGLES)
+        known_name("cell", self.field, LENGTHS + ANGLES)
         arm = _arm(state)
         row = _row(arm, self.row)
         if getattr(row, self.field) == self.value:
@@ -200,10 +200,8 @@ class Convert(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the same arm, another table, and the rest of the conversion in base and tool."""
-        if self.convention not in CONVENTIONS:
-            raise UnknownName("convention", self.convention, CONVENTIONS)
         arm = _arm(state)
-        other = converted(arm, self.convention)
+        other = converted(arm, known_name("convention", self.convention, CONVENTIONS))
         if other is arm:
             return state
         after = _edited(state, other, _same(arm))

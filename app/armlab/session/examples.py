@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 from armlab.content.robots import catalogue
-from armlab.errors import UnknownName
+from armlab.registry import Registry
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline, clips
 from armlab.session.state import State
@@ -15,7 +14,6 @@ from armlab.session.state import State
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
 
-T = TypeVar("T")
 P = TypeVar("P", bound="DataclassInstance")
 
 
@@ -37,16 +35,9 @@ class PartExample(Generic[P]):
     says: str
 
 
-def part_examples(*examples: PartExample[P]) -> dict[str, PartExample[P]]:
+def part_examples(*examples: PartExample[P]) -> Registry[PartExample[P]]:
     """Return examples by key, in the order given; the field ``example`` of each part is set to its key."""
-    return {one.key: replace(one, part=replace(one.part, example=one.key)) for one in examples}
-
-
-def example_of(examples: Mapping[str, T], key: object) -> T:
-    """Return an example by key; `UnknownName` lists the existing ones."""
-    if not isinstance(key, str) or key not in examples:
-        raise UnknownName("example", key, examples)
-    return examples[key]
+    return Registry("example", (replace(one, part=replace(one.part, example=one.key)) for one in examples))
 
 
 def on_arm(state: State, key: str) -> State:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -19,10 +19,13 @@ from armlab.content.seen_fact import SeenFact, Value, read_value
 from armlab.errors import ArmlabError, InputError, UnknownName
 from armlab.page import Page
 from armlab.plugins import BENCHES, constant_of, discover_in_benches
+from armlab.registry import known_name
 from armlab.session.job import Job
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.target import Target
 from armlab.session.state import Json, Part, State
+
+T = TypeVar("T")
 
 Kind = Literal["number", "count", "numbers", "text", "truth"]
 
@@ -105,6 +108,25 @@ class Facts:
         return constant_of(package, "PAGE", Page).key
 
 
+def facts_of(found: Callable[[State], T | None]) -> Callable[[Callable[[T], Any]], Callable[[State], Any]]:
+    """Return what makes facts of something that a job finds: they are None as long as that is not there.
+
+    Parameters
+    ----------
+    found : callable
+        ``found(state)`` returns it, or None.
+    """
+
+    def fact(value: Callable[[T], Any]) -> Callable[[State], Any]:
+        def now(state: State) -> Any:
+            there = found(state)
+            return None if there is None else value(there)
+
+        return now
+
+    return fact
+
+
 @cache
 def facts_of_benches() -> dict[str, Facts]:
     """Return the facts of all benches by page."""
@@ -120,12 +142,8 @@ def fact_of(word: str) -> tuple[Facts, Fact]:
         No such page publishes facts, or it has no such fact; the text lists those there are.
     """
     page, _, name = word.rpartition(".")
-    if page not in facts_of_benches():
-        raise UnknownName("page with facts", page, facts_of_benches())
-    found = facts_of_benches()[page]
-    if name not in found.facts:
-        raise UnknownName(f"fact of {page}", name, found.facts)
-    return found, found.facts[name]
+    found = facts_of_benches()[known_name("page with facts", page, facts_of_benches())]
+    return found, found.facts[known_name(f"fact of {page}", name, found.facts)]
 
 
 def unfit(asked: FactIs, fact: Fact) -> Iterator[str]:

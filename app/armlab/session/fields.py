@@ -14,6 +14,7 @@ from armlab.content.robots import Robot
 from armlab.errors import InputError, UnknownName
 from armlab.kin.checks import finite_floats
 from armlab.kin.field import Field
+from armlab.registry import known_name
 from armlab.session.state import Command, Json, Part, State
 
 Kept = Literal["", "edits", "joints", "always"]
@@ -81,8 +82,7 @@ def some(title: str, default: Sequence[Any], choices: Sequence[Any], kept: Kept 
         if isinstance(data, str) or not all(isinstance(each, str) for each in data):
             raise TypeError
         for key in data:
-            if key not in choices:
-                raise UnknownName(title, key, choices)
+            known_name(title, key, choices)
         return frozenset(data)
 
     return own(title, frozenset(default), read, sorted, kept=kept)

@@ -60,7 +60,7 @@ def hand_in(state: State) -> str:
         "digest": found.digest,
         "progress": written(part.progress),
         # Before a prediction the state would tell what is to be predicted.
-        "parts": {} if part.hides else {each.key: each.to_json() for each in state if each.key not in OF_THE_STUDENT},
+        "parts": {} if part.hides else {k: each for k, each in state.to_json().items() if k not in OF_THE_STUDENT},
     }
     return json.dumps(data, indent=1, ensure_ascii=False)
 

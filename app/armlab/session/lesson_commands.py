@@ -11,6 +11,7 @@ from armlab.content.lessons import lessons
 from armlab.errors import InputError
 from armlab.session.lesson_progress import MOST_TYPED, Progress, RightAnswer, step_names
 from armlab.session.lesson_start import gone_to, held, refuse_unknown, set_up
+from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, at_place, place_of, signed
 from armlab.session.state import Command, State
@@ -46,7 +47,8 @@ class OpenLesson(Command):
         kept = Progress() if self.anew else opened.progress.anew()
         lesson = at_place(place)
         refuse_unknown(lesson)
-        return set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept))
+        begun = set_up(state, lesson, kept.shown(lesson)).replace(opened.with_progress(kept))
+        return lesson_followed(state, begun)
 
     def _place(self, part: LessonPart) -> str:
         if self.variant is not None and not 0 <= self.variant <= MOST_VARIANT:
@@ -103,19 +105,6 @@ class ReloadLesson(Command):
 
 
 @dataclass(frozen=True)
-class LookAt(Command):
-    """Note the panel that is open."""
-
-    panel: str
-    undoable: ClassVar[bool] = False
-
-    def apply(self, state: State) -> State:
-        """Return the state with the panel noted."""
-        part = state[LessonPart]
-        return state if part.panel == self.panel else state.replace(replace(part, panel=self.panel))
-
-
-@dataclass(frozen=True)
 class SignAs(Command):
     """Set the name with which a student signs the work."""
 
@@ -153,7 +142,9 @@ class GoToStep(Command):
         shown = replace(part.progress, step=step_names(lesson)[self.step]).anew()
         gone = state.replace(part.with_progress(shown))
         put = gone_to(gone, lesson, part.index, self.step)
-        return put if put is gone else put.replace(replace(put[LessonPart], set_up=part.set_up + 1))
+        if put is not gone:
+            put = put.replace(replace(put[LessonPart], set_up=part.set_up + 1))
+        return lesson_followed(state, put)
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,8 @@ from armlab.session.deeds import commands_of
 from armlab.session.facts import benches_of, seen_facts
 from armlab.session.hand_in import plain
 from armlab.session.job import Deliver
-from armlab.session.lesson_commands import Answer, GoToStep, LookAt, OpenLesson
+from armlab.session.lesson_commands import Answer, GoToStep, OpenLesson
+from armlab.session.panel_commands import OpenPanel
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart, check_line, observed
 from armlab.session.parts.timeline import OpenClip, Seek, duration
@@ -75,14 +76,10 @@ class Player:
         self.session = Session.fresh("solution", lesson.robot_used)
         self.time, self._planning = 0.0, planning
         self.refused = self.do(OpenLesson(lesson.key, variant=lesson.variant if lesson.varies else None))
-        self.do(LookAt(self.part.bench))
 
     def go_to(self, i: int) -> str:
-        """Go to a step, from 0, and open its panel; return the reason of a refusal, or ""."""
-        refused = self.do(GoToStep(i))
-        if not refused and self.lesson.steps[i].panel:
-            self.do(LookAt(self.lesson.steps[i].panel))
-        return refused
+        """Go to a step, from 0; return the reason of a refusal, or ""."""
+        return self.do(GoToStep(i))
 
     @property
     def part(self) -> LessonPart:
@@ -210,8 +207,8 @@ def _before(player: Player) -> Iterator[str]:
 def _played(player: Player, i: int) -> Iterator[str]:
     step, lesson = player.lesson.steps[i], player.lesson
     if step.check is not None:
-        for panel in panels_asked(step.check.check):
-            player.do(LookAt(panel))
+        for panel in step.check.panels:  # anybody can open them at any time, so solutions do not say it
+            player.do(OpenPanel(panel))
     if step.check is not None and not step.solution and not check_line(player.session.state)[0]:
         yield "it has a check and no block 'solution'"
         return
@@ -259,15 +256,6 @@ def _of_configuration(check: Check) -> bool:
         return all(_of_configuration(each) for each in check.checks)
     of_more = any(getattr(check, name, False) for name in ("of_table", "of_motion", "facts"))
     return not of_more and not isinstance(check, TargetAt | LookedAt)
-
-
-def panels_asked(check: Check) -> Iterator[str]:
-    """Yield the panels that a check wants open: anybody can open them, so that solutions leave this out."""
-    if isinstance(check, AllOf):
-        for each in check.checks:
-            yield from panels_asked(each)
-    elif isinstance(check, LookedAt) and check.panel:
-        yield check.panel
 
 
 def _by_chance(lesson: Lesson, i: int, begun: State) -> Iterator[str]:

@@ -85,7 +85,7 @@ class Runner(threading.Thread):
 
     def follow(self, session: Session, panels: frozenset[str]) -> None:
         """Read from the state of a session what work it needs; returns at once, from any thread."""
-        state = session.state
+        state, token = session.state, session.token
         for job in jobs().values():
             try:
                 wanted = job.wanted(state, panels)
@@ -93,12 +93,12 @@ class Runner(threading.Thread):
                 # One job that fails must stop neither the others nor the showing of the state.
                 log.exception("job %s cannot tell what it wants", job.key)
                 wanted = None
+            if wanted is None and (token, job.key) not in self._tasks:
+                continue
             with self._changed:
-                task = self._tasks.get((session.token, job.key))
+                task = self._tasks.get((token, job.key))
                 if task is None:
-                    if wanted is None:
-                        continue
-                    task = self._tasks[session.token, job.key] = Task(session, job)
+                    task = self._tasks[token, job.key] = Task(session, job)
                 task.wanted = wanted
                 if task.has_work:
                     self._changed.notify()

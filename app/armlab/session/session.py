@@ -15,6 +15,7 @@ from armlab.errors import ArmlabError, InputError, in_one_line
 from armlab.session.history import HEAVIEST, History
 from armlab.session.mailbox import Mailbox
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.shelf import Shelf
 from armlab.session.state import Command, State, apply, guard
@@ -97,8 +98,6 @@ class Session:
         The latest message for the student.
     notice_seen : int
         Number of the last notice that some page has shown; a page that opens later shows only newer ones.
-    front : str
-        Key of the panel last opened; a page that opens later begins there.
     untaken : int
         How often a page may show what a person did and what does not hold: a command was refused, changed nothing, or
         was taken back before anybody was shown it. Pages then show again what holds.
@@ -111,7 +110,6 @@ class Session:
     mailbox: Mailbox = field(default_factory=Mailbox)
     notice: Notice | None = None
     notice_seen: int = 0
-    front: str = ""
     untaken: int = 0
     _elsewhere: dict[str, History] = field(default_factory=dict)
 
@@ -143,7 +141,8 @@ class Session:
             elif isinstance(command, Redo):
                 self.state = self._stepped(self.history.redo, self.history.undo)
             elif isinstance(command, StartFresh):
-                self.state, self.history = _beginning(self.token, self.opening), History()
+                fresh = _beginning(self.token, self.opening)
+                self.state, self.history = fresh.replace(self.state[Panels]), History()
                 self._elsewhere.clear()
             else:
                 self._take(asked, at)

@@ -16,16 +16,13 @@ from armlab.session.parts.display import OF_THE_SCREEN, Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart, robot_from_json
 from armlab.session.parts.target import FARTHEST, Target
+from armlab.session.share_text import LONGEST, TEXT
 from armlab.session.share_words import FREQUENT
 from armlab.session.state import Json, State
 
 VERSION = "1"
 """First character of every text. Other versions have other words in `FREQUENT`, or read parts differently."""
 
-TEXT = re.compile(r"[A-Za-z0-9_-]{2,1500}\Z")
-"""Pattern of a shared state: letters that need no escape in an address, and a length that people can send."""
-
-LONGEST = 1500
 MOST_BYTES = 64 << 10
 """Largest size of the unpacked state, bytes: a usual one has some 4 kB."""
 

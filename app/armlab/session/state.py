@@ -27,6 +27,9 @@ class Part:
     kept_by_undo: ClassVar[bool] = False
     """Whether undo leaves the part as it is: what is shown is not work that is taken back."""
 
+    saved: ClassVar[bool] = True
+    """Whether files and links hold the part; one that is of the moment only is not looked for there either."""
+
     @classmethod
     def initial(cls, robot: Robot) -> Self:
         """Return the part as it is when an arm has just been chosen."""
@@ -120,12 +123,17 @@ class State:
         return cls({kind: kind.initial(robot) for kind in part_types()})
 
     def __getitem__(self, kind: type[P]) -> P:
-        part = self._parts[kind]
-        assert isinstance(part, kind)
-        return part
+        part: Any = self._parts[kind]
+        found: P = part
+        return found
 
     def __iter__(self) -> Iterator[Part]:
         return iter(self._parts.values())
+
+    def holds_the_same(self, other: State) -> bool:
+        """Return whether a file of another state would be a file of this one."""
+        mine, others = self._parts, other._parts
+        return mine.keys() == others.keys() and all(others[kind] is mine[kind] for kind in mine if kind.saved)
 
     def replace(self, *parts: Part) -> State:
         """Return the state with these parts in place of the present ones of their types."""
@@ -158,15 +166,16 @@ class State:
         self._derived = {}
 
     def to_json(self) -> Json:
-        """Return the whole state as JSON, part by part."""
-        return {part.key: part.to_json() for part in self}
+        """Return the whole state as JSON, part by part, without what is not saved."""
+        return {part.key: part.to_json() for part in self if part.saved}
 
     @classmethod
     def from_json(cls, data: Json, robot: Robot) -> State:
         """Return a state from JSON; a missing part is as it opens with this arm."""
         parts: dict[type[Part], Part] = {}
         for kind in part_types():
-            parts[kind] = kind.from_json(data[kind.key], robot) if kind.key in data else kind.initial(robot)
+            there = kind.saved and kind.key in data
+            parts[kind] = kind.from_json(data[kind.key], robot) if there else kind.initial(robot)
         return cls(parts)
 
 
@@ -205,8 +214,11 @@ class Command:
 
     @property
     def stroke(self) -> object:
-        """A key of successive commands that are one step of undo; None for a step of its own."""
-        return None
+        """A key of successive commands that are one step of undo; None for a step of its own.
+
+        A whole move of a slider is one step.
+        """
+        return self.channel if self.rests else None
 
 
 Post = Callable[[Command], None]
@@ -235,11 +247,22 @@ def apply(state: State, command: Command, at: float = 0.0) -> State:
         return changed.dated(at)
     guard(state, changed)
     changed = changed.dated(at)
-    adapted = [(part, part.after(state, changed)) for part in changed]
+    parts = [changed[kind] for kind in _with_own(changed, "after")]
+    adapted = [(part, part.after(state, changed)) for part in parts]
     return changed.replace(*(new for part, new in adapted if new is not part))
 
 
 def guard(before: State, now: State) -> None:
     """Ask every part whether a change is allowed; see `Part.guard`."""
-    for part in before:
-        part.guard(before, now)
+    for kind in _with_own(before, "guard"):
+        before[kind].guard(before, now)
+
+
+def _with_own(state: State, name: str) -> tuple[type[Part], ...]:
+    """Return the types of the parts of a state that have something of their own to say to a change."""
+    return _own_of(tuple(map(type, state)), name)
+
+
+@cache
+def _own_of(kinds: tuple[type[Part], ...], name: str) -> tuple[type[Part], ...]:
+    return tuple(kind for kind in kinds if getattr(kind, name) is not getattr(Part, name))

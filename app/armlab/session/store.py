@@ -91,7 +91,7 @@ class Store:
             least = IDLE if self._folder is None else OPENING
             too_heavy = [token for token in heavy if now - self._visited[token] > least]
             for token in dict.fromkeys((*idle[: max(0, len(idle) - MOST_IDLE)], *too_heavy)):
-                if self._folder is None or self._saved.get(token) is self._live[token].state:
+                if self._folder is None or self._is_saved(token):
                     del self._live[token], self._visited[token]
                     self._saved.pop(token, None)
             histories = [session.history for session in self._live.values()]
@@ -125,8 +125,13 @@ class Store:
             return 0
         with self._saving:  # an older state must not be written over a newer one
             with self._lock:
-                changed = [(t, s.state) for t, s in self._live.items() if self._saved.get(t) is not s.state]
+                changed = [(t, s.state) for t, s in self._live.items() if not self._is_saved(t)]
             return sum([self._save_one(token, state) for token, state in changed])
+
+    def _is_saved(self, token: str) -> bool:
+        """Return whether the file of a live session holds its state; what windows show is no reason to write one."""
+        saved, state = self._saved.get(token), self._live[token].state
+        return saved is state or (saved is not None and state.holds_the_same(saved))
 
     def _save_one(self, token: str, state: State) -> bool:
         try:

@@ -19,6 +19,7 @@ from functools import cache, partial
 from armlab.content.bench_words import BenchWord
 from armlab.errors import InputError, PluginError, UnknownName
 from armlab.plugins import BENCHES, bench_pages
+from armlab.registry import known_name
 from armlab.session.arguments import TEXT, Argument, WrongArgument, arguments_of, read_arguments
 from armlab.session.field_words import SetFields, field_arguments
 from armlab.session.fields import FieldPart
@@ -110,11 +111,6 @@ def lies_in(kind: type, page: str) -> bool:
     return kind.__module__.startswith(f"{BENCHES}.{page}.")
 
 
-def all_words() -> dict[str, Word]:
-    """Return the words of all pages."""
-    return {name: word for page in pages_with_words() for name, word in words_of(page).items()}
-
-
 def word(name: str) -> Word:
     """Return a word by its name.
 
@@ -124,11 +120,8 @@ def word(name: str) -> Word:
         There is no such page, or no such command of it; the text lists those there are.
     """
     page, _, _ = name.rpartition(".")
-    if page not in pages_with_words():
-        raise UnknownName("page of a word", page, pages_with_words())
-    if name not in words_of(page):
-        raise UnknownName("word", name, words_of(page))
-    return words_of(page)[name]
+    words = words_of(known_name("page of a word", page, pages_with_words()))
+    return words[known_name("word", name, words)]
 
 
 def command_of(written: BenchWord) -> Command:

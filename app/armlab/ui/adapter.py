@@ -1,4 +1,4 @@
-"""All private or undocumented parts of viser that Armlab uses, in one place, each with a test.
+"""Every private or undocumented part of viser that Armlab touches, here and in `armlab.ui.quick`, each with a test.
 
 viser is pinned to the tested version; when the pin moves, the tests of this module say what has to follow.
 """
@@ -11,8 +11,7 @@ import io
 import logging
 import warnings
 from collections.abc import Awaitable, Callable, MutableMapping
-from functools import cache
-from typing import Any, get_type_hints
+from typing import Any
 from weakref import WeakValueDictionary
 
 import numpy as np
@@ -20,10 +19,10 @@ import viser
 from markupsafe import Markup
 from numpy.typing import NDArray
 from viser import _messages
-from viser._assignable_props_api import AssignablePropsBase
 
 from armlab.errors import ArmlabError, in_one_line
 from armlab.ui.gate import Gate
+from armlab.ui.quick import send_at_once
 from armlab.ui.turns import Turns
 
 log = logging.getLogger(__name__)
@@ -36,18 +35,6 @@ ORIGIN_HEADER = "X-Armlab-Origin"
 CLOSING = 0.5
 """Time for the orderly end of a connection to the front, which runs on the same computer, seconds. Messages of a page
 that cannot be read would otherwise keep it open for 10 s, with all that were sent after them."""
-
-
-@cache
-def hints_of(props: type) -> dict[str, Any]:
-    """Return the types of the properties of a kind of node or control.
-
-    viser finds them anew for every single one, a quarter of the time that a page takes, and keeps them with each.
-    """
-    return get_type_hints(props)
-
-
-AssignablePropsBase._prop_hints = property(lambda handle: hints_of(type(handle._impl.props)))  # type: ignore[arg-type, assignment]
 
 
 def make_server(port: int) -> viser.ViserServer:
@@ -73,6 +60,7 @@ def make_server(port: int) -> viser.ViserServer:
 def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMapping[str, Turns]) -> None:
     """Put a gate before all messages of a connection, and let them wait for their turn."""
     gate, handle, turns = Gate(), connection._handle_incoming_message, Turns()
+    send_at_once(connection.get_message_buffer())
     socket: Any = server._websock_server._live_connections.get(connection.client_id)
     if socket is not None:
         token = socket.request.headers.get(TOKEN_HEADER, "")
@@ -148,6 +136,14 @@ def is_removed(handle: Any) -> bool:
     """Return whether a control or a scene node has been removed; writing to it would raise."""
     removed: bool = handle._impl.removed
     return removed
+
+
+def of_one_page(control: viser.TransformControlsHandle) -> None:
+    """Have the pose of a handle, as a hand moves it, not sent to the other pages that have it: there are none.
+
+    viser would send two messages for each event, which reach nobody and wake up what sends.
+    """
+    control._impl_aux.sync_cb = None
 
 
 def take_value(handle: Any) -> Any:

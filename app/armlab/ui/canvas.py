@@ -127,16 +127,16 @@ class Canvas:
             s = min((loop.time() - began) / duration, 1.0)
             self._glide = None
             if self._goal is not goal:  # something newer: go on from here
-                self._write(start + eased(s) * (goal - start), flush=True)
+                self._write(start + eased(s) * (goal - start))
                 self.show_pose(self._goal)
                 return
-            self._write(goal if s >= 1.0 else start + eased(s) * (goal - start), flush=True)
+            self._write(goal if s >= 1.0 else start + eased(s) * (goal - start))
             if s < 1.0:
                 self._glide = loop.call_later(1.0 / GLIDE_RATE, step)
 
         self._glide = loop.call_later(0.0, step)
 
-    def _write(self, q: NDArray[np.float64], flush: bool = False) -> None:
+    def _write(self, q: NDArray[np.float64]) -> None:
         bodies = self.drawn.figure.anatomy.bodies
         with self.client.atomic():
             for i, body in enumerate(bodies):
@@ -149,5 +149,3 @@ class Canvas:
             self._shown = q
             for listener in self._listeners:
                 listener(q)
-        if flush:
-            self.client.flush()

@@ -9,6 +9,7 @@ from typing import Any, Literal, Protocol, cast
 
 import viser
 
+from armlab.session.pages import pages
 from armlab.session.parts.display import Show
 from armlab.session.parts.joints import RandomPose, TakePose
 from armlab.session.parts.target import TargetToTool
@@ -17,7 +18,7 @@ from armlab.session.state import Command
 from armlab.ui import adapter
 from armlab.ui.camera import Camera
 from armlab.ui.format import lowered
-from armlab.ui.plugin import pages, switches
+from armlab.ui.plugin import switches
 from armlab.ui.switches import Switch
 
 

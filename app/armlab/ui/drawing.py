@@ -10,7 +10,7 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from armlab.session.state import Post
+from armlab.session.state import Post, State
 from armlab.ui import adapter
 from armlab.ui.canvas import Canvas, PoseListener
 from armlab.ui.figure.drawn import Drawn
@@ -70,6 +70,18 @@ class LayerCanvas:
         A layer that may lag gets fewer of them when a class needs the time, and always the last.
         """
         self._canvas.on_pose(self.paced(lambda q: None if self.hidden else listener(q)))
+
+    def follow(self, state: State, draw: Callable[[State, NDArray[np.float64]], None]) -> Callable[[State], None]:
+        """Return what shows a state: ``draw(state, q)`` is called then, and with every configuration on the way."""
+        present = state
+
+        def show(state: State) -> None:
+            nonlocal present
+            present = state
+            draw(state, self.shown_pose)
+
+        self.on_pose(lambda q: draw(present, q))
+        return show
 
     def paced(self, call: Callable[[Any], None]) -> Callable[[Any], None]:
         """Return a function that calls the given one, less often when time is short, if the layer may lag."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from armlab.ui.form import Form, Typed
-from armlab.ui.html import Inside, Markup, joined, old, tag
+from armlab.ui.html import Inside, Markup, joined, tag
 
 
 class Shown(Protocol):
@@ -24,7 +24,7 @@ class Shown(Protocol):
 
 
 def _plain(text: str) -> Inside:
-    return (text,)
+    return text
 
 
 def examples(
@@ -52,5 +52,5 @@ def examples(
     """
     titles = {"": "Choose …", **{key: example.title for key, example in known.items()}}
     chooser = form.select("example", "Example", titles, chosen, action, "Put one in place")
-    look = tag("p.kit-look", old(written(known[chosen].says))) if chosen in known else None
+    look = tag("p.kit-look", written(known[chosen].says)) if chosen in known else None
     return joined(tag("div.kit-head", tag("span.dim", label), chooser), look)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import viser
 
 from armlab.ui import adapter, markup
-from armlab.ui.html import Inside, Markup, joined, old, tag
+from armlab.ui.html import Inside, Markup, joined, tag
 
 log = logging.getLogger(__name__)
 
@@ -179,8 +179,8 @@ class Fields:
             self.html.visible = on
 
     def show(self, *inside: Inside) -> None:
-        """Show content that holds the fields."""
-        content = joined(*map(old, inside))
+        """Show this, which holds the fields."""
+        content = joined(*inside)
         self._shown_revision, self._content = self._revision, content
         mistake = self._mistake
         if mistake is not None and mistake.instead is None and mistake.is_over(content):

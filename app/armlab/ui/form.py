@@ -29,11 +29,6 @@ Picked = Callable[[float, float, int], Wish]
 class Marks(dict[str, Attribute]):
     """Attributes of an element, for unpacking into `tag`."""
 
-    def __str__(self) -> str:
-        from armlab.ui.html import tag
-
-        return str(tag("i", **self))[2:-5]
-
 
 class Form:
     """Markup with controls that carry their actions.
@@ -58,6 +53,7 @@ class Form:
         self, make: Callable[[OnInput], Fields], post: Post, again: Callable[[], None], beside: bool = True
     ) -> None:
         self._fields, self._post, self._again, self._beside = make(self._asked), post, again, beside
+        self._of: object = None
         self._bound: dict[str, Typed] = {}
         self._binding: dict[str, Typed] = {}
         self._drags: set[str] = set()
@@ -152,6 +148,15 @@ class Form:
     def takes(self, cell: str, action: Typed) -> None:
         """Bind a text that the page's script sends by itself."""
         self._binding[cell] = action
+
+    def shows(self, *of: object) -> bool:
+        """Return whether this is what is shown: made of the same things, and nothing was typed or pressed since.
+
+        Then it need not be made again. Whoever asks makes it of these things alone.
+        """
+        same = of == self._of and not self.stale
+        self._of = of
+        return same
 
     # -- what comes of it ----------------------------------------------------------------------------------------
 

@@ -8,10 +8,9 @@ from functools import lru_cache
 
 import latex2mathml.converter
 import numpy as np
-from markupsafe import escape
 from numpy.typing import NDArray
 
-from armlab.ui.html import Inside, Markup, classes, old, tag
+from armlab.ui.html import Inside, Markup, classes, tag
 
 MINUS = "\u2212"
 
@@ -74,11 +73,6 @@ def lowered(text: str) -> str:
     return text[:1].lower() + text[1:]
 
 
-def escaped(text: str) -> Markup:
-    """Return text escaped for markup."""
-    return escape(text)
-
-
 @lru_cache(maxsize=4096)
 def mathml(latex: str, block: bool = False) -> Markup:
     """Return a formula as MathML."""
@@ -96,8 +90,8 @@ def matrix(values: NDArray[np.floating], decimals: int = 3, rule: int | None = N
 
 
 def pairs(rows: Sequence[tuple[Inside, Inside]]) -> Markup:
-    """Return names and values in two columns."""
-    return tag("div.kv", [(tag("span", old(name)), tag("span", old(value))) for name, value in rows])
+    """Return name and value in two columns."""
+    return tag("div.kv", [(tag("span", name), tag("span", value)) for name, value in rows])
 
 
 def dot(colour: str) -> Markup:

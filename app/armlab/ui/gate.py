@@ -40,6 +40,9 @@ MOST_NUMBERS = 64
 VECTORS = {"position": 3, "look_at": 3, "up_direction": 3, "wxyz": 4}
 """Number of components of the vectors of a pose or a camera, by field."""
 
+NUMBERS = frozenset({int, float})
+"""Types of numbers in what was read from a message."""
+
 DIRECTIONS = frozenset({"up_direction", "wxyz"})
 """Vectors that are invalid if all components are zero."""
 
@@ -119,16 +122,15 @@ def _is_vector(value: Any, length: int, is_direction: bool) -> bool:
     """Return whether a field is a list of the given length of numbers, and not all zero if it is a direction."""
     if not isinstance(value, (list, tuple)) or len(value) != length:
         return False
-    numbers = all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in value)
-    return numbers and (not is_direction or any(abs(one) > LEAST for one in value))
+    return NUMBERS.issuperset(map(type, value)) and (not is_direction or max(map(abs, value)) > LEAST)
 
 
 def _is_plain(value: Any) -> bool:
     """Return whether a field of a message of the scene is small and finite."""
+    if type(value) in NUMBERS:
+        return bool(-FARTHEST <= value <= FARTHEST)  # which what is no number is not
     if value is None or isinstance(value, bool):
         return True
-    if isinstance(value, (int, float)):
-        return math.isfinite(value) and abs(value) <= FARTHEST
     if isinstance(value, str):
         return len(value) <= LONGEST_NAME
     return isinstance(value, (list, tuple)) and len(value) <= MOST_NUMBERS and all(map(_is_plain, value))

@@ -7,7 +7,6 @@ where text becomes markup; formulas and the text of lessons come from their own 
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterable
 from functools import lru_cache
@@ -78,13 +77,6 @@ def classes(kind: str, **more: bool) -> str:
     'td.a.zero'
     """
     return kind + "".join([f".{name}" for name, on in more.items() if on])
-
-
-def old(inside: Inside) -> Inside:
-    """Convert bare text to markup."""
-    if os.environ.get("ARMLAB_STRICT"):
-        return inside
-    return Markup(inside) if type(inside) is str else inside
 
 
 @lru_cache(maxsize=4096)

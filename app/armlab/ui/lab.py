@@ -7,17 +7,21 @@ import gc
 import logging
 import threading
 import time
+from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
 
 import viser
 
-from armlab.content.lessons import changed, lessons
+from armlab.content.lessons import add_folder, changed, lessons
 from armlab.content.robots import Robot
 from armlab.kin.ik import methods
 from armlab.session.job import jobs
 from armlab.session.lesson_commands import ReloadLesson
+from armlab.session.pages import tabs
+from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.panels import Panels
 from armlab.session.parts.timeline import Play, Timeline, clips
 from armlab.session.runner import Runner
 from armlab.session.session import Session
@@ -28,11 +32,17 @@ from armlab.ui import adapter
 from armlab.ui.figure.drawn import Gallery
 from armlab.ui.pace import Pace
 from armlab.ui.player import Player
-from armlab.ui.plugin import layers, tabs
+from armlab.ui.plugin import layers
 from armlab.ui.view import View
 from armlab.ui.wished import wished
 
 log = logging.getLogger(__name__)
+
+UNVISITED = 3.0
+"""Seconds after which lessons are read in a lab that nobody has opened yet."""
+
+SETTLING = 1.0
+"""Seconds that a browser has for itself to show the first page it was sent."""
 
 GRANT_PATIENCE = 2.0
 """Time to wait for the arm or lesson that a link names before the page is built without it, seconds."""
@@ -70,14 +80,23 @@ class Lab:
         What the front says with every connection; others on this machine cannot.
     port : int
         On loopback; 0 takes a free one.
+    own_lessons : sequence of Path
+        Folders of lessons besides those of the lab, read before a page is built.
+
+    Attributes
+    ----------
+    first_page : threading.Event
+        Set when a page is on a screen, or the lab is to end: what nobody waits for is done after it.
     """
 
-    def __init__(self, opening: Robot, folder: Path | None, secret: str, port: int = 0) -> None:
+    def __init__(
+        self, opening: Robot, folder: Path | None, secret: str, port: int = 0, own_lessons: Sequence[Path] = ()
+    ) -> None:
         # Found now, so that a broken plug-in stops the start and not the first student; panels take half a second, and
         # are looked at when the lab is open.
         for found in (part_types, methods, clips, jobs, tabs, layers):
             found()
-        self._secret = secret
+        self._secret, self._own_lessons = secret, own_lessons
         self.server = adapter.make_server(port)
         self.loop = self.server.get_event_loop()
         self.gallery, self.pace = Gallery(), Pace()
@@ -89,7 +108,7 @@ class Lab:
         self._players: dict[str, Player] = {}
         self._due: set[str] = set()
         self._waiting: dict[str, list[asyncio.Future[None]]] = {}
-        self._stopped = threading.Event()
+        self._stopped, self.first_page = threading.Event(), threading.Event()
         self._building = asyncio.Lock()
         self.server.scene.configure_default_lights(False)
         self.server.scene.configure_environment_map(None)
@@ -104,6 +123,7 @@ class Lab:
         self._figure.start()
         self._looking = threading.Thread(target=self._keep_looking, daemon=True, name="armlab-lessons")
         self._looking.start()
+        _set_aside()
 
     @property
     def port(self) -> int:
@@ -113,6 +133,7 @@ class Lab:
     def stop(self) -> None:
         """Save everything and stop the lab."""
         self._stopped.set()
+        self.first_page.set()
         self.runner.stop()
         self.worker.stop()
         adapter.stop_server(self.server)
@@ -131,13 +152,22 @@ class Lab:
         if token is None or found.get(adapter.SECRET_HEADER.lower()) != self._secret:
             log.warning("refused a connection that did not come through the front")
             return
-        # They are still being read when the lab has just opened: meanwhile the first pages load.
-        await self.loop.run_in_executor(None, lessons)
-        session = self.store.get(token)
-        await self._grant(session, found.get(adapter.WISH_HEADER.lower(), ""))
+        if self._own_lessons:  # without them, what a student has done in one could not be read
+            await self.loop.run_in_executor(None, self._add_lessons)
+        # Reading all lessons takes longer than the start: only a page that shows some waits for them.
+        session = await self.loop.run_in_executor(None, self.store.get, token)
+        wish = found.get(adapter.WISH_HEADER.lower(), "")
+        if wish.startswith("lesson") or session.state[LessonPart].open or session.state[Panels].last:
+            await self.loop.run_in_executor(None, lessons)
+        await self._grant(session, wish)
         async with self._building:
             if adapter.request_headers(self.server, client) is not None:  # not gone while others came in
                 await self._open(client, session)
+
+    def _add_lessons(self) -> None:
+        """Add the folders of lessons, which changes nothing when they are there."""
+        for folder in self._own_lessons:
+            add_folder(folder)
 
     async def _open(self, client: viser.ClientHandle, session: Session) -> None:
         """Build the page of a browser in small pieces, with time for other work after each."""
@@ -147,7 +177,6 @@ class Lab:
             self.gallery,
             lambda command: self.worker.post(session, command),
             self.pace,
-            lambda: self._follow_jobs(session),
         )
         pieces, went_on = view.build(), time.perf_counter()
         for more in chain((True for _ in pieces), (False,)):
@@ -173,6 +202,7 @@ class Lab:
                 session, lambda command: self.worker.post(session, command), lambda: token in self._of_session
             )
         self._players[token].follow()
+        self.loop.call_later(SETTLING, self.first_page.set)
 
     async def _grant(self, session: Session, wish: str) -> None:
         """Carry out the request of a link, if it can be read, before the page is built.
@@ -209,7 +239,7 @@ class Lab:
             return
         self._due.add(session.token)
         try:
-            self.loop.call_soon_threadsafe(self._show, session)
+            self.loop.call_soon_threadsafe(self.pace.spread.put, session, lambda: self._show(session))
         except RuntimeError:
             log.debug("the server has stopped")
 
@@ -225,10 +255,10 @@ class Lab:
         self._follow_jobs(session)
 
     def _follow_jobs(self, session: Session) -> None:
-        """Let the long work of a session be done whose panels are open."""
-        views = self._of_session.get(session.token)
-        if views:
-            self.runner.follow(session, frozenset[str]().union(*(view.open_panels for view in views)))
+        """Have the long work done that somebody looks at."""
+        if self._of_session.get(session.token):
+            state = session.state
+            self.runner.follow(session, frozenset(state[Panels].open(hidden_panels(state))))
 
     def _keep_saving(self) -> None:
         while not self._stopped.wait(SAVE_INTERVAL):
@@ -236,9 +266,10 @@ class Lab:
             self.store.let_go(frozenset(self._of_session), time.monotonic())
 
     def _keep_looking(self) -> None:
+        self.first_page.wait(UNVISITED)
+        if self._stopped.is_set():
+            return
         said, known = "", lessons()
-        self._figure.join()
-        _set_aside()
         while not self._stopped.wait(LOOK_INTERVAL):
             try:
                 # What `changed` returns is told once a process, and there may be other labs in this one.
@@ -269,11 +300,10 @@ class Lab:
 def _set_aside() -> None:
     """Exclude the objects that exist at the start from garbage collection, once in a process.
 
-    These are 140 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
-    time, during which no arm moves.
+    These are 100 000 objects that stay until the end. Looking at them again and again takes a tenth of a second each
+    time, during which no arm moves. Before the first page: what belongs to one must be found when it goes.
     """
     if not gc.get_freeze_count():
-        gc.collect()
         gc.freeze()
         first, second, _ = gc.get_threshold()
         gc.set_threshold(first, second, SELDOM)

@@ -36,6 +36,11 @@ class Drawing:
         self._built = False
         self._shown: State | None = None
 
+    @property
+    def seen(self) -> bool:
+        """Whether it is in the scene now."""
+        return self._built and not self.canvas.hidden
+
     def show(self, state: State, open_panels: frozenset[str], bare: bool, hidden: frozenset[str]) -> None:
         """Show a state if the layer is wanted, else hide it.
 

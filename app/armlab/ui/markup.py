@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from armlab.ui.html import Inside, Markup, classes, joined, old, tag
+from armlab.ui.html import Inside, Markup, classes, joined, tag
 
 SIGNS = {"ok": "✓", "warn": "◐", "todo": "◐", "no": "✕"}
 """Signs of the kinds of verdict, because no meaning is carried by a colour alone."""
@@ -45,7 +45,7 @@ def button(
     state = None if pressed is None else str(pressed).lower()
     return tag(
         "button",
-        old(inside),
+        inside,
         class_=kind or None,
         data_chan=channel,
         data_cell=cell,
@@ -57,7 +57,7 @@ def button(
 
 def chip(channel: str, cell: str, text: str, hint: str = "", pressed: bool | None = None, off: bool = False) -> Markup:
     """Return a small button with a text."""
-    return button(channel, cell, (text,), "chip", hint, pressed=pressed, off=off)
+    return button(channel, cell, text, "chip", hint, pressed=pressed, off=off)
 
 
 def chips(channel: str, options: Mapping[str, str], chosen: str, hint: str) -> Markup:
@@ -104,8 +104,8 @@ def row(label: Inside, inside: Inside, wide: bool = False, cells: bool = False, 
 
     ``wide`` leaves room for a long label; ``cells`` keeps fields of equal width on one line.
     """
-    around = tag("div.cells" if cells else "div", old(inside))
-    return tag(classes("div.row", wide=wide), tag("span", old(label)), around, title=hint or None)
+    around = tag("div.cells" if cells else "div", inside)
+    return tag(classes("div.row", wide=wide), tag("span", label), around, title=hint or None)
 
 
 def progress_bar(done: float) -> Markup:

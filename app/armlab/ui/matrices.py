@@ -12,7 +12,7 @@ from armlab.session.parts.selection import Select, Selection
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
 from armlab.ui.format import number
-from armlab.ui.html import Inside, Markup, classes, joined, old, tag
+from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.markup import copy_button
 from armlab.ui.widgets import Gui
 
@@ -66,7 +66,7 @@ class MatrixView:
         """
         chosen = state[Selection].of(self._key) if self._key else Selection()
         table = _Table(values, decimals, rule, chosen, self._form, self._key)
-        head = tag("h3", old(title), tag("span.copies", copy_buttons(values)))
+        head = tag("h3", title, tag("span.copies", copy_buttons(values)))
         self._form.show(head, table.markup(columns, rows))
 
     def visible(self, on: bool) -> None:
@@ -98,7 +98,7 @@ class _Table:
 
     def _head(self, name: Inside, label: str, which: Place) -> Markup:
         if not name or not self.key:
-            return tag("th", old(name))
+            return tag("th", name)
         pressed = bool(self.chosen.matrix) and (self.chosen.row, self.chosen.column) == which
         return tag("th", self._button(which, name, label, pressed))
 

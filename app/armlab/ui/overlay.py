@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 import viser
 
+from armlab.session.panel_commands import hidden_tabs
 from armlab.session.parts.lesson import LessonPart, at_place
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.shelf import SANDBOX, SHARED, BackFromShared, BackToLesson, Shelf
@@ -21,7 +22,6 @@ from armlab.session.state import Post
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
 from armlab.ui.html import Inside, Markup, tag
-from armlab.ui.plugin import hidden_tabs
 from armlab.ui.units import units_of
 from armlab.ui.verdicts import verdict_line
 
@@ -48,16 +48,27 @@ class Overlay:
             line = verdict_line(session.state.derived(verdict), units_of(session.state))
         elif handle and session.history.only(ChooseRobot.label):
             line = FIRST_HINT
+        if self._form.shows(line, *self._made_of(session)):
+            return
         hint = tag("div.al-over.al-hint", line, role="status") if line else None
         self._form.show(hint, self._place(session), self._steps(session), self._notes(session))
+
+    def _made_of(self, session: Session) -> tuple[object, ...]:
+        """Return all that decides what is shown besides the line."""
+        shelf, robot, history = session.state[Shelf], session.state[RobotPart], session.history
+        return (
+            (shelf.place, _waits(shelf)),
+            (history.undo_label, history.redo_label),
+            (robot.own, robot.robot.key, session.state[LessonPart].open, hidden_tabs(session.state)),
+            (self._tab, self._asked),
+        )
 
     def _place(self, session: Session) -> Markup | None:
         """Return a sentence on the student's present place, if it is not their lesson or own work, with the button
         back."""
         shelf = session.state[Shelf]
         if shelf.place == SANDBOX:
-            title = at_place(shelf.waiting).title if shelf.waiting else "my work"
-            says, way = "Your sandbox", self._form.button("home", f"‹ Back to {title}", BackToLesson(), "chip")
+            says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
         elif shelf.place == SHARED:
             says, way = "A shared arm", self._form.button("own", "‹ Back to my work", BackFromShared(), "chip")
         else:
@@ -93,3 +104,8 @@ class Overlay:
             "chan": self._form.channel_id,
         }
         return tag("i", id="al-notes", hidden=True, data_notes=json.dumps(notes))
+
+
+def _waits(shelf: Shelf) -> str:
+    """Return the name of what a student has left for a while."""
+    return at_place(shelf.waiting).title if shelf.waiting else "my work"

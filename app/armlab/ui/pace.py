@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from armlab.session.load import Load
+from armlab.ui.spread import Spread
 
 SHARE = 0.05
 """Share of the loop's time in which panels, overlays and films of all students may be made; sending costs as much."""
@@ -37,10 +38,16 @@ class Pace:
         Seconds of a steady clock.
     busy : callable
         How much of a core the whole process uses, 1 for all of it.
+
+    Attributes
+    ----------
+    spread : Spread
+        Through which all that is shown goes.
     """
 
     def __init__(self, clock: Callable[[], float] = time.perf_counter, busy: Callable[[], float] | None = None) -> None:
         self._clock, self._busy = clock, busy or Load()
+        self.spread = Spread()
         self._spent, self._at = 0.0, clock()
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
@@ -92,17 +99,21 @@ class Paced:
         loop = asyncio.get_running_loop()
         wait = self._last + self._pace.interval(0.0) - loop.time()
         if wait <= 0.0:
-            self._run(loop)
+            self._come(loop)
         else:
-            self._later = loop.call_later(wait, self._run, loop)
+            self._later = loop.call_later(wait, self._come, loop)
 
-    def _run(self, loop: asyncio.AbstractEventLoop) -> None:
+    def _come(self, loop: asyncio.AbstractEventLoop) -> None:
         self._later = None
         self._last = loop.time()
+        self._pace.spread.put(self, self._run)
+
+    def _run(self) -> None:
         self._pace.timed(self._call, self._newest)
 
     def stop(self) -> None:
-        """Cancel a call that is still to come."""
+        """Forget what is still to come."""
+        self._pace.spread.drop(self)
         if self._later is not None:
             self._later.cancel()
             self._later = None

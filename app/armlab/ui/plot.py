@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from armlab.session.state import Command
 from armlab.ui.colours import VERDICT, Rgb, css
 from armlab.ui.format import dot
-from armlab.ui.html import Inside, old, tag
+from armlab.ui.html import Inside, tag
 
 if TYPE_CHECKING:
     from armlab.ui.widgets import Gui
@@ -133,7 +133,7 @@ class Plot:
     def name(self, title: Inside) -> None:
         """Set the heading of the plot: the quantity and its unit."""
         save = self._head.button("csv", "CSV", self._save, "copy", "Save the curves as a table")
-        self._head.show(tag("h3", old(title), tag("span.copies", save)), self._legend)
+        self._head.show(tag("h3", title, tag("span.copies", save)), self._legend)
 
     def _save(self) -> tuple[Command, ...]:
         self._gui.save(f"{self._file}.csv", self.csv())

@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.errors import PluginError
-from armlab.page import Page
-from armlab.plugins import constant_of, discover_in_benches, discover_pages
-from armlab.session.parts.lesson import LessonPart
+from armlab.plugins import constant_of, discover_in_benches
+from armlab.session.pages import pages
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Part, Post, State
@@ -103,22 +102,18 @@ class Layer:
         return frozenset(filter(None, (self.panel,) if isinstance(self.panel, str) else self.panel))
 
 
-@cache
-def pages() -> dict[str, Page]:
-    """Return the data of all pages in order, without their panels."""
-    found = discover_pages("PAGE", Page)
-    for page in found.values():
-        if page.tab and (page.tab not in found or found[page.tab].tab):
-            raise PluginError(f"page {page.key}: there is no tab {page.tab!r}")
-    return found
-
-
 def panel(key: str) -> Panel:
     """Return the panel of a page, which is imported now; `PluginError` if it is broken."""
     found = _imported(key)
     if isinstance(found, PluginError):
         raise found
     return found
+
+
+def whole_panel(key: str) -> Panel | None:
+    """Return the panel of a page; None where it is broken, which the page says."""
+    found = _imported(key)
+    return found if isinstance(found, Panel) else None
 
 
 @cache
@@ -136,17 +131,6 @@ def panels() -> None:
     """Import all panels; `PluginError` with the name of the first broken one."""
     for key in pages():
         panel(key)
-
-
-@cache
-def tabs() -> dict[str, tuple[Page, ...]]:
-    """Return the tabs in order: the key of each, which is that of its first page, with its pages."""
-    found = pages()
-    return {
-        key: (first, *(page for page in found.values() if page.tab == key))
-        for key, first in found.items()
-        if not first.tab
-    }
 
 
 @cache
@@ -171,18 +155,6 @@ def _refuse_unknown(key: str, hides: tuple[str, ...], known: Collection[str] | N
     for hidden in hides:
         if hidden not in (layers() if known is None else known):
             raise PluginError(f"{key}: there is no layer {hidden!r} to hide")
-
-
-def hidden_panels(state: State) -> frozenset[str]:
-    """Return the keys of the panels that the open lesson hides."""
-    lesson = state[LessonPart].lesson
-    return frozenset() if lesson is None else frozenset(lesson.hidden)
-
-
-def hidden_tabs(state: State) -> tuple[str, ...]:
-    """Return the titles of the tabs all of whose pages the open lesson hides."""
-    hidden = hidden_panels(state)
-    return tuple(pages[0].title for pages in tabs().values() if all(page.key in hidden for page in pages))
 
 
 def switches() -> tuple[Switch, ...]:

@@ -27,7 +27,7 @@ from armlab.ui.colours import BLUE
 from armlab.ui.drawing import LayerCanvas
 from armlab.ui.figure.drawn import Drawn
 from armlab.ui.figure.figure import build_figure
-from armlab.ui.format import escaped
+from armlab.ui.html import joined
 from armlab.ui.scene import arm as arm_layer
 from armlab.ui.scene import stage
 from armlab.ui.scene._polyline import ROUGHNESS, simplified
@@ -172,8 +172,8 @@ def _look(server: viser.ViserServer, scenario: Scenario, drawn: Drawn, poses: Fl
 
 
 def _page(state: State, html: str) -> str:
-    """Return viser's page with a title and the background of the lab."""
-    name = escaped(state[RobotPart].robot.name)
+    """Return viser's page with a title and the sky of the lab."""
+    name = joined(state[RobotPart].robot.name)
     style = f"canvas[data-engine] {{ background: {SKY[DARK.on(state)]}; }}"
     html = html.replace("<title>Viser</title>", f"<title>{name}: motion</title>", 1)
     return html.replace("</head>", f"<style>{style}</style></head>", 1)

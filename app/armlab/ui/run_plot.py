@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from armlab.session.state import Post
 from armlab.ui.colours import RUN_COLOURS
-from armlab.ui.html import Inside, Markup, old, tag
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plot import NOTHING, Curve, Plot
 from armlab.ui.widgets import Gui
 
@@ -72,7 +72,7 @@ class RunPlot(Plot):
         super().__init__(cast(Gui, self._noted), self._heading(""), "", curves, file, height=HEIGHT)
 
     def _heading(self, unit: str) -> Markup:
-        return tag("span.kit-plot", old(self._title), f", {unit}" if unit else None)
+        return tag("span.kit-plot", self._title, f", {unit}" if unit else None)
 
     def name_unit(self, unit: str) -> None:
         """Set the unit of the quantity; none for a pure number."""

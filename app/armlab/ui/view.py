@@ -6,14 +6,18 @@ import asyncio
 import json
 import logging
 from collections.abc import Callable, Generator, Iterator
+from functools import partial
 
 import numpy as np
 import viser
 
 from armlab.kin.arm import Arm
-from armlab.session.lesson_commands import LookAt
+from armlab.session.pages import pages, tabs
+from armlab.session.panel_commands import CloseWindow, OpenPanel, OpenWindow, SeeTabs, first_window, hidden_panels
+from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.lesson import LessonPart
+from armlab.session.parts.panels import Panels, Window
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.session import Session
@@ -27,7 +31,7 @@ from armlab.ui.layer_drawing import Drawing
 from armlab.ui.lesson.dock import LessonDock
 from armlab.ui.overlay import Overlay
 from armlab.ui.pace import Pace
-from armlab.ui.plugin import NOTHING, Panel, Points, hidden_panels, layers, pages, tabs
+from armlab.ui.plugin import NOTHING, Panel, Points, layers, whole_panel
 from armlab.ui.switches import DARK, SKELETON
 from armlab.ui.tab import Tab
 from armlab.ui.timeline_bar import TimelineBar
@@ -41,8 +45,6 @@ PANEL_INTERVAL = 0.125
 DOCK_WIDTH = 345
 """Width of the dock, pixels, which leaves the scene 75 % of a window of 1400, 66 % of 1024 and 58 % of a tablet's
 820."""
-
-FIRST_TAB = "joints"
 
 SETTLED = 0.6
 """Time after which a move made by the lab has ended, seconds."""
@@ -76,17 +78,19 @@ class View:
         gallery: Gallery,
         post: Callable[[Command], None],
         pace: Pace,
-        on_panels: Callable[[], None] = lambda: None,
     ) -> None:
-        self.client, self._post, self._on_panels = client, post, on_panels
+        self.client, self._post = client, post
         self.session: Session = session
         self.camera: Camera = Camera(client, lambda: session.state[Joints].q, self._around)
         self._gallery, self._pace = gallery, pace
+        self._hiding = [layer for layer in layers().values() if layer.hides]
         self._loop = asyncio.get_running_loop()
         self._acted = self._loop.time()
         self._canvas: Canvas | None = None
         self._canvases = 0
         self._drawings: list[Drawing] = []
+        self._seen_drawings: list[Drawing] = []
+        self._seen_because: tuple[object, ...] = ()
         self._tabs: dict[str, Tab] = {}
         self._shown: State | None = None
         self._making: Arm | None = None
@@ -95,11 +99,13 @@ class View:
         self._refresh: asyncio.TimerHandle | None = None
         self._refreshed = 0.0
         self._closed = False
-        self._front = session.front if session.front in pages() else FIRST_TAB
-        self._seen: frozenset[str] = frozenset((pages()[self._front].tab or self._front,))
+        self._first = first_window(session.state)
+        self._asked = 0
+        self._headed: tuple[Window, frozenset[str]] | None = None
 
     def build(self) -> Generator[None, None, None]:
-        """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
+        """Build the page, a piece of a millisecond or two at a time; the browser gets it when it is whole."""
+        self._post(OpenWindow(self.client.client_id, self._first))
         with self.client.atomic():
             self._theme(self.session.state)
             self._overlay = Overlay(self.client, self.post, self._tabs_seen)
@@ -109,14 +115,13 @@ class View:
             self._lesson = LessonDock(self.client, self._gui, self.post)
             commands.register(self)
             yield
-            (seen,) = self._seen
-            self._tabs[seen].turn_to(self._front)
-            self._overlay.open_tab(pages()[seen].title)
             state = self.session.state
             drawn = self._gallery.ready(state[RobotPart].robot.arm)
             if drawn is not None:
                 yield from self._draw(state, drawn)
             self.show()
+            if not self._refreshed:
+                self._refresh_now()  # part of what the browser gets at once
 
     def post(self, command: Command) -> None:
         """Pass on a command of the student at this page."""
@@ -127,7 +132,8 @@ class View:
         dock = self.client.gui.add_panel()
         for key, of_tab in tabs().items():
             tab = dock.add_tab(of_tab[0].title, getattr(viser.Icon, of_tab[0].icon))
-            self._tabs[key] = Tab(of_tab, tab, self._gui, self.post, self._panels_changed)
+            page_of = partial(self._page_of, key)
+            self._tabs[key] = Tab(of_tab, tab, self._gui, self.post, self.client.client_id, page_of)
             yield
         dock.dock_right()
         dock.set_width(DOCK_WIDTH)
@@ -139,15 +145,19 @@ class View:
 
     # -- which panels are open -----------------------------------------------------------------------------------
 
-    @property
-    def open_panels(self) -> frozenset[str]:
-        """The keys of the visible panels."""
-        return frozenset(self._tabs[key].page for key in self._seen)
+    def _window(self, state: State) -> Window:
+        """Return what is open here in a state; what this page began with until the worker knows of it."""
+        return state[Panels].windows.get(self.client.client_id, self._first)
 
-    @property
-    def _opened(self) -> tuple[Panel, ...]:
-        """The visible panels, without those that cannot be imported."""
-        return tuple(found for key in self._seen if (found := self._tabs[key].panel) is not None)
+    def _page_of(self, tab: str, state: State) -> str:
+        return self._window(state).page_of(tab, hidden_panels(state))
+
+    def _open_panels(self, state: State) -> frozenset[str]:
+        return frozenset(self._window(state).panels(hidden_panels(state)))
+
+    def _opened(self, state: State) -> tuple[Panel, ...]:
+        """Return the panels a person sees, without those that cannot be imported."""
+        return tuple(found for key in self._open_panels(state) if (found := whole_panel(key)) is not None)
 
     def _hidden(self, state: State) -> frozenset[str]:
         """Return the keys of layers that are hidden by a prediction, an open panel, or a layer that is switched on."""
@@ -156,24 +166,29 @@ class View:
             return frozenset(layers()) - OF_THE_ROOM
         if predicted:
             return frozenset(key for key, layer in layers().items() if not layer.silent)
-        on = [layer for layer in layers().values() if layer.hides and layer.switch and layer.switch.on(state)]
-        opened = self._opened
+        on = [layer for layer in self._hiding if layer.switch is not None and layer.switch.on(state)]
+        opened = self._opened(state)
         hiding = (*(p.hides for p in opened), *(p.hides_then(state) for p in opened), *(layer.hides for layer in on))
         return frozenset(key for hides in hiding for key in hides)
 
+    def _show_heads(self, state: State) -> None:
+        """Show which page each tab stands on, of those that are there."""
+        headed = self._window(state), hidden_panels(state)
+        if headed != self._headed:
+            self._headed = headed
+            for tab in self._tabs.values():
+                tab.show_head(state)
+
     def _show_overlay(self) -> None:
+        window = self._window(self.session.state)
+        if window.asked != self._asked:
+            self._asked = window.asked
+            self._overlay.open_tab(pages()[window.wanted].title)
         self._overlay.show(self.session, "gizmo" not in self._hidden(self.session.state))
 
     def open_tab(self, key: str) -> None:
         """Bring a panel to the front, unless the lesson hides it."""
-        page = pages()[key]
-        if key in hidden_panels(self.session.state):
-            return
-        tab = self._tabs[page.tab or key]
-        tab.turn_to(key)
-        self._overlay.open_tab(pages()[tab.key].title)
-        self._show_overlay()
-        self._panels_changed()
+        self.post(OpenPanel(key, self.client.client_id))
 
     def _tabs_seen(self, text: str) -> None:
         """Read from the page's script which tabs are visible, a list of keys."""
@@ -182,23 +197,7 @@ class View:
         except (ValueError, TypeError):
             log.warning("a page that is not ours told of its tabs")
             return
-        if seen != self._seen:
-            self._seen = seen
-            self._panels_changed()
-
-    def _panels_changed(self) -> None:
-        if self._closed or self._shown is None:
-            return
-        self.session.front = next(iter(self.open_panels), self.session.front)
-        self._on_panels()
-        if self._shown[LessonPart].open and self._shown[LessonPart].panel != self.session.front:
-            self.post(LookAt(self.session.front))
-        with self.client.atomic():
-            self._show_layers(self._shown)
-            if len(self._around()):
-                self.camera.keep_in_view()
-        self.client.flush()
-        self._refresh_now()
+        self._post(SeeTabs(self.client.client_id, seen))
 
     # -- showing -------------------------------------------------------------------------------------------------
 
@@ -220,49 +219,35 @@ class View:
                     # A jump; under a hand on the handle the eye stays where it is.
                     self._loop.call_later(SETTLED, self._keep_in_view)
                 lesson_changed = self._lesson.open(state)
-            self.client.flush()
             if lesson_changed:
                 self._lesson_changed(state)
-            elif before is not None:
-                self._step_changed(before[LessonPart], state)
+            if before is not None and self._window(before) is not self._window(state):
+                self._panels_changed()
         self._refresh_soon()
 
+    def _panels_changed(self) -> None:
+        """Show at once what a person has turned to, with the picture around it."""
+        if len(self._around()):
+            self.camera.keep_in_view()
+        self._refresh_now()
+
     def _lesson_changed(self, state: State) -> None:
-        """Adapt the camera to a lesson, and bring its bench to the front."""
+        """Make room in the picture for a lesson, and say who has opened it."""
         lesson = state[LessonPart].lesson
         if self._shown is not None and self._loop.time() - self._acted > ELSEWHERE:
             now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"
             text = f"Another tab of this browser {now}. All of them show the same work."
             self.client.add_notification("Another tab", text, color="blue", auto_close_seconds=12.0)
         self.camera.make_room(lesson is not None, None if lesson is None else lesson.camera)
-        if lesson is not None and (front := self._front_of(state[LessonPart].bench, state)):
-            self.open_tab(front)
-
-    def _step_changed(self, before: LessonPart, state: State) -> None:
-        """Bring the bench of another step to the front, if the step names it or it differs."""
-        part = state[LessonPart]
-        step = part.step
-        if step is None or part.name == before.name:
-            return
-        if part.bench in pages() and (step.panel or part.bench != before.bench):
-            self.open_tab(part.bench)
-
-    def _front_of(self, wanted: str, state: State) -> str:
-        """Return the panel to bring to the front: the lesson's, or another one if the lesson hides that."""
-        there = [key for key in pages() if key not in hidden_panels(state)]
-        if wanted in there:
-            return wanted
-        return next(iter(there), "") if not self.open_panels <= set(there) else ""
 
     def _around(self) -> Points:
         """Return the points that open panels want inside the picture beside the arm."""
         state = self.session.state
-        return np.vstack([NOTHING, *(panel.around(state) for panel in self._opened)])
+        return np.vstack([NOTHING, *(panel.around(state) for panel in self._opened(state))])
 
     def _keep_in_view(self) -> None:
         if not self._closed:
             self.camera.keep_in_view()
-            self.client.flush()
 
     def _show_layers(self, state: State) -> None:
         if self._robot is None or state[RobotPart].robot is not self._robot.robot:
@@ -271,12 +256,18 @@ class View:
             pass
 
     def _layer_by_layer(self, state: State) -> Iterator[None]:
-        open_panels = self.open_panels
-        bare = SKELETON.on(state) or any(panel.see_through for panel in self._opened)
+        open_panels = self._open_panels(state)
+        bare = SKELETON.on(state) or any(panel.see_through for panel in self._opened(state))
         hidden = self._hidden(state)
-        for drawing in self._drawings:
+        # Which layers are seen follows from these alone, and most of them are not.
+        because = (state[Display], open_panels, bare, hidden)
+        same = because == self._seen_because
+        for drawing in self._seen_drawings if same else self._drawings:
             drawing.show(state, open_panels, bare, hidden)
             yield
+        if not same:
+            self._seen_drawings = [drawing for drawing in self._drawings if drawing.seen]
+            self._seen_because = because
 
     def _change_robot(self, state: State) -> None:
         """Draw another arm; a new figure is made outside the event loop, and the present one stays until then."""
@@ -308,7 +299,7 @@ class View:
         for drawing in self._drawings:
             if drawing.layer.key != "arm":
                 drawing.canvas.remove()
-        self._drawings = []
+        self._drawings, self._seen_because = [], ()
         if canvas is not None:
             canvas.stop()
             self._loop.call_later(LINGER, lambda: None if self._closed else canvas.remove())
@@ -340,11 +331,15 @@ class View:
         if self._refresh is None:
             wait = max(0.0, self._refreshed + self._pace.interval(PANEL_INTERVAL) - self._loop.time())
             if wait == 0.0:
-                self._refresh_now()
+                self._come_to_panels()
             else:
-                self._refresh = self._loop.call_later(wait, self._refresh_now)
+                self._refresh = self._loop.call_later(wait, self._come_to_panels)
+
+    def _come_to_panels(self) -> None:
+        self._pace.spread.put(self, self._refresh_now)
 
     def _refresh_now(self) -> None:
+        self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
             self._refresh = None
@@ -353,14 +348,14 @@ class View:
         self._refreshed = self._loop.time()
         with self.client.atomic():
             again, self._untaken = self._untaken != self.session.untaken, self.session.untaken
-            hidden = hidden_panels(self.session.state)
-            for key in self._seen:
-                self._pace.timed(self._tabs[key].show, self.session.state, again, hidden)
-            self._lesson.show(self.session.state)
+            state = self.session.state
+            self._show_heads(state)
+            for key in self._window(state).seen:
+                self._pace.timed(self._tabs[key].show, state, again)
+            self._lesson.show(state)
             self._show_overlay()
-            self._timeline.show(self.session.state, self.open_panels)
+            self._timeline.show(state, self._open_panels(state))
             self._tell()
-        self.client.flush()
 
     def _tell(self) -> None:
         notice = self.session.notice
@@ -376,6 +371,8 @@ class View:
     def close(self) -> None:
         """Stop all work, because the browser has closed."""
         self._closed = True
+        self._post(CloseWindow(self.client.client_id))
+        self._pace.spread.drop(self)
         if self._refresh is not None:
             self._refresh.cancel()
         if self._canvas is not None:

@@ -17,7 +17,7 @@ from armlab.ui import adapter, markup
 from armlab.ui.camera import Camera
 from armlab.ui.fields import Fields
 from armlab.ui.form import Form
-from armlab.ui.html import Inside, old, tag
+from armlab.ui.html import Inside, tag
 from armlab.ui.png import rgba_png
 
 log = logging.getLogger(__name__)
@@ -94,8 +94,8 @@ class Html:
         self.handle, self._class = handle, f"al {scope}".rstrip()
 
     def show(self, *inside: Inside) -> None:
-        """Show new content."""
-        adapter.set_content(self.handle, tag("div", *map(old, inside), class_=self._class))
+        """Show this."""
+        adapter.set_content(self.handle, tag("div", *inside, class_=self._class))
 
     def visible(self, on: bool) -> None:
         """Show or hide the element."""
@@ -209,7 +209,7 @@ class Gui:
                 on_yes()
 
         with modal:
-            self._gui.add_html(str(tag("div.al", tag("p", old(text)))))
+            self._gui.add_html(str(tag("div.al", tag("p", text))))
             for label, agreed in ((yes, True), ("No, go back", False)):
                 handle = self._gui.add_button(label, color=None if agreed else "gray")
                 adapter.on_event(handle, "on_click", partial(answer, agreed))
@@ -228,7 +228,7 @@ class Gui:
 
     def heading(self, *inside: Inside) -> None:
         """Add a heading."""
-        self.html(tag("h3", *map(old, inside)))
+        self.html(tag("h3", *inside))
 
     def fields(self, on_input: Callable[[str, str], None], longest: int | None = None) -> Fields:
         """Add markup with input fields; ``on_input`` gets the cell and the text; see `Fields`."""

@@ -20,7 +20,7 @@ from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
-from armlab.ui.format import escaped
+from armlab.ui.html import joined
 from armlab.ui.units import Units
 from support.control import done, opened
 from support.forms import asked
@@ -34,7 +34,7 @@ async def at_runs(url, key="wrong_link"):
     browser = await student(url)
     await browser.open("control")
     await browser.press("example", key)
-    await browser.until(lambda: escaped(EXAMPLES[key].says[:30]) in browser.html())
+    await browser.until(lambda: joined(EXAMPLES[key].says[:30]) in browser.html())
     # The plant is the last of the page that is made.
     await browser.until(lambda: 'data-cell="w-step"' in browser.html() and "<td>…</td>" not in browser.html())
     return browser

@@ -54,6 +54,18 @@ def test_the_arm_plays_the_run_and_is_put_back(short):
     assert closed[Control].before is None
 
 
+def test_steps_lead_to_the_instants_at_which_joints_are_fastest():
+    state = done(opened(), ChooseControlExample("newton"))
+    end = state[Control].outcome.run.duration
+    fastest = {peak.time for peak in state[Control].outcome.figures.speeds if 0.0 < peak.time < end}
+    assert fastest
+    state, met = apply(state, OpenClip("control")), []
+    while state[Timeline].time < end:
+        state = apply(state, Step(True))
+        met.append(state[Timeline].time)
+    assert met == [*sorted(fastest), end]
+
+
 def test_a_new_run_moves_the_arm_where_it_was_played_and_not_where_a_hand_put_it(short):
     state = apply(apply(short, OpenClip("control")), Seek(0.4))
     changed = done(state, SetOffset((0.2, 0.0)))

@@ -15,6 +15,7 @@ from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
 from armlab.session.state import State, apply
+from support.clips import another_clip
 
 
 def opened(*commands):
@@ -89,7 +90,7 @@ def test_the_film_stops_at_quarters_of_the_sine_and_at_time_constants_of_a_step(
 def test_another_loop_rewinds_its_film_and_leaves_other_clips_alone():
     state = opened(OpenClip("loop"), Seek(3.0))
     assert apply(state, Set(Loop, "gain", 20.0))[Timeline].time == 0.0
-    other = opened(OpenClip("sweep"), Seek(3.0))
+    other = opened(OpenClip(another_clip(state, "loop")), Seek(3.0))
     assert apply(other, Set(Loop, "gain", 20.0))[Timeline].time == 3.0
 
 

@@ -31,6 +31,7 @@ from armlab.session.parts.robot import ChooseRobot
 from armlab.session.parts.target import PlaceTarget
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
 from armlab.session.state import apply
+from support.clips import another_clip
 from support.iterating import done, opened, started
 
 # -- the part --------------------------------------------------------------------------------------------------------
@@ -219,7 +220,7 @@ def test_closing_puts_the_arm_back_unless_a_hand_has_moved_it():
     assert closed[Iterations].before is None
     by_hand = apply(apply(film, MoveJoint(0, 0.7)), OpenClip(""))
     assert by_hand[Joints].q[0] == 0.7
-    other = apply(film, OpenClip("sweep"))
+    other = apply(film, OpenClip(another_clip(film, "iterations")))
     np.testing.assert_array_equal(other[Joints].q, home)
 
 

@@ -36,6 +36,7 @@ from armlab.session.parts.timeline import OpenClip, Seek, Timeline, duration
 from armlab.session.session import Session, Undo
 from armlab.session.share import from_short, short
 from armlab.session.state import State, apply
+from support.clips import another_clip
 from support.iterating import done, opened, started
 
 # -- examples --------------------------------------------------------------------------------------------------------
@@ -190,7 +191,7 @@ def test_every_arm_opens_with_a_target_it_can_reach(robot):
 
 def test_random_commands_leave_a_usable_state(rng):
     state = opened()
-    keys = list(methods())
+    keys, other = list(methods()), another_clip(state, "iterations")
     for _ in range(60):
         part, n = state[Iterations], state[Joints].arm.n
         choices = [
@@ -202,7 +203,7 @@ def test_random_commands_leave_a_usable_state(rng):
             lambda: Set(Iterations, "most", int(rng.integers(1, 8))),
             lambda: Set(Iterations, "limits", str(rng.choice(["clamp", "none"]))),
             lambda: Seek(float(rng.uniform(0.0, 9.0))),
-            lambda: OpenClip(str(rng.choice(["", "iterations", "sweep"]))),
+            lambda: OpenClip(str(rng.choice(["", "iterations", other]))),
             lambda: TakePose("zero"),
             lambda n=n: LockJoint(int(rng.integers(n)), bool(rng.integers(2))),
             lambda: ChooseRobot(str(rng.choice(["planar_2r", "scara", "elbow_3r"]))),

@@ -15,6 +15,7 @@ from armlab.session.fields import Set
 from armlab.session.parts.robot import ChooseRobot, RobotPart
 from armlab.session.parts.timeline import OpenClip, Seek, Step, Timeline, duration
 from armlab.session.state import State, apply
+from support.clips import another_clip
 
 
 def opened():
@@ -99,7 +100,7 @@ def test_the_film_stops_at_each_iterate_with_its_tangent_still_to_come():
 def test_another_equation_rewinds_its_film_and_leaves_other_clips_alone():
     state = apply(apply(opened(), OpenClip("newton_1d")), Seek(3.0))
     assert apply(state, Set(Newton1D, "x0", 2.0))[Timeline].time == 0.0
-    other = apply(apply(opened(), OpenClip("sweep")), Seek(3.0))
+    other = apply(apply(opened(), OpenClip(another_clip(state, "newton_1d"))), Seek(3.0))
     assert apply(other, Set(Newton1D, "x0", 2.0))[Timeline].time == 3.0
 
 

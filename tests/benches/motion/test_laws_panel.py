@@ -179,6 +179,7 @@ async def says(browser, text):
     await browser.until(lambda: text in browser.html())
 
 
+@pytest.mark.usefixtures("reads_at_once")
 def test_an_example_a_law_and_its_options(url):
     async def main():
         browser = await at_laws(url)
@@ -225,7 +226,7 @@ def test_bad_input_stays_marked_and_the_old_state_stays(url):
             ("t-speed", "0", "speed: expected more than 0"),
             ("t-acceleration", "nan", "acceleration; empty for none: expected numbers"),
             ("t-duration", "", "expected a positive number, got nothing"),
-            ("time", "soon", "t: expected seconds, got &#x27;soon&#x27;"),
+            ("time", "soon", "t: expected seconds, got &#39;soon&#39;"),
             ("time", "1e9", "t: expected 0 to 2 s"),
         ):
             await browser.press(cell, text)

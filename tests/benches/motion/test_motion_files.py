@@ -197,13 +197,13 @@ def test_what_cannot_be_read_is_told_on_the_page_and_the_plan_stays(url):
             ("\0", "got a binary file"),
             ("", "the file is empty"),
             ("{", "plan, row 1, column 2"),
-            ('{"format": "armlab plan", "version": 1}', "plan: &#x27;robot&#x27; is missing in the file"),
+            ('{"format": "armlab plan", "version": 1}', "plan: &#39;robot&#39; is missing in the file"),
         ):
             await browser.press("read-motion", text)
             await browser.until(lambda says=says: says in browser.html())
             assert "Plan of 2 waypoints" in browser.html()
         await browser.press("rate", "fast")
-        await browser.until(lambda: "expected a number, got &#x27;fast&#x27;" in browser.html())
+        await browser.until(lambda: "expected a number, got &#39;fast&#39;" in browser.html())
         await browser.press("rate", "0")
         await browser.until(lambda: "expected more than 0 and at most 10000, got 0" in browser.html())
         await browser.press("rate", "10000")

@@ -21,6 +21,7 @@ from armlab.errors import InputError
 from armlab.session.fields import Set
 from armlab.session.parts.notation import Notation
 from armlab.session.state import State, apply
+from armlab.ui.html import joined
 from armlab.ui.units import Units
 from support.forms import BareForm, asked
 from support.student import run, student
@@ -121,7 +122,7 @@ def test_the_turn_is_shown_with_both_ways_and_takes_the_tool(url):
 def test_the_numbers_of_every_example_have_units_and_no_rounding_errors(key):
     for label in (Set(Notation, "length", "mm"), Set(Notation, "length", "m")):
         state = apply(apply(opened(), label), ChooseExample(key))
-        html = at_present(BareForm(), state) + moving(state) + whole(state)
+        html = joined(at_present(BareForm(), state), moving(state), whole(state))
         assert "nan" not in html
         assert "−0.0<" not in html
         assert f"<small>{label.value}</small>" in html

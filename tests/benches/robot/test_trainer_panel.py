@@ -3,6 +3,8 @@
 import asyncio
 import re
 
+import pytest
+
 from armlab.benches.robot.trainer.exercise import Exercise
 from armlab.content.robots import catalogue
 from armlab.ui.fields import SEEN
@@ -43,6 +45,7 @@ def test_a_direction_is_chosen_and_taken_away_again(url):
     run(main())
 
 
+@pytest.mark.usefixtures("reads_at_once")
 def test_what_is_no_number_stays_in_its_cell_with_the_reason_below_the_table(url):
     async def main():
         browser = await at_the_axes(url)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from armlab.benches.target.solutions import job
+from armlab.benches.target.solutions.found import _pair
 from armlab.benches.target.solutions.question import question
 from armlab.benches.target.solutions.state import (
     PRESETS,
@@ -40,6 +41,16 @@ def reaches(state, q):
     arm, wanted = state[Joints].arm, state.derived(question)
     other = type(wanted)(arm, arm.fk(q), wanted.held)
     return np.abs(other.aim - wanted.aim).max() < 1e-8
+
+
+def test_of_two_solutions_that_come_near_an_old_one_only_the_nearer_takes_its_place():
+    arm = catalogue()["planar_2r"].arm
+    slots = [-1, -1]
+    _pair(arm, np.array([[0.2, 0.0], [0.1, 0.0]]), slots, {3: np.array([0.0, 0.0]), 7: np.array([0.9, 0.0])})
+    assert slots == [7, 3]
+    slots = [-1, -1]
+    _pair(arm, np.array([[0.2, 0.0], [0.1, 0.0]]), slots, {3: np.array([0.0, 0.0])})
+    assert slots == [-1, 3]
 
 
 # -- the job -----------------------------------------------------------------------------------------------------

@@ -1,7 +1,9 @@
 """The section of the workspace as a part of the state: found in pieces, coloured, sliced, and gone into."""
 
+import gc
 import json
 import math
+import weakref
 from dataclasses import replace
 from functools import cache
 
@@ -10,7 +12,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from armlab.benches.workspace.section import found as found_module
-from armlab.benches.workspace.section.found import Found, Question, finding
+from armlab.benches.workspace.section.found import Found, Question, finding, once_each
 from armlab.benches.workspace.section.job import JOB, delivered, found_section
 from armlab.benches.workspace.section.marks import silhouette, target_measured, tool_measured
 from armlab.benches.workspace.section.slice import _smoothly, in_own_plane, section_picture, slice_of
@@ -248,3 +250,14 @@ def test_how_it_is_looked_at_is_kept_and_damaged_files_are_refused():
     with pytest.raises(InputError, match=r"at most 100 rad, got 157 rad$"):
         PlaceSlice(157.0).apply(after(state, Set(SectionView, "slice", "axis")))
     assert replace(back, found=None).for_robot(robot).slice == "y"
+
+
+def test_what_follows_from_a_finding_is_worked_out_once_for_each_of_a_class_and_goes_with_it():
+    class_of = [replace(found_of(whole("planar_2r"))) for _ in range(40)]
+    asked = []
+    follows = once_each(lambda found: asked.append(found.done) or len(asked))
+    assert [follows(found) for found in class_of] == [follows(found) for found in class_of] == list(range(1, 41))
+    kept = weakref.ref(class_of[0])
+    del class_of[0]
+    gc.collect()
+    assert kept() is None

@@ -107,6 +107,19 @@ def test_a_jumping_acceleration_exceeds_a_limit_of_jerk_wherever_it_jumps_and_on
             coordinated([0.0], [1.0], law, Limits(1.0, 1.0, 10.0))
 
 
+def test_a_jump_is_told_also_where_the_joint_exceeds_the_limit_at_another_time():
+    thirds, hasty = (
+        coordinated([0.0], [1.0], duration=21.0, ramp=1 / 3),
+        coordinated([1.0], [2.0], "quintic", duration=1.0),
+    )
+    found = violations(Sequential([thirds, hasty]), Limits(jerk=10.0))
+    np.testing.assert_allclose([each.start for each in found[:3]], [0.0, 7.0, 14.0], rtol=0, atol=1e-9)
+    assert all(each.start == each.end for each in found[:3])
+    # The last jump is where the jerk of the quintic is above its limit anyway, and is told once.
+    assert found[3].start == pytest.approx(21.0, abs=1e-9)
+    assert all(each.start < each.end for each in found[3:])
+
+
 def test_the_limits_of_an_arm_stand_for_themselves():
     arm = armlab.load("canadarm2")
     start, end = np.zeros(arm.n), np.linspace(0.3, 0.9, arm.n)

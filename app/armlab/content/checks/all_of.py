@@ -37,6 +37,11 @@ class AllOf:
         return tuple(name for check in self.checks for name in getattr(check, "noted", ()))
 
     @property
+    def panels(self) -> tuple[str, ...]:
+        """Keys of the panels that they ask to open."""
+        return tuple(key for check in self.checks for key in getattr(check, "panels", ()))
+
+    @property
     def goals(self) -> tuple[Goal, ...]:
         """Goals of the checks that are marked in the scene."""
         return tuple(goal for check in self.checks for goal in getattr(check, "goals", ()))

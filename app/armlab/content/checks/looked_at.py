@@ -28,6 +28,11 @@ class LookedAt:
         )
         return tuple(words for name, words in told if name)
 
+    @property
+    def panels(self) -> tuple[str, ...]:
+        """Key of the panel that it asks to open."""
+        return (self.panel,) if self.panel else ()
+
     def is_met(self, observation: Observation) -> bool:
         """Return whether all conditions are met."""
         return not self._missing(observation)

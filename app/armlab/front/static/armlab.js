@@ -235,6 +235,16 @@
 
   // What the lab asks of the page: the address of the arm in use, and which tab to bring to the front.
   let asked = '';
+  let wanted = '';
+  const tabCalled = title => [...document.querySelectorAll('[role=tab]')].find(tab => tab.title === title);
+  // A page begins with the first tab, which nobody has asked for. Until the one the lab wants is open, or time is over,
+  // the lab hears of none, or it would build the first one, and read all lessons for it.
+  const OPENING = 3000; // ms
+  let opening = '';
+  const isOpening = () => {
+    if (opening && tabCalled(opening)?.getAttribute('aria-selected') === 'true') opening = '';
+    return opening !== '';
+  };
   const obey = () => {
     const element = document.getElementById('al-notes');
     if (!element) return;
@@ -244,12 +254,15 @@
       tab.toggleAttribute('data-off', notes.hidden.includes(tab.title));
     }
     if (notes.asked !== asked) {
-      const tab = [...document.querySelectorAll('[role=tab]')].find(t => t.title === notes.tab);
-      if (tab) {
-        asked = notes.asked;
-        // A tab answers to the keyboard and to a whole press, not to a bare click.
-        tab.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
-      }
+      asked = notes.asked;
+      wanted = opening = notes.tab;
+      setTimeout(() => { opening = ''; tellTabs(); }, OPENING);
+    }
+    const tab = wanted && tabCalled(wanted);
+    if (tab) {
+      wanted = '';
+      // A tab answers to the keyboard and to a whole press, not to a bare click.
+      tab.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
     }
   };
 
@@ -269,7 +282,7 @@
   let seen = '["joints"]';
   const tellTabs = () => {
     const element = document.getElementById('al-notes');
-    if (!element) return;
+    if (!element || isOpening()) return;
     // A tab that has been seen stays in the page and is only not displayed.
     const marks = [...document.querySelectorAll('[data-tab]')].filter(mark => mark.parentElement.getClientRects().length);
     const keys = [...new Set(marks.map(mark => mark.dataset.tab))].sort();

@@ -15,12 +15,13 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.control import laws as _folder
 from armlab.kin.control.controller import Aim, Controller, Told
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.field import Field, checked_options
 from armlab.plugins import discover
+from armlab.registry import Registry
 
 Floats = NDArray[np.float64]
 
@@ -74,15 +75,13 @@ class ControlLaw:
 
 
 @cache
-def control_laws() -> dict[str, ControlLaw]:
+def control_laws() -> Registry[ControlLaw]:
     """Return all laws by key, in the order of lists."""
-    return discover(_folder, "LAW", ControlLaw)
+    return discover(_folder, "LAW", ControlLaw, "control law")
 
 
 def control_law(key: str) -> ControlLaw:
     """Return a law by key; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in control_laws():
-        raise UnknownName("control law", key, control_laws())
     return control_laws()[key]
 
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.checks import whole_number
 from armlab.kin.field import positive
+from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
 
@@ -48,8 +49,7 @@ class Encoder:
 
 def encoder(counts: int, shaft: str = "motor", ratio: float = 100.0) -> Encoder:
     """Return a checked encoder; `InputError` for a wrong number, `UnknownName` for an unknown shaft."""
-    if shaft not in SHAFTS:
-        raise UnknownName("encoder on", shaft, SHAFTS)
+    known_name("encoder on", shaft, SHAFTS)
     if whole_number(counts, "counts of the encoder", 4) > MOST_COUNTS:
         raise InputError(f"counts of the encoder: expected at most {MOST_COUNTS}, got {counts}")
     return Encoder(int(counts), shaft, positive(ratio, "gear ratio"))

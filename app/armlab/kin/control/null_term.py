@@ -15,10 +15,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import UnknownName
 from armlab.kin.control.decomposed import decomposed, null_directions
 from armlab.kin.control.rate_inverse import CUTOFF
 from armlab.kin.control.scaled_task import ScaledTask
+from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
 
@@ -53,9 +53,7 @@ WISHES: dict[str, Slopes] = {"middle": middle_slopes, "manipulability": manipula
 
 def checked_wish(key: str) -> str:
     """Return the key of a null-space term; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in TITLES:
-        raise UnknownName("null-space term", key, TITLES)
-    return key
+    return known_name("null-space term", key, TITLES)
 
 
 def self_motion(key: str, task: ScaledTask, q: Floats, J: Floats) -> Floats:

@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import UnknownName
 from armlab.kin.checks import as_floats, finite_floats, wrong
 from armlab.kin.control import inverses as _folder
 from armlab.kin.control.decomposed import Decomposed
 from armlab.kin.field import Field, checked_options
 from armlab.plugins import discover
+from armlab.registry import Registry
 
 Floats = NDArray[np.float64]
 
@@ -83,15 +83,13 @@ class RateInverse:
 
 
 @cache
-def rate_inverses() -> dict[str, RateInverse]:
+def rate_inverses() -> Registry[RateInverse]:
     """Return all methods by key, in the order of lists."""
     return discover(_folder, "INVERSE", RateInverse)
 
 
 def rate_inverse(key: str) -> RateInverse:
     """Return a method by key; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in rate_inverses():
-        raise UnknownName("inverse", key, rate_inverses())
     return rate_inverses()[key]
 
 

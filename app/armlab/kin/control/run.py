@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
 from armlab.kin.control.control_law import ControlLaw, control_law
@@ -31,6 +31,7 @@ from armlab.kin.control.reference import JointAims, Reference, ToolAims
 from armlab.kin.control.saturation import saturate
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.field import positive
+from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
 
@@ -127,8 +128,7 @@ def simulating(
     """Do the same as `simulate` in pieces of some 20 ms, and return the run at the end."""
     given = settings or Settings()
     kind, plant = control_law(law), given.plant
-    if given.integrator not in INTEGRATORS:
-        raise UnknownName("integrator", given.integrator, INTEGRATORS)
+    known_name("integrator", given.integrator, INTEGRATORS)
     count = max(1, math.ceil(reference.duration / positive(given.step, "step") * (1.0 - 1e-12)))
     if count > MOST_STEPS:
         raise InputError(f"step: expected at most {MOST_STEPS} steps, got {count}")

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import UnknownName
+from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
 
@@ -34,9 +34,7 @@ class Saturated(NamedTuple):
 
 def checked_saturation(key: str) -> str:
     """Return the key of a way to saturate; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in SATURATIONS:
-        raise UnknownName("saturation", key, SATURATIONS)
-    return key
+    return known_name("saturation", key, SATURATIONS)
 
 
 def saturate(key: str, qdot: Floats, limits: Floats) -> Saturated:

@@ -1,7 +1,8 @@
 """Run formulas for many configurations: a tape of in-place NumPy ufuncs on columns that stay in the cache.
 
 Work goes through the batch in chunks; each node of the graph is one ufunc call on a whole chunk, its result lies in a
-register (a row of a small scratch array) that is reused as soon as nobody needs it. Nothing else is allocated.
+register (a row of a small scratch array) that is reused as soon as nobody needs it. The memory of that array is kept
+for the next call: the system takes longer to hand out fresh pages than a short batch takes to compute.
 
 In double precision NumPy's tangent is vectorised on common processors and its sine and cosine are not, so both come
 from one tangent of the half angle: t = tan(x/2), r = 2 / (1 + t t), sin x = t r, cos x = r - 1. The absolute error
@@ -19,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.kin.graph.expression import Expression, Graph, Node, Number, absolute, live_nodes, operands, square_root
+from armlab.kin.graph.scratch import KEPT
 
 CHUNK = 4096
 """Configurations in one chunk: with some thirty registers of doubles they fill about 1 MiB, the second-level cache."""
@@ -43,9 +45,6 @@ _UFUNCS: dict[str, np.ufunc] = {
 PAD = 8
 """Padding, in doubles, of the rows of the scratch array: rows a power of two apart would share a few sets of the cache,
 and transposing would take four times as long."""
-
-LARGE = 4 << 20
-"""Size in bytes from which NumPy asks the system for large pages, whose addresses are translated faster."""
 
 FILLED = 3 << 20
 """Largest scratch memory of a chunk, in bytes: with many columns fewer configurations are evaluated at a time."""
@@ -128,7 +127,8 @@ class Tape:
         if dtype == np.float64:
             graph, outputs = half_angle(graph, outputs)
         self.dtype = dtype
-        self.constants = [(k, float(o)) for k, o in enumerate(outputs) if not isinstance(o, Expression)]
+        constants = {k: float(o) for k, o in enumerate(outputs) if not isinstance(o, Expression)}
+        self.constants = np.array(list(constants), dtype=np.intp), np.array(list(constants.values()), dtype)
         self.inputs, self.width = inputs, len(outputs)
         self.steps: list[Step] = []
         self.registers = self._schedule(*_signs_turned(graph, outputs))
@@ -170,20 +170,25 @@ class Tape:
         total, first, count = len(x), len(self.literals), self.inputs
         columns = first + count + self.registers + self.width
         size = min(CHUNK, FILLED // (columns * self.dtype.itemsize), max(total, 1))
-        scratch = _scratch((columns, size + PAD), self.dtype)
+        filled = columns * (size + PAD) * self.dtype.itemsize
+        memory = KEPT.take(filled)
+        scratch = memory[:filled].view(self.dtype).reshape(columns, size + PAD)
         inputs, outputs = scratch[first : first + count], scratch[first + count + self.registers :]
         scratch[:first] = self.literals[:, None]
-        for k, value in self.constants:
-            outputs[k] = value
+        places, values = self.constants
+        outputs[places] = values[:, None]
         for start in range(0, total, size):
             stop = min(start + size, total)
             used = stop - start
+            if start == 0 or used < size:
+                rows = list(scratch[:, :used])
             inputs[:, :used] = x[start:stop].T
             spoilt = _not_finite(inputs[:, :used])
-            self._evaluate(*scratch[:, :used])
+            self._evaluate(*rows)
             out[start:stop] = outputs[:, :used].T
             if spoilt is not None:
                 out[start:stop][spoilt] = np.nan
+        KEPT.give_back(memory)
 
     def _compiled(self) -> tuple[NDArray[np.floating], Callable[..., None]]:
         """Return the constants, and the steps as a function of the rows of the scratch array.
@@ -204,13 +209,6 @@ class Tape:
         namespace: dict[str, Any] = {step.ufunc.__name__: step.ufunc for step in self.steps}
         exec("\n".join([f"def evaluate({parameters}):", *lines, "    return"]), namespace)
         return np.array(list(values), self.dtype), namespace["evaluate"]
-
-
-def _scratch(shape: tuple[int, int], dtype: np.dtype[np.floating]) -> NDArray[np.floating]:
-    """Return an uninitialised array, in large pages when it fills at least half of one."""
-    size = shape[0] * shape[1]
-    least = LARGE if size * dtype.itemsize >= LARGE // 4 else 0
-    return np.empty(max(size, least // dtype.itemsize), dtype)[:size].reshape(shape)
 
 
 def _copy(source: NDArray[np.floating], target: NDArray[np.floating]) -> None:

@@ -31,7 +31,8 @@ WEAK, MOST_CORRECTIONS = 1e-4, 7
 corrections."""
 
 MOST_STEPS = 60
-"""Largest number of steps: a curve that is not closed after them, 21 rad, is left open."""
+"""Largest number of steps in each direction: a curve that is not closed after them, 42 rad, is left open. Closed curves
+on which four joints turn are up to some 27 rad long."""
 
 MOST_CURVES, MOST_TRIED = 8, 12
 """Largest numbers of curves that are followed and of other members that are tried: by then there are known to be
@@ -143,11 +144,11 @@ def self_motion(links: Floats, q: Floats, along: Floats, hand: Floats, reached: 
     ndarray, shape (s, 6)
         From ``q`` on, all around, when the curve closes; else both ways from it.
     """
-    ahead, closed = _walk(links, q, hand, along, reached)
+    ahead, closed = _walk(links, q, hand, along, reached, q)
     if closed:
         return ahead
-    back, _ = _walk(links, q, hand, -along, reached)
-    return np.concatenate([back[:0:-1], ahead])
+    back, closed = _walk(links, q, hand, -along, reached, ahead[-1])
+    return np.concatenate([ahead, back[:0:-1]] if closed else [back[:0:-1], ahead])
 
 
 def _on(links: Floats, q: Floats, hand: Floats, reached: Reached) -> tuple[Floats, Floats] | None:
@@ -162,15 +163,17 @@ def _on(links: Floats, q: Floats, hand: Floats, reached: Reached) -> tuple[Float
     return None if on is None else (q, on.way) if _is_reached(errors, reached)[0] else (on.q, on.along)
 
 
-def _walk(links: Floats, start: Floats, hand: Floats, along: Floats, reached: Reached) -> tuple[Floats, bool]:
-    """Follow a curve; return its points (s, 6) and whether it closed."""
+def _walk(
+    links: Floats, start: Floats, hand: Floats, along: Floats, reached: Reached, end: Floats
+) -> tuple[Floats, bool]:
+    """Follow a curve; return its points (s, 6) and whether it came to the point ``end`` (6,), where it closes."""
     points, bend = [start], np.zeros(6)
     for _ in range(MOST_STEPS):
         step = _next(links, points[-1], hand, along[None], bend, reached)
         if step is None:
             break
         found, turn = step.q, step.along
-        if len(points) > 2 and _distances(start[None], found)[0] < 0.75 * STEP:
+        if len(points) > 2 and _distances(end[None], found)[0] < 0.75 * STEP:
             return np.array(points), True
         points.append(found)
         before, along = along, turn if turn @ (points[-1] - points[-2]) > 0.0 else -turn
@@ -195,13 +198,11 @@ def _next(links: Floats, q: Floats, hand: Floats, ways: Floats, bend: Floats, re
     parts = np.tile([1.0, 0.5], len(ways))[:, None]
     across, hands = np.repeat(ways, 2, axis=0), np.broadcast_to(hand, (2 * len(ways), 4, 4))
     straight = q + STEP * parts * across
-    found, _, columns = newton.nearest(
-        links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across
-    )
-    aside = np.linalg.norm(found - straight, axis=1) < STEP / 2.0 * parts[:, 0]
-    good = aside & _is_reached(newton.errors_and_columns(links, found, hands)[0], reached)
+    found = newton.nearest(links, straight + 0.5 * STEP * parts**2 * bend, hands, WEAK, MOST_CORRECTIONS, across=across)
+    aside = np.linalg.norm(found.q - straight, axis=1) < STEP / 2.0 * parts[:, 0]
+    good = aside & _is_reached(found.errors, reached)
     for k in np.flatnonzero(good[::2] & good[1::2]):
-        return _Step(ways[k], found[2 * k], _weakest(columns[2 * k]))
+        return _Step(ways[k], found.q[2 * k], _weakest(found.columns[2 * k]))
     return None
 
 

@@ -141,8 +141,8 @@ def _is_bottom(
         rest = np.flatnonzero(~found)
         if not len(rest):
             break
-        bottom, left, _ = nearest(links, q[rest], np.broadcast_to(hand, (len(rest), 4, 4)), cutoff, exact=REFINED)
-        found[rest] = (np.linalg.norm(bottom - q[rest], axis=1) < aside[rest]) & (left <= enough[rest])
+        bottom = nearest(links, q[rest], np.broadcast_to(hand, (len(rest), 4, 4)), cutoff, exact=REFINED)
+        found[rest] = (np.linalg.norm(bottom.q - q[rest], axis=1) < aside[rest]) & (bottom.sizes <= enough[rest])
     return found
 
 

@@ -31,8 +31,8 @@ def nearly(links: Floats, roots: Roots, known: Floats, solutions: Floats, hand: 
     kept = list(solutions)
     starts = np.concatenate([roots.q[rows].real, known])
     hands = np.broadcast_to(hand, (len(starts), 4, 4))
-    (one, left, _), (other, less, _) = (nearest(links, starts, hands, weak) for weak in WEAK)
-    for best in np.where((less < left)[:, None], other, one):
+    one, other = (nearest(links, starts, hands, weak) for weak in WEAK)
+    for best in np.where((other.sizes < one.sizes)[:, None], other.q, one.q):
         if not kept or np.abs(wrapped(best - np.array(kept))).max(axis=1).min() > APART:
             kept.append(best)
     return np.array(kept[len(solutions) :]).reshape(-1, 6)

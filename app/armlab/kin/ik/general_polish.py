@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from armlab.kin.ik.general_loop import Floats, Numbers, turns
@@ -142,6 +144,22 @@ def polish(
     return found, best
 
 
+class Nearest(NamedTuple):
+    """The nearest configurations to hands, and what `errors_and_columns` says there.
+
+    Attributes
+    ----------
+    q, errors : ndarray, shape (m, 6)
+    columns : ndarray, shape (m, 6, 6)
+    sizes : ndarray, shape (m,)
+    """
+
+    q: Floats
+    errors: Floats
+    columns: Floats
+    sizes: Floats
+
+
 def nearest(
     links: Floats,
     q: Floats,
@@ -150,8 +168,8 @@ def nearest(
     steps: int = NEAREST,
     exact: float = EXACT,
     across: Floats | None = None,
-) -> tuple[Floats, Floats, Floats]:
-    """Return the nearest configurations to hands, their errors and Jacobians, without moving along weak directions.
+) -> Nearest:
+    """Return the nearest configurations to hands, without moving along weak directions.
 
     Parameters
     ----------
@@ -167,21 +185,21 @@ def nearest(
         Unit directions in which they stay where they are.
     """
     found, best, least = q.copy(), np.full(len(q), np.inf), np.full(len(q), np.inf)
-    there = np.zeros((len(q), 6, 6))
+    off, there = np.full((len(q), 6), np.inf), np.zeros((len(q), 6, 6))
     for step in range(steps):
         errors, columns, sizes = errors_and_columns(links, q, hands)
         # Steps make the sum of squares least, and may make the largest entry grow.
         squares = (errors * errors).sum(axis=1) + (sizes >= 1.0)
         still, better = squares > 0.5 * least, squares < least
         found[better], best[better], least[better] = q[better], sizes[better], squares[better]
-        there[better] = columns[better]
+        off[better], there[better] = errors[better], columns[better]
         # They converge quadratically to what is nearest, and then stand still.
         if ((best <= exact) | (still & (step >= SETTLED))).all():
             break
         if across is not None:
             columns = columns - across[:, :, None] * (across[:, None] @ columns)
         q = q + (errors[:, None] @ np.linalg.pinv(columns, rcond=weak))[:, 0]
-    return found, best, there
+    return Nearest(found, off, there, best)
 
 
 def damped_steps(errors: Floats, columns: Floats) -> Floats:

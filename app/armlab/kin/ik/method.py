@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from armlab.errors import UnknownName
 from armlab.kin.ik import methods as _folder
 from armlab.plugins import discover
+from armlab.registry import Registry
 
 Step = Callable[[Sequence[Sequence[Any]], Sequence[Any], Any], Sequence[Any]]
 """``step(J, e, gain) -> dq``: task Jacobian (m rows of n), error (m), gain; returns n joint changes.
@@ -62,13 +62,11 @@ class Method:
 
 
 @cache
-def methods() -> dict[str, Method]:
+def methods() -> Registry[Method]:
     """Return all compiled methods by key, in the order of lists."""
     return discover(_folder, "METHOD", Method)
 
 
 def method_named(key: str) -> Method:
     """Return a compiled method by key; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in methods():
-        raise UnknownName("method", key, methods())
     return methods()[key]

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin import timing as _folder
 from armlab.kin.arm import Arm
 from armlab.kin.checks import wrong
@@ -21,6 +21,7 @@ from armlab.kin.motion.law import Law
 from armlab.kin.motion.limits import Limits, limits_of
 from armlab.kin.motion.path import Path
 from armlab.plugins import discover
+from armlab.registry import Registry
 
 SHORTEST, LONGEST = 1e-30, 1e30
 """Shortest and longest duration, seconds: powers of a time between them can be represented."""
@@ -206,7 +207,7 @@ def computable(value: object, where: str) -> float:
 
 
 @cache
-def law_types() -> dict[str, LawType]:
+def law_types() -> Registry[LawType]:
     """Return all kinds of timing laws by key, in the order of lists."""
     return discover(_folder, "LAW", LawType)
 
@@ -219,6 +220,4 @@ def free_law_types() -> dict[str, LawType]:
 
 def law_type(key: str) -> LawType:
     """Return a kind of timing law by key; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in law_types():
-        raise UnknownName("law", key, law_types())
     return law_types()[key]

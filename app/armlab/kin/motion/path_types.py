@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin import paths as _folder
 from armlab.kin.checks import as_floats, finite_floats, wrong
 from armlab.kin.field import Field, checked_options
@@ -18,6 +18,7 @@ from armlab.kin.motion.knots import checked_knots
 from armlab.kin.motion.path import Path
 from armlab.kin.motion.scaled_path import ScaledPath, in_scales
 from armlab.plugins import discover
+from armlab.registry import Registry
 
 Floats = NDArray[np.float64]
 Space = Literal["joint", "cartesian"]
@@ -102,15 +103,13 @@ class PathType:
 
 
 @cache
-def path_types() -> dict[str, PathType]:
+def path_types() -> Registry[PathType]:
     """Return all kinds of paths by key, in the order of lists."""
     return discover(_folder, "PATH", PathType)
 
 
 def path_type(key: str) -> PathType:
     """Return a kind of path by key; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in path_types():
-        raise UnknownName("path", key, path_types())
     return path_types()[key]
 
 

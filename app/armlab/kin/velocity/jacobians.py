@@ -14,11 +14,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import as_floats, finite_floats, whole_number
 from armlab.kin.euler import euler_angles
 from armlab.kin.velocity.rates import angle_rates
+from armlab.registry import known_name
 
 Floats = NDArray[np.float64]
 Axes = Literal["world", "base", "tool"]
@@ -75,8 +76,7 @@ def jacobian_at(arm: Arm, q: ArrayLike, axes: str = "world", point: ArrayLike | 
     ----------
     Notes 5.52-5.65 with 5.9.
     """
-    if axes not in AXES:
-        raise UnknownName("axes", axes, AXES)
+    known_name("axes", axes, AXES)
     J: Floats = np.array(arm.jacobian(q), dtype=np.float64)
     R = np.asarray(arm.fk(q), dtype=np.float64)[..., :3, :3] if axes == "tool" or point is not None else None
     if point is not None and R is not None:

@@ -13,10 +13,10 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.control.scaled_task import ScaledTask
 from armlab.kin.length_power import POWERS, length_power
+from armlab.registry import Registry
 
 Array = NDArray[np.floating]
 
@@ -119,9 +119,9 @@ def _no_unit(arm: Arm) -> str:
     return ""
 
 
-MEASURES: dict[str, Measure] = {
-    measure.key: measure
-    for measure in (
+MEASURES: Registry[Measure] = Registry(
+    "measure",
+    (
         Measure("manipulability", "manipulability", "w", unit_of_manipulability, False, manipulability, QUICK),
         Measure(
             "inverse_condition",
@@ -133,8 +133,8 @@ MEASURES: dict[str, Measure] = {
             SLOW,
         ),
         Measure("sigma_min", "smallest singular value", r"\sigma_{\min}", unit_of_sigma, True, sigma_min, SLOW),
-    )
-}
+    ),
+)
 
 
 def measure_named(key: str) -> Measure:
@@ -144,6 +144,4 @@ def measure_named(key: str) -> Measure:
     ------
     UnknownName
     """
-    if key not in MEASURES:
-        raise UnknownName("measure", key, MEASURES)
     return MEASURES[key]

@@ -71,6 +71,10 @@ class Joints(Part):
         values.setflags(write=False)
         return self if np.array_equal(values, self.q) else replace(self, q=values)
 
+    def freed_at(self, q: ArrayLike) -> Self:
+        """Return the part with no joint held, at these joint values moved inside the limits."""
+        return replace(self, locked=(False,) * self.arm.n).moved_to(q)
+
     @cached_property
     def tool_pose(self) -> NDArray[np.floating]:
         """The pose of the tool in the world, (4, 4)."""
@@ -104,11 +108,6 @@ class MoveJoint(Command):
     def channel(self) -> object:
         """The joint: sliders of different joints do not replace each other."""
         return type(self), self.joint
-
-    @property
-    def stroke(self) -> object:
-        """The joint: one movement of a slider is one step of undo."""
-        return self.channel
 
     def apply(self, state: State) -> State:
         """Return the state with the joint at the value, or at its limit."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from types import MappingProxyType
 from typing import ClassVar, Self
 
@@ -20,6 +21,7 @@ from armlab.session.facts import benches_of, evidence_of, facts_asked, seen_fact
 from armlab.session.lesson_progress import Progress, read, step_names, written
 from armlab.session.parts.display import Display
 from armlab.session.parts.joints import Joints
+from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.target import Target
 from armlab.session.parts.timeline import Timeline, duration
@@ -48,8 +50,6 @@ class LessonPart(Part):
         The name with which the student signs the work.
     set_up : int
         Number of times that a lesson has put its own arm on the table; not saved.
-    panel : str
-        Key of the panel that is looked at; not saved.
     loaded : int
         Changes when the file of the open lesson has changed; not saved.
     """
@@ -62,7 +62,6 @@ class LessonPart(Part):
     number: int = 0
     student: str = ""
     set_up: int = 0
-    panel: str = ""
     loaded: int = 0
 
     @property
@@ -100,6 +99,12 @@ class LessonPart(Part):
         if found is None:
             return ""
         return next((step.panel for step in found.steps[self.index :: -1] if step.panel), found.panel)
+
+    @cached_property
+    def hidden(self) -> frozenset[str]:
+        """Keys of the panels that the open lesson hides."""
+        found = self.lesson
+        return frozenset() if found is None else frozenset(found.hidden)
 
     @property
     def verdict(self) -> Verdict | None:
@@ -255,11 +260,19 @@ def observed(state: State) -> Observation:
         target=target,
         seconds=progress.seconds(state.at),
         switches=frozenset(name for name, on in state[Display].switches.items() if on),
-        panel=part.panel,
+        panel=_panel_seen(state),
         films=progress.films,
         facts=seen_facts(state, part.facts),
         **{each.key: each.seen(state, each.clip in progress.films) for each in taught() if each.key in asked},
     )
+
+
+def _panel_seen(state: State) -> str:
+    """Return the panel that the check of the shown step asks for when it is open; otherwise the one last opened."""
+    part = state[LessonPart]
+    opened, step = state[Panels].open(part.hidden), part.step
+    asked = () if step is None or step.check is None else step.check.panels
+    return next((panel for panel in (*asked, *opened) if panel in opened), "")
 
 
 def check_line(state: State, words: Words = PLAIN) -> tuple[bool, str]:

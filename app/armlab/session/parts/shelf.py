@@ -15,11 +15,14 @@ from typing import ClassVar, Self
 from armlab.content.robots import Robot
 from armlab.errors import InputError
 from armlab.session.lesson_commands import CloseLesson
+from armlab.session.panel_commands import lesson_followed
 from armlab.session.parts.display import Display
 from armlab.session.parts.lesson import LessonPart, is_place
+from armlab.session.parts.panels import Panels
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import Timeline
-from armlab.session.share import STAYS, TEXT, from_short, state_of_parts
+from armlab.session.share import STAYS, from_short, state_of_parts
+from armlab.session.share_text import TEXT
 from armlab.session.state import Command, Json, Part, PartType, State
 
 HOME, SANDBOX, SHARED = "home", "sandbox", "shared"
@@ -202,8 +205,9 @@ def _left(state: State) -> dict[str, State]:
 
 
 def _arrived(state: State, found: State, shelf: Shelf, lesson: str = "") -> State:
-    """Return a stored state with the present progress in lessons, and this lesson open."""
-    return found.replace(shelf, replace(state[LessonPart], open=lesson))
+    """Return a stored state with the present windows and progress in lessons, and this lesson open."""
+    arrived = found.replace(shelf, replace(state[LessonPart], open=lesson), state[Panels])
+    return lesson_followed(state, arrived)
 
 
 def _frozen(parked: dict[str, State]) -> Mapping[str, State]:

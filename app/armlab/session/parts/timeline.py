@@ -11,8 +11,9 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import ClassVar, Self
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.plugins import discover_in_benches
+from armlab.registry import known_name
 from armlab.session.fields import FieldPart, flag, number, own
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, PartType, State
@@ -122,8 +123,8 @@ class OpenClip(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the clip at its start."""
-        if self.key and self.key not in clips():
-            raise UnknownName("clip", self.key, clips())
+        if self.key:
+            known_name("clip", self.key, clips())
         if state[Timeline].clip == self.key and not self.play:
             return state
         return with_clip(state, self.key, self.play)

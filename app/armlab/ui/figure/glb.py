@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import json
+import struct
 from collections import defaultdict
 from collections.abc import Iterable
-from functools import cache
-from typing import TYPE_CHECKING
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from armlab.ui.colours import Rgb, joint_colour, linear
 from armlab.ui.figure.mesh import Solid, joined
-
-if TYPE_CHECKING:
-    from trimesh.visual.material import PBRMaterial
 
 Part = tuple[str, Solid]
 """A material (a key of `MATERIALS`, or ``joint3``) and a solid."""
@@ -26,6 +27,15 @@ MATERIALS: dict[str, Look] = {
     "steel": ((186, 193, 203), 0.32, 0.25),
     "rubber": ((40, 43, 48), 0.80, 0.0),
 }
+
+FLOAT, SHORT, INT = 5126, 5123, 5125
+"""Numbers of glTF for float32, uint16 and uint32."""
+
+ATTRIBUTES, INDICES = 34962, 34963
+"""Numbers of glTF for a buffer of what vertices have, and for one of triangles."""
+
+MOST_SHORT = 65535
+"""Vertices that indices of 16 bits can tell apart; their last number has another meaning."""
 
 
 def joint_material(i: int) -> str:
@@ -47,34 +57,76 @@ def merged(parts: Iterable[Part]) -> dict[str, Solid]:
 
 
 def scene_glb(coloured: Iterable[tuple[Solid, Look]]) -> bytes:
-    """Return the GLB file of solids, each of one material."""
-    import trimesh  # Half a second; the page can be served meanwhile.
-    from trimesh.visual import TextureVisuals
+    """Return the GLB file of solids, each of one material.
 
-    scene = trimesh.Scene()
-    for solid, look in coloured:
-        # Neither checked nor cleaned: merged vertices would lose the sharp edges.
-        mesh = trimesh.Trimesh(
-            solid.vertices,
-            solid.faces,
-            vertex_normals=solid.normals,
-            visual=TextureVisuals(material=_material(look)),  # type: ignore[no-untyped-call]
-            process=False,
-            validate=False,
-        )
-        scene.add_geometry(mesh)
-    exported: bytes = scene.export(file_type="glb", include_normals=True)  # type: ignore[no-untyped-call]
-    return exported
+    Written by hand after the specification of glTF 2.0, sections 3 and 4: libraries that write such files take longer
+    to import than the whole lab takes to start.
+    """
+    data = _Data()
+    primitives, materials = [], []
+    for number, (solid, look) in enumerate(coloured):
+        small = len(solid.vertices) <= MOST_SHORT
+        indices = solid.faces.astype("<u2" if small else "<u4").reshape(-1)
+        places = {
+            "POSITION": data.add(solid.vertices.astype("<f4"), ATTRIBUTES, FLOAT, bounds=True),
+            "NORMAL": data.add(solid.normals.astype("<f4"), ATTRIBUTES, FLOAT),
+        }
+        triangles = data.add(indices, INDICES, SHORT if small else INT)
+        primitives.append({"attributes": places, "indices": triangles, "material": number})
+        materials.append(_material(look))
+    head = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": primitives}],
+        "materials": materials,
+        "accessors": data.accessors,
+        "bufferViews": data.views,
+        "buffers": [{"byteLength": len(data.bytes)}],
+    }
+    text = json.dumps(head, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = (
+        struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data.bytes), b"BIN\0") + data.bytes
+    )
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
-@cache
-def _material(look: Look) -> PBRMaterial:
-    from trimesh.visual.material import PBRMaterial
+class _Data:
+    """The arrays of a file, one after the other.
 
+    Attributes
+    ----------
+    bytes : bytearray
+    views, accessors : list of dict
+        Where each array lies, and what it is, as glTF writes it.
+    """
+
+    def __init__(self) -> None:
+        self.bytes = bytearray()
+        self.views: list[dict[str, int]] = []
+        self.accessors: list[dict[str, Any]] = []
+
+    def add(self, array: NDArray[Any], target: int, kind: int, bounds: bool = False) -> int:
+        """Add an array, one row a vertex or one number an index; return the number of its accessor."""
+        raw = array.tobytes()
+        self.views.append({"buffer": 0, "byteOffset": len(self.bytes), "byteLength": len(raw), "target": target})
+        found: dict[str, Any] = {"bufferView": len(self.views) - 1, "componentType": kind, "count": len(array)}
+        found["type"] = "VEC3" if array.ndim == 2 else "SCALAR"
+        if bounds:
+            found |= {"min": array.min(axis=0).tolist(), "max": array.max(axis=0).tolist()}
+        self.accessors.append(found)
+        self.bytes += raw + bytes(-len(raw) % 4)  # each array begins at a multiple of 4 bytes
+        return len(self.accessors) - 1
+
+
+def _material(look: Look) -> dict[str, Any]:
     colour, roughness, metallic = look
-    factor = [*(round(255.0 * float(value)) for value in linear(colour)), 255]
-    look_of = {"baseColorFactor": factor, "roughnessFactor": roughness, "metallicFactor": metallic}
-    return PBRMaterial(**look_of)  # type: ignore[no-untyped-call]
+    factor = [*np.asarray(linear(colour), dtype=float).tolist(), 1.0]
+    return {
+        "pbrMetallicRoughness": {"baseColorFactor": factor, "roughnessFactor": roughness, "metallicFactor": metallic}
+    }
 
 
 def _look(material: str) -> Look:

@@ -17,6 +17,9 @@ FRAME_LENGTH = 0.115
 SYMBOL_STEP = 0.02
 """Relative step between the sizes of symbols, so that an arm being edited can use the same again."""
 
+HALF_SIDES = 10
+"""Rings of the ball of a frame, from pole to pole."""
+
 _DIRECTIONS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
@@ -25,13 +28,17 @@ def frame_glb() -> bytes:
     """Return three arrows of unit length from a ball: x, y, z."""
     width = 0.033
     arrow = lathe([(0.0, 0.0), (width, 0.0), (width, 0.78), (2.6 * width, 0.78), (0.0, 1.0)], sides=20)
-    import trimesh  # Half a second; the page can be served meanwhile.
-
-    ball = trimesh.creation.icosphere(subdivisions=3, radius=1.7 * width)
     arrows = [(placed(arrow, along(_DIRECTIONS[axis])), (colour, 0.6, 0.0)) for axis, colour in AXES.items()]
-    return scene_glb(
-        [(Solid(ball.vertices, ball.vertices / (1.7 * width), ball.faces), ((70, 78, 90), 0.6, 0.0)), *arrows]
+    return scene_glb([(_ball(1.7 * width), ((70, 78, 90), 0.6, 0.0)), *arrows])
+
+
+def _ball(radius: float) -> Solid:
+    """Return a ball around the origin."""
+    heights = [math.pi * k / HALF_SIDES for k in range(HALF_SIDES + 1)]
+    ball = lathe(
+        [(radius * math.sin(angle), -radius * math.cos(angle)) for angle in heights], 2 * HALF_SIDES, soft=True
     )
+    return Solid(ball.vertices, ball.vertices / radius, ball.faces)
 
 
 def symbols_of(anatomy: Anatomy) -> list[bytes]:

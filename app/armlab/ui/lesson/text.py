@@ -11,11 +11,12 @@ from armlab.content.fact_words import said
 from armlab.content.lesson import Lesson
 from armlab.content.live import NONE, all_live_values
 from armlab.content.markdown import IN_METRES
+from armlab.session.pages import pages
 from armlab.session.parts.lesson import LessonPart, observed
 from armlab.session.parts.timeline import clips
 from armlab.session.state import State
 from armlab.ui.html import Markup, joined, tag
-from armlab.ui.plugin import pages, switches
+from armlab.ui.plugin import switches
 from armlab.ui.units import units_of
 
 _LIVE = re.compile(r'(<output class="live" data-live="([^"]*)">)[^<]*(?=</output>)')

@@ -98,6 +98,7 @@ class Handle:
             **options,
         )
         adapter.on_event(control, "on_update", lambda event: self._moved(control, event.phase))
+        adapter.of_one_page(control)
         # Written even where it is viser's default: the page would keep the pose of an earlier handle of this name.
         adapter.set_wxyz(control, (1.0, 0.0, 0.0, 0.0))
         adapter.set_position(control, (0.0, 0.0, 0.0))

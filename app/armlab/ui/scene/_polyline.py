@@ -15,7 +15,7 @@ ROUGHNESS = 0.0004
 """Largest distance of a drawn line from the true one, in sizes of the arm, much less than its thickness."""
 
 
-def simplified(points: ArrayLike, tolerance: float) -> NDArray[np.intp]:
+def simplified(points: ArrayLike, tolerance: float, ends: ArrayLike = ()) -> NDArray[np.intp]:
     """Return which points of a line to keep, so that it stays within a tolerance of what it was.
 
     Parameters
@@ -24,6 +24,8 @@ def simplified(points: ArrayLike, tolerance: float) -> NDArray[np.intp]:
         At least one.
     tolerance : float
         Largest distance from a left out point to the line that is drawn, m.
+    ends : array_like of int, optional
+        First and last points of several lines that stand one behind the other: they are kept, too.
 
     Returns
     -------
@@ -37,8 +39,8 @@ def simplified(points: ArrayLike, tolerance: float) -> NDArray[np.intp]:
     """
     at = np.asarray(points, dtype=float)
     keep = np.zeros(len(at), dtype=bool)
-    keep[[0, -1]] = True
-    rest = np.arange(1, len(at) - 1)
+    keep[[0, -1, *np.asarray(ends, dtype=int)]] = True
+    rest = np.flatnonzero(~keep)
     # All spans are halved together: a ragged line has thousands, and each by itself would cost as much as all of them.
     while rest.size:
         ends = np.flatnonzero(keep)

@@ -12,6 +12,19 @@ from armlab.ui.drawing import LayerCanvas
 FILLED = 0.94
 """Side of a drawn voxel, relative to the true one: the gaps separate them."""
 
+CORNERS = np.array(list(np.ndindex(2, 2, 2))) - 0.5
+"""Corners of a box with sides of 1 around the origin, shape (8, 3)."""
+
+SIDES = np.array(
+    [
+        (4, 6, 7), (4, 7, 5), (0, 1, 3), (0, 3, 2),
+        (6, 2, 3), (6, 3, 7), (0, 4, 5), (0, 5, 1),
+        (1, 5, 7), (1, 7, 3), (0, 2, 6), (0, 6, 4),
+    ],
+    dtype=np.uint32,
+)  # fmt: skip
+"""Two triangles for each side of it, rows of `CORNERS`, counterclockwise seen from outside: x, y and z in turn."""
+
 
 class VoxelBody:
     """The boxes of one layer; they are made anew each time, for a batch keeps its number.
@@ -44,14 +57,11 @@ class VoxelBody:
             Side of a voxel, m.
         colours : ndarray of uint8, shape (k, 3)
         """
-        import trimesh  # Half a second; the page can be served meanwhile.
-
         self.clear()
-        solid = trimesh.creation.box(extents=np.full(3, FILLED * step))
         self._node = self._canvas.scene.add_batched_meshes_simple(
             self._path,
-            solid.vertices.astype(np.float32),
-            solid.faces.astype(np.uint32),
+            (FILLED * step * CORNERS).astype(np.float32),
+            SIDES,
             batched_wxyzs=np.tile((1.0, 0.0, 0.0, 0.0), (len(centres), 1)).astype(np.float32),
             batched_positions=centres.astype(np.float32),
             batched_colors=_instance_colours(colours),

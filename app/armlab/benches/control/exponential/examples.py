@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from armlab.benches.control.exponential.state import Exponential
-from armlab.session.examples import PartExample, example_of, part_examples
+from armlab.session.bench import Bench
+from armlab.session.examples import PartExample, part_examples
 from armlab.session.fields import put
 from armlab.session.state import Command, State
 
@@ -77,4 +78,7 @@ class ChooseExponentialExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        return put(state, example_of(EXAMPLES, self.key).part)
+        return put(state, EXAMPLES[self.key].part)
+
+
+BENCH = Bench("exponential", 65, EXAMPLES, ChooseExponentialExample)

@@ -9,7 +9,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.control.matrix_exponential import (
     Diagonalisation,
     as_printed,
@@ -21,6 +21,7 @@ from armlab.kin.control.matrix_exponential import (
     partial_sums,
     remainder_bound,
 )
+from armlab.registry import known_name
 from armlab.session.fields import FieldPart, number, setting, table, text, vector, whole
 from armlab.session.state import Command, PartType, State
 
@@ -175,8 +176,7 @@ class SetEntry(Command):
     def apply(self, state: State) -> State:
         """Return the state with the number set."""
         part = state[Exponential]
-        if self.name not in ENTRIES:
-            raise UnknownName("matrix exponential", self.name, ENTRIES)
+        known_name("matrix exponential", self.name, ENTRIES)
         if self.name == "end":
             return setting(state, Exponential, {"end": self.value, "t": min(part.t, self.value)})
         if self.name[0] == "x":
@@ -200,11 +200,6 @@ class MoveTime(Command):
     rests: ClassVar[bool] = True
     label: ClassVar[str] = "time of the matrix exponential"
 
-    @property
-    def stroke(self) -> object:
-        """Make one step of history of a whole move of the slider."""
-        return type(self)
-
     def apply(self, state: State) -> State:
         """Return the state with the time, clipped to 0 and the end."""
         return setting(state, Exponential, {"t": min(max(self.t, 0.0), state[Exponential].end)})
@@ -218,11 +213,6 @@ class SumTerms(Command):
     snapshot: ClassVar[bool] = True
     rests: ClassVar[bool] = True
     label: ClassVar[str] = "number of terms"
-
-    @property
-    def stroke(self) -> object:
-        """Make one step of history of a whole move of the slider."""
-        return type(self)
 
     def apply(self, state: State) -> State:
         """Return the state with the number of terms."""

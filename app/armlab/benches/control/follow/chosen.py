@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats, wrong
 from armlab.kin.control.control_law import ControlLaw, control_law
@@ -22,6 +22,7 @@ from armlab.kin.control.rate_inverse import RateInverse, rate_inverse
 from armlab.kin.control.run import INTEGRATORS
 from armlab.kin.control.saturation import SATURATIONS
 from armlab.kin.field import Field
+from armlab.registry import known_name
 from armlab.session.parts.target import FARTHEST
 from armlab.session.sizes import MOST_TURNED
 from armlab.session.state import Json
@@ -209,9 +210,7 @@ class Setup:
         InputError
             There is none such, or it is out of range.
         """
-        if not isinstance(key, str) or key not in FIELDS:
-            raise UnknownName("value of a run", key, FIELDS)
-        field = FIELDS[key]
+        field = FIELDS[known_name("value of a run", key, FIELDS)]
         if key == "wrong" and isinstance(value, float) and not abs(value) <= MOST_WRONG:
             raise InputError(f"{field.title}: expected at most {100.0 * MOST_WRONG:g} % more or less")
         checked = field.default if value is None else field.checked(value)
@@ -318,10 +317,8 @@ def joint_values(arm: Arm, q: ArrayLike, where: str) -> tuple[float, ...]:
 
 
 def checked_reference(key: str) -> str:
-    """Return the key of a reference; `UnknownName` if there is none."""
-    if not isinstance(key, str) or key not in REFERENCES:
-        raise UnknownName("reference", key, REFERENCES)
-    return key
+    """Return the key of a reference; `UnknownName` when there is none."""
+    return known_name("reference", key, REFERENCES)
 
 
 def checked_name(name: str) -> str:

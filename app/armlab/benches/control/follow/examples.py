@@ -12,7 +12,9 @@ import numpy as np
 from armlab.benches.control.follow.chosen import setup_of
 from armlab.benches.control.follow.state import CLIP_KEY, Control
 from armlab.kin.transforms import transform
-from armlab.session.examples import example_of, on_arm, with_clip_closed
+from armlab.registry import Registry
+from armlab.session.bench import Bench
+from armlab.session.examples import on_arm, with_clip_closed
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import with_clip
 from armlab.session.run_targets import checked_target
@@ -70,9 +72,9 @@ def _short(**more: Any) -> dict[str, Any]:
 _DLS = {"law": "cartesian_tracking", "law_options": {"Kp": (10.0,)}, "inverse": "dls_variable", "step": 2e-3}
 _CLIPPED = {"saturation": "clip", "limit": math.radians(300.0)}
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "line_170",
             "5.2: line at 170°",
@@ -268,9 +270,9 @@ EXAMPLES: dict[str, Example] = {
             ),
             "The motion of the tab Motion as a reference: q̇ = J# ṗ alone keeps any error it has, feedback removes it.",
         ),
-    )
-}
-"""Examples by key, in the order of the list."""
+    ),
+)
+"""By key, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -282,7 +284,7 @@ class ChooseControlExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         return with_clip(state.replace(_put(example, state)), CLIP_KEY)
 
@@ -295,3 +297,6 @@ def _put(example: Example, state: State) -> Control:
     if example.target is not None:
         target = checked_target(robot, np.array(transform(position=example.target), dtype=np.float64))
     return replace(opened, runs=runs, target=target, selected=example.selected, example=example.key)
+
+
+BENCH = Bench("control", 60, EXAMPLES, ChooseControlExample)

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 from armlab.benches.control.follow.job import JOB
 from armlab.benches.control.follow.runs import Figures
 from armlab.benches.control.follow.state import Control, questions
 from armlab.benches.motion.api import Plan
-from armlab.session.facts import Fact, Facts
+from armlab.session.facts import Fact, Facts, facts_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 
@@ -23,13 +20,7 @@ def _figures(state: State) -> Figures | None:
     return outcome.figures
 
 
-def _of_run(value: Callable[[Figures], Any]) -> Callable[[State], Any]:
-    def found(state: State) -> Any:
-        figures = _figures(state)
-        return None if figures is None else value(figures)
-
-    return found
-
+_of_run = facts_of(_figures)
 
 FACTS = Facts(
     __name__,

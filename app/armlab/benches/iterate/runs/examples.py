@@ -13,7 +13,9 @@ from armlab.benches.iterate.runs.worked import FLOW, run_of
 from armlab.kin.ik.iterate import task_vector
 from armlab.kin.ik.iterate.record import Limits
 from armlab.kin.transforms import transform
-from armlab.session.examples import example_of, on_arm, with_clip_closed
+from armlab.registry import Registry
+from armlab.session.bench import Bench
+from armlab.session.examples import on_arm, with_clip_closed
 from armlab.session.parts.robot import RobotPart
 from armlab.session.parts.timeline import with_clip
 from armlab.session.state import Command, State
@@ -61,9 +63,9 @@ def _degrees(*values: float) -> tuple[float, ...]:
     return tuple(math.radians(value) for value in values)
 
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "orders",
             "Newton and gradient: quadratic, linear",
@@ -139,9 +141,9 @@ EXAMPLES: dict[str, Example] = {
             "V = ½ eᵀKe never rises, and dV/dt is never above 0; four times the gain is four times as fast on the "
             "same way.",
         ),
-    )
-}
-"""Examples by key, in the order of the list."""
+    ),
+)
+"""By key, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -154,7 +156,7 @@ class ChooseExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         return with_clip(state.replace(_put(example, state)), CLIP_KEY)
 
@@ -174,3 +176,6 @@ def _put(example: Example, state: State) -> Iterations:
         most=example.most,
         example=example.key,
     )
+
+
+BENCH = Bench("iterations", 10, EXAMPLES, ChooseExample)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 from armlab.benches.iterate.runs.films import Film
 from armlab.benches.iterate.runs.job import JOB
 from armlab.benches.iterate.runs.state import Iterations, questions
-from armlab.session.facts import Fact, Facts
+from armlab.session.facts import Fact, Facts, facts_of
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 
@@ -21,13 +18,7 @@ def _film(state: State) -> Film | None:
     return film if film is not None and film.question == asked else None
 
 
-def _of_film(value: Callable[[Film], Any]) -> Callable[[State], Any]:
-    def found(state: State) -> Any:
-        film = _film(state)
-        return None if film is None else value(film)
-
-    return found
-
+_of_film = facts_of(_film)
 
 FACTS = Facts(
     __name__,

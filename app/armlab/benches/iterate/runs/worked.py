@@ -14,6 +14,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.ik.iterate import Parameter, TaskVector, iteration_methods
 from armlab.kin.ik.iterate.problem import Problem
+from armlab.registry import Registry
 from armlab.session.state import Json
 
 MOST_RUNS = 4
@@ -63,23 +64,19 @@ class Method:
 
 
 @cache
-def methods() -> dict[str, Method]:
+def methods() -> Registry[Method]:
     """Return all methods: the iterative ones in their order, then the continuous Jacobian transpose."""
-    found = {
-        each.key: Method(each.key, each.title, each.parameters, tall=each.tall) for each in iteration_methods().values()
-    }
+    found = [Method(each.key, each.title, each.parameters, tall=each.tall) for each in iteration_methods().values()]
     times = (
         Parameter("gain", "K", "gain of the error", 1.0, 0.01, 100.0, "1/s"),
         Parameter("duration", "T", "how long it runs", 10.0, 0.1, 100.0, "s"),
         Parameter("dt", "Δt", "time step of the integration", 0.05, 0.001, 1.0, "s"),
     )
-    return {**found, FLOW: Method(FLOW, "Jacobian transpose in continuous time", times, flow=True)}
+    return Registry("method", [*found, Method(FLOW, "Jacobian transpose in continuous time", times, flow=True)])
 
 
 def method_named(key: str) -> Method:
-    """Return a method by key; `UnknownName` if there is none."""
-    if not isinstance(key, str) or key not in methods():
-        raise UnknownName("method", key, methods())
+    """Return a method by key; `UnknownName` when there is none."""
     return methods()[key]
 
 

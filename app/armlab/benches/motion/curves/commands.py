@@ -11,6 +11,7 @@ from armlab.benches.motion.curves.made import Drawn, fitted, free_options, in_kn
 from armlab.benches.motion.curves.state import MOST_CURVES, Curves
 from armlab.errors import InputError, UnknownName
 from armlab.kin.motion.law_types import free_law_types
+from armlab.registry import known_name
 from armlab.session.chosen import Chosen
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
@@ -211,8 +212,7 @@ class SetLimit(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the limit."""
-        if self.which not in LIMITS:
-            raise UnknownName("limit", self.which, LIMITS)
+        known_name("limit", self.which, LIMITS)
         limits = list(state[Curves].limits)
         limits[LIMITS.index(self.which)] = self.value
         return setting(state, Curves, {"limits": limits})

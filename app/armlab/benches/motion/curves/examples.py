@@ -10,8 +10,9 @@ from armlab.benches.motion.curves.knots import Knot
 from armlab.benches.motion.curves.made import Drawn, Made, kinds
 from armlab.benches.motion.curves.state import Curves
 from armlab.kin.motion.law_types import free_law_types
+from armlab.registry import Registry
+from armlab.session.bench import Bench
 from armlab.session.chosen import Chosen
-from armlab.session.examples import example_of
 from armlab.session.state import Command, State
 
 Given = tuple[str, dict[str, Any]]
@@ -56,9 +57,9 @@ class Example:
 RUNGE = tuple((float(k), 1.0 / (1.0 + 25.0 * (0.2 * k - 1.0) ** 2)) for k in range(11))
 """Eleven knots of a calm curve, evenly spaced in time."""
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "hermite",
             "Cubic with end velocities",
@@ -149,8 +150,8 @@ EXAMPLES: dict[str, Example] = {
             v_max=2.0,
             a_max=6.0,
         ),
-    )
-}
+    ),
+)
 """By key, in the order of the list."""
 
 
@@ -199,7 +200,7 @@ class ChooseExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         part = Curves(
             example.knots,
             example.curves,
@@ -208,3 +209,6 @@ class ChooseExample(Command):
             example=example.key,
         )
         return state.replace(part)
+
+
+BENCH = Bench("curves", 40, EXAMPLES, ChooseExample)

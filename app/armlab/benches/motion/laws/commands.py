@@ -9,11 +9,12 @@ from typing import Any, ClassVar
 from armlab.benches.motion.laws.bounds import joint_paths
 from armlab.benches.motion.laws.state import MOST_LAWS, Laws
 from armlab.benches.motion.laws.timing import AS_TYPED, Entry
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.motion import free_law_types, law_type
 from armlab.kin.motion.breaks import SMOOTH_ENOUGH
 from armlab.kin.motion.limits import Limits
 from armlab.kin.motion.scaling import Scaling, optimal_scaling
+from armlab.registry import known_name
 from armlab.session.chosen import Chosen
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
@@ -102,8 +103,7 @@ class LeaveAsTyped(Command):
     def apply(self, state: State) -> State:
         """Return the state with the choice made."""
         entry = _entry(state[Laws], self.place)
-        if entry.chosen.key not in AS_TYPED:
-            raise UnknownName("law with a time of its own", entry.chosen.key, AS_TYPED)
+        known_name("law with a time of its own", entry.chosen.key, AS_TYPED)
         return _with_entry(state, self.place, replace(entry, as_typed=self.on))
 
 
@@ -144,11 +144,6 @@ class Stretch(Command):
     def apply(self, state: State) -> State:
         """Return the state with the factor set."""
         return _with(state, k=float(self.k))
-
-    @property
-    def stroke(self) -> object:
-        """A whole move of the slider."""
-        return type(self)
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,9 @@ from armlab.benches.motion.laws.state import CLIP_KEY, Laws
 from armlab.benches.motion.laws.timing import Entry, Timing
 from armlab.kin.motion import free_law_types
 from armlab.kin.timing.table import BANG_COAST_BANG, PLUS_MINUS_ONE
+from armlab.registry import Registry
+from armlab.session.bench import Bench
 from armlab.session.chosen import Chosen
-from armlab.session.examples import example_of
 from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Command, State
 
@@ -67,9 +68,9 @@ def _rows(rows: Any) -> list[list[float]]:
 
 _REST: tuple[tuple[str, dict[str, Any]], ...] = (("cubic", {}), ("quintic", {}))
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "plus_minus_one",
             "Accelerations ±1 on [0, 8] (1.40–1.42)",
@@ -174,8 +175,8 @@ EXAMPLES: dict[str, Example] = {
             bounded=Bounded(a_max=(1.0, 1.0), speed=0.5),
             bounds_shown=True,
         ),
-    )
-}
+    ),
+)
 """By key, in the order of the list."""
 
 
@@ -188,8 +189,11 @@ class ChooseLawExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        part = example_of(EXAMPLES, self.key).part()
+        part = EXAMPLES[self.key].part()
         part.check()
         timeline = state[Timeline]
         rewound = replace(timeline, time=0.0, playing=False) if timeline.clip == CLIP_KEY else timeline
         return state.replace(part, rewound)
+
+
+BENCH = Bench("laws", 30, EXAMPLES, ChooseLawExample)

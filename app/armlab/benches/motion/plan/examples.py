@@ -12,8 +12,10 @@ from armlab.benches.motion.plan.moves import Move, Waypoint, checked_q, flat_pos
 from armlab.benches.motion.plan.state import Plan
 from armlab.content.robots import Robot, catalogue
 from armlab.kin import ik
+from armlab.registry import Registry
+from armlab.session.bench import Bench
 from armlab.session.chosen import Chosen
-from armlab.session.examples import example_of, with_clip_closed
+from armlab.session.examples import with_clip_closed
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
@@ -86,9 +88,9 @@ SQUARE = ((0.0, 0.3, 0.0), (0.0, 0.3, -0.3), (0.0, 0.0, -0.3), (0.0, 0.0, 0.0))
 
 LINE, SPACE_LINE = Move(), Move("cartesian")
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "joint_or_line",
             "Joint move or straight line",
@@ -179,8 +181,8 @@ EXAMPLES: dict[str, Example] = {
             "velocities by k and accelerations by k²; As fast as allowed takes the k that meets one limit.",
             duration=0.9,
         ),
-    )
-}
+    ),
+)
 
 
 @dataclass(frozen=True)
@@ -192,10 +194,13 @@ class TakeExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example's plan, its arm at the first waypoint."""
-        robot, part = example_of(EXAMPLES, self.key).plan()
+        robot, part = EXAMPLES[self.key].plan()
         state = with_clip_closed(state)
         if state[RobotPart].robot is not robot:
             state = state.with_robot(robot)
         state = state.replace(part)
         moved = state[Joints].moved_to(part.waypoints[0].q)
         return state if moved is state[Joints] else state.replace(moved)
+
+
+BENCH = Bench("motion", 20, EXAMPLES, TakeExample)

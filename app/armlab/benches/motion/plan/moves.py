@@ -8,11 +8,12 @@ from typing import Literal, Self, cast, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.motion import law_types, path_types
 from armlab.kin.motion.path_types import PathType, Space
 from armlab.kin.transforms import as_pose
+from armlab.registry import known_name
 from armlab.session.chosen import Chosen
 from armlab.session.state import Json
 
@@ -214,13 +215,9 @@ def flat_pose(pose: ArrayLike) -> tuple[float, ...]:
 
 def checked_space(space: object) -> Space:
     """Return a space; `UnknownName` for another word."""
-    if space not in get_args(Space):
-        raise UnknownName("space", space, get_args(Space))
-    return cast(Space, space)
+    return cast(Space, known_name("space", space, get_args(Space)))
 
 
 def checked_turning(turning: object) -> Turning:
     """Return a way of turning; `UnknownName` for another word."""
-    if turning not in TURNINGS:
-        raise UnknownName("turning", turning, TURNINGS)
-    return turning
+    return known_name("turning", turning, TURNINGS)

@@ -21,6 +21,7 @@ from armlab.errors import InputError, UnknownName
 from armlab.kin.euler import SEQUENCES
 from armlab.kin.motion import free_law_types
 from armlab.kin.motion.trajectory import times_at
+from armlab.registry import known_name
 from armlab.session.chosen import Chosen
 from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
@@ -211,8 +212,7 @@ class WriteIn(Command):
         """Return the state with the sequence."""
         part = state[SpaceCurve]
         axes = part.axes if self.axes is None else self.axes
-        if axes not in SEQUENCES:
-            raise UnknownName("axes", axes, SEQUENCES)
+        known_name("axes", axes, SEQUENCES)
         fixed = part.fixed if self.fixed is None else self.fixed
         ends = (rotation_of(part.axes, part.fixed, angles) for angles in (part.start, part.end))
         start, end = written(axes, fixed, *ends)

@@ -10,8 +10,9 @@ from armlab.benches.motion.space_curve.laid import FORMULA, Point, kinds, made_c
 from armlab.benches.motion.space_curve.state import CLIP_KEY, SpaceCurve
 from armlab.benches.motion.space_curve.turn import Triple
 from armlab.kin.motion import free_law_types
+from armlab.registry import Registry
+from armlab.session.bench import Bench
 from armlab.session.chosen import Chosen
-from armlab.session.examples import example_of
 from armlab.session.parts.timeline import with_clip
 from armlab.session.state import Command, State
 
@@ -76,9 +77,9 @@ _SQUARE: tuple[Point, ...] = (
 _CORNER: tuple[Point, ...] = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 2.0, 0.0))
 _RING: tuple[Point, ...] = ((-0.2, -0.08, 0.3), (-0.38, 0.1, 0.4), (-0.56, -0.08, 0.5))
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "frenet",
             "The curve of the notes (6.142)",
@@ -204,8 +205,8 @@ EXAMPLES: dict[str, Example] = {
             "Headings 350° apart are orientations 10° apart: an angle that is taken as typed goes nearly once round.",
             _turn("zyx", (0.0, 20.0, 0.0), (350.0, 20.0, 0.0)),
         ),
-    )
-}
+    ),
+)
 """By key, in the order of the list."""
 
 OWN_TIMES = ("square_flown", "overfly")
@@ -226,10 +227,13 @@ class ChooseExample(Command):
 
 def example_part(key: str) -> SpaceCurve:
     """Return the part with an example in place."""
-    part = replace(SpaceCurve(), **example_of(EXAMPLES, key).sets, example=key)
+    part = replace(SpaceCurve(), **EXAMPLES[key].sets, example=key)
     if key in OWN_TIMES:
         duration = made_curve(part.question).duration
         assert duration is not None
         part = replace(part, duration=duration, law=Chosen.of(free_law_types(), "constant"))
     part.check()
     return part
+
+
+BENCH = Bench("space_curve", 50, EXAMPLES, ChooseExample)

@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.lines import CommonNormal, Line, Relation, common_normal
 from armlab.kin.rotations import rotation_from_axis_angle
+from armlab.registry import known_name
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, Json, Part, PartType, State
@@ -161,8 +162,7 @@ class PlaceLines(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the lines of this case."""
-        if self.kind not in _CASES:
-            raise UnknownName("case", self.kind, _CASES)
+        known_name("case", self.kind, _CASES)
         first, second = _preset(next(kind for kind in _CASES if kind == self.kind), state[RobotPart].robot)
         return state.replace(replace(state[Lines], first=first, second=second, pair=None, snapped=False))
 
@@ -204,8 +204,7 @@ class HandleLines(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the choice made."""
-        if self.handle not in HANDLES:
-            raise UnknownName("handle", self.handle, HANDLES)
+        known_name("handle", self.handle, HANDLES)
         lines = state[Lines]
         chosen = next(name for name in HANDLES if name == self.handle)
         return state if chosen == lines.handle else state.replace(replace(lines, handle=chosen))

@@ -11,6 +11,7 @@ from armlab.benches.robot.trainer.answers import FIELDS, LARGEST, Answers, Cells
 from armlab.benches.robot.trainer.exercise import DIRECTIONS, Axes
 from armlab.benches.robot.trainer.state import Trainer
 from armlab.errors import InputError, UnknownName
+from armlab.registry import known_name
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 
@@ -263,8 +264,7 @@ def _put(axes: tuple[Axes, ...], i: int, pair: Axes) -> tuple[Axes, ...]:
 def _cell(answers: Answers, row: int, field: str) -> tuple[int, int]:
     if not 0 <= row < len(answers.cells):
         raise InputError(f"row: expected 1 to {len(answers.cells)}, got {row + 1}")
-    if field not in FIELDS:
-        raise UnknownName("cell", field, FIELDS)
+    known_name("cell", field, FIELDS)
     return row, FIELDS.index(field)
 
 

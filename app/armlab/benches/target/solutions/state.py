@@ -14,8 +14,9 @@ from armlab.benches.target.solutions.motion import Motion
 from armlab.benches.target.solutions.proof import Proof
 from armlab.benches.target.solutions.question import question
 from armlab.content.robots import catalogue
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin import ik
+from armlab.registry import known_name
 from armlab.session.fields import FieldPart
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
@@ -176,11 +177,6 @@ class MoveAlong(Command):
     rests: ClassVar[bool] = True
     label: ClassVar[str] = "self-motion"
 
-    @property
-    def stroke(self) -> object:
-        """Make one step of history of one slide."""
-        return type(self)
-
     def apply(self, state: State) -> State:
         """Return the state with the arm at this part of the curve, and the tool unmoved."""
         if not math.isfinite(self.part):
@@ -222,16 +218,12 @@ class TakePreset(Command):
     label: ClassVar[str] = "example of the notes"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm of the example in its pose."""
-        if self.name not in PRESETS:
-            raise UnknownName("example", self.name, PRESETS)
-        key, pose, _ = PRESETS[self.name]
+        """Return the state with its arm in its pose."""
+        key, pose, _ = PRESETS[known_name("example", self.name, PRESETS)]
         robot = catalogue()[key]
         if robot is not state[RobotPart].robot:
             state = state.with_robot(robot)
-        joints = state[Joints]
-        free = replace(joints, locked=(False,) * robot.arm.n)
-        return state.replace(free.moved_to(robot.poses[pose]), state[Target].on_tool())
+        return state.replace(state[Joints].freed_at(robot.poses[pose]), state[Target].on_tool())
 
 
 def _inside(found: Found, row: Row) -> NDArray[np.float64]:

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from armlab.content.robots import Robot
-from armlab.errors import UnknownName
 from armlab.kin.arm import Arm
 from armlab.kin.ellipsoid import RANK_TOLERANCE, Ellipsoid, velocity_ellipsoid
 from armlab.kin.force_ellipsoid import ForceEllipsoid
 from armlab.kin.joint_scale import counted_speeds
+from armlab.registry import known_name
 from armlab.session.fields import FieldPart, choice
 from armlab.session.parts.joints import Joints
 from armlab.session.round_numbers import round_below
@@ -278,6 +278,5 @@ class LookAtBlock(Command):
 
 def _block_named(arm: Arm, key: Json) -> Block:
     known = blocks_of(arm)
-    if not isinstance(key, str) or key not in known:
-        raise UnknownName("velocities", key, known)
+    known_name("velocities", key, known)
     return next(block for block in known if block == key)

@@ -9,7 +9,8 @@ import numpy as np
 
 from armlab.benches.velocity.microscope.looked import known_places, looked
 from armlab.benches.velocity.microscope.state import DAMPING, ROUNDING, Microscope
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
+from armlab.registry import known_name
 from armlab.session.fields import setting
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
@@ -76,8 +77,7 @@ class SetDamping(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the option."""
-        if self.name not in DAMPING:
-            raise UnknownName("damping", self.name, DAMPING)
+        known_name("damping", self.name, DAMPING)
         return setting(state, Microscope, {"damping": {**dict(state[Microscope].damping), self.name: self.value}})
 
 

@@ -7,7 +7,9 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.benches.velocity.microscope.state import Aim, Microscope
-from armlab.session.examples import example_of, on_arm
+from armlab.registry import Registry
+from armlab.session.bench import Bench
+from armlab.session.examples import on_arm
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
@@ -40,9 +42,9 @@ class Example:
     says: str
 
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "near_stretched",
             "2R almost stretched, along the arm",
@@ -92,9 +94,9 @@ EXAMPLES: dict[str, Example] = {
             "dls_variable",
             "The wrist centre can hardly move along the line from the shoulder; joints 2 and 3 pay for it.",
         ),
-    )
-}
-"""Examples by key, in the order of the list."""
+    ),
+)
+"""By key, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -106,12 +108,14 @@ class ChooseMicroscopeExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
         q = state[RobotPart].robot.home.copy()
         for joint, degrees in example.degrees.items():
             q[joint - 1] = math.radians(degrees)
-        free = replace(state[Joints], locked=(False,) * state[Joints].arm.n)
         fresh = Microscope.initial(state[RobotPart].robot)
         part = replace(fresh, aim=example.aim, method=example.method, example=example.key)
-        return state.replace(free.moved_to(q), part)
+        return state.replace(state[Joints].freed_at(q), part)
+
+
+BENCH = Bench("microscope", 70, EXAMPLES, ChooseMicroscopeExample)

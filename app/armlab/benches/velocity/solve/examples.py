@@ -7,7 +7,9 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.benches.velocity.solve.state import Solve
-from armlab.session.examples import example_of, on_arm
+from armlab.registry import Registry
+from armlab.session.bench import Bench
+from armlab.session.examples import on_arm
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
@@ -38,9 +40,9 @@ class Example:
     rows: str = "task"
 
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "one",
             "2R, regular: one answer (1.14)",
@@ -124,9 +126,9 @@ EXAMPLES: dict[str, Example] = {
             (0.0, 0.1, 0.0, 0.0, 0.0, 0.0),
             "There is always one joint speed more: the elbow turns about the line from shoulder to wrist.",
         ),
-    )
-}
-"""Examples by key, in the order of the list."""
+    ),
+)
+"""By key, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -138,11 +140,12 @@ class ChooseSolveExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
-        robot = state[RobotPart].robot
-        arm = robot.arm
+        arm = state[RobotPart].robot.arm
         q = [math.radians(value) if arm.revolute[i] else value for i, value in enumerate(example.q)]
-        joints = replace(state[Joints], locked=(False,) * arm.n).moved_to(q)
         part = replace(state[Solve], arm=arm, twist=example.twist, rows=example.rows, start=None, example=example.key)
-        return state.replace(joints, part)
+        return state.replace(state[Joints].freed_at(q), part)
+
+
+BENCH = Bench("solve", 62, EXAMPLES, ChooseSolveExample)

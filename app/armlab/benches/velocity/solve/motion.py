@@ -81,11 +81,6 @@ class SlideAlong(Command):
     rests: ClassVar[bool] = True
     label: ClassVar[str] = "self-motion"
 
-    @property
-    def stroke(self) -> object:
-        """Make one step of history of one slide."""
-        return type(self)
-
     def apply(self, state: State) -> State:
         """Return the state with the arm at that part of the self-motion."""
         if not math.isfinite(self.part):

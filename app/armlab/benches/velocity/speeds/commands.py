@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from armlab.benches.velocity.speeds.state import FOLDS, MARKS, Velocity, Xyz, ends_of, usual_speed
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
+from armlab.registry import known_name
 from armlab.session.fields import setting
 from armlab.session.state import Command, State
 
@@ -135,8 +136,7 @@ def _check_joint(part: Velocity, joint: int) -> None:
 
 
 def _switched(state: State, field: str, known: Sequence[str], name: str, on: bool) -> State:
-    """Return the state with one of the names of a field switched on or off."""
-    if name not in known:
-        raise UnknownName(field, name, known)
+    """Return the state with one of the names of a field on or off."""
+    known_name(field, name, known)
     chosen = getattr(state[Velocity], field)
     return setting(state, Velocity, {field: chosen | {name} if on else chosen - {name}})

@@ -7,7 +7,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 from armlab.benches.velocity.speeds.state import Velocity, within
-from armlab.session.examples import example_of, on_arm, with_clip_closed
+from armlab.registry import Registry
+from armlab.session.bench import Bench
+from armlab.session.examples import on_arm, with_clip_closed
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
@@ -43,9 +45,9 @@ def _degrees(*values: float) -> tuple[float, ...]:
     return tuple(math.radians(value) for value in values)
 
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "planar",
             "2R: parts and sum (1.9–1.11)",
@@ -107,9 +109,9 @@ EXAMPLES: dict[str, Example] = {
             "q̈ = 0, but J changes along the way: J̇q̇ points from the tool to the axis of joint 1, with |v|²/r.",
             {"unfolded": frozenset(("higher",))},
         ),
-    )
-}
-"""Examples by key, in the order of the list."""
+    ),
+)
+"""By key, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -121,11 +123,13 @@ class ChooseVelocityExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         robot = state[RobotPart].robot
-        joints = replace(state[Joints], locked=(False,) * robot.arm.n).moved_to(example.q)
         qdot = tuple(within(robot.arm, i, speed) for i, speed in enumerate(example.qdot))
         start = {"marks": frozenset(("v",)), **example.sets}
         part = replace(Velocity.initial(robot), **start, qdot=qdot, example=self.key)
-        return state.replace(joints, part)
+        return state.replace(state[Joints].freed_at(example.q), part)
+
+
+BENCH = Bench("velocity", 60, EXAMPLES, ChooseVelocityExample)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import ClassVar
 
 from armlab.benches.velocity.statics.state import ZERO, Axes, Statics, Triple
-from armlab.session.examples import example_of, on_arm, with_clip_closed
+from armlab.registry import Registry
+from armlab.session.bench import Bench
+from armlab.session.examples import on_arm, with_clip_closed
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
@@ -54,9 +56,9 @@ def _along(angle: float, size: float) -> Triple:
     return size * math.cos(math.radians(angle)), size * math.sin(math.radians(angle)), 0.0
 
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "torques_2r",
             "2R: the torques of a force (5.163)",
@@ -128,9 +130,9 @@ EXAMPLES: dict[str, Example] = {
             "Joints 1 and 2 answer with torques in N m, the sliding one with the part of the force along it, in N.",
             force=(12.0, 0.0, 16.0),
         ),
-    )
-}
-"""Examples by key, in the order of the list."""
+    ),
+)
+"""By key, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -142,9 +144,10 @@ class ChooseExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the example in place."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
-        robot = state[RobotPart].robot
-        free = replace(state[Joints], locked=(False,) * robot.arm.n)
-        moved = free.moved_to(example.q or robot.home)
-        return state.replace(moved, example.part())
+        q = example.q or state[RobotPart].robot.home
+        return state.replace(state[Joints].freed_at(q), example.part())
+
+
+BENCH = Bench("statics", 70, EXAMPLES, ChooseExample)

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armlab.content.robots import Robot
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.checks import finite_floats
 from armlab.kin.joint_scale import counted_speeds
 from armlab.kin.statics import Duality, VirtualWork, duality, joint_torques, torque_free, virtual_work
+from armlab.registry import known_name
 from armlab.session.fields import FieldPart, choice, own, put, setting, text, vector, whole
 from armlab.session.parts.joints import Joints
 from armlab.session.round_numbers import round_above
@@ -230,8 +231,7 @@ class SetComponent(Command):
 
     def apply(self, state: State) -> State:
         """Return the state with the component set."""
-        if not isinstance(self.kind, str) or self.kind not in KINDS:
-            raise UnknownName("part of a wrench", self.kind, KINDS)
+        known_name("part of a wrench", self.kind, KINDS)
         if type(self.axis) is not int or not 0 <= self.axis < 3:
             got = self.axis + 1 if type(self.axis) is int else repr(self.axis)
             raise InputError(f"component of a wrench: expected 1 to 3, got {got}")

@@ -12,6 +12,7 @@ from armlab.benches.velocity.turning.state import MOST, Triple, Turning
 from armlab.errors import InputError, UnknownName
 from armlab.kin.euler import SEQUENCES, SINGULAR_SINE, euler_angles
 from armlab.kin.velocity.rates import angle_rates, rate_determinant
+from armlab.registry import known_name
 from armlab.session.fields import Set, put
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
@@ -30,8 +31,7 @@ class WriteAngles(Command):
         part = state[Turning]
         axes = part.axes if self.axes is None else self.axes
         fixed = part.fixed if self.fixed is None else self.fixed
-        if axes not in SEQUENCES:
-            raise UnknownName("axes", axes, SEQUENCES)
+        known_name("axes", axes, SEQUENCES)
         if (axes, fixed) == (part.axes, part.fixed):
             return state
         now = turned_of(put(state, part))  # with the film at its beginning, as below

@@ -6,7 +6,9 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from armlab.benches.workspace.cloud.state import Workspace, question_of
-from armlab.session.examples import example_of, on_arm
+from armlab.registry import Registry
+from armlab.session.bench import Bench
+from armlab.session.examples import on_arm
 from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Command, State
 
@@ -35,9 +37,9 @@ class Example:
     says: str
 
 
-EXAMPLES: dict[str, Example] = {
-    example.key: example
-    for example in (
+EXAMPLES: Registry[Example] = Registry(
+    "example",
+    (
         Example(
             "annulus",
             "2R with unequal links: a ring",
@@ -94,9 +96,9 @@ EXAMPLES: dict[str, Example] = {
             "On a logarithmic scale the bad places stand out: the rim, the first axis, and scattered points where the "
             "wrist is singular.",
         ),
-    )
-}
-"""Examples by key, in the order of the list."""
+    ),
+)
+"""By key, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +110,7 @@ class ChooseWorkspaceExample(Command):
 
     def apply(self, state: State) -> State:
         """Return the state in which the example is being sampled."""
-        example = example_of(EXAMPLES, self.key)
+        example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
         robot = state[RobotPart].robot
         part = replace(
@@ -120,3 +122,6 @@ class ChooseWorkspaceExample(Command):
         )
         state = state.replace(part)
         return state.replace(replace(part, asked=question_of(state)))
+
+
+BENCH = Bench("workspace", 80, EXAMPLES, ChooseWorkspaceExample)

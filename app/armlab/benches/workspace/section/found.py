@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import wraps
+from typing import TypeVar
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +21,7 @@ from armlab.kin.workspace.sections import sections
 from armlab.kin.workspace.work import Work
 
 Floats = NDArray[np.float64]
+T = TypeVar("T")
 
 REACH = "reach"
 """Key of the colour that shows only the reached region."""
@@ -94,6 +98,22 @@ class Found:
     def finished(self) -> bool:
         """Whether the section is finished, and its size known."""
         return self.size is not None
+
+
+def once_each(follows: Callable[[Found], T]) -> Callable[[Found], T]:
+    """Return a function that works out what follows from what was found once, and keeps it as long as that is kept.
+
+    A whole class looks at sections at the same time, each with findings of their own.
+    """
+    known: WeakKeyDictionary[Found, T] = WeakKeyDictionary()
+
+    @wraps(follows)
+    def kept(found: Found) -> T:
+        if found not in known:
+            known[found] = follows(found)
+        return known[found]
+
+    return kept
 
 
 def finding(question: Question) -> Iterator[Found | None]:

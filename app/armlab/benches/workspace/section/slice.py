@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.benches.workspace.section.found import Found
+from armlab.benches.workspace.section.found import Found, once_each
 from armlab.benches.workspace.section.state import SectionView, found_of
 from armlab.kin.workspace.first_joint import FirstJoint
 from armlab.kin.workspace.section import Section
@@ -24,8 +23,6 @@ PIXELS = 200
 
 FINER = 2
 """Number of pixels along a side of a cell."""
-
-REMEMBERED = 6
 
 AXES = ("x", "y", "z")
 ROUND = 64
@@ -82,7 +79,7 @@ def slice_of(state: State) -> Slice | None:
     return in_own_plane(found) if found.section.grid.flat else picture(found, plane_of(state, found))
 
 
-@lru_cache(maxsize=REMEMBERED)
+@once_each
 def in_own_plane(found: Found) -> Slice | None:
     """Return the region that a planar arm reaches in its plane, or None for other arms and before it is known."""
     if not found.section.grid.flat or not found.section.filled.any():
@@ -186,7 +183,7 @@ def plane_at(found: Found, s: float) -> Plane:
     return Plane(origin + low[0] * right + low[1] * up, right, up, float(size[0]), float(size[1]))
 
 
-@lru_cache(maxsize=REMEMBERED)
+@once_each
 def _finely(found: Found) -> Slice:
     """Return the section with an edge smoother than its cells, for any value of joint 1."""
     section = found.section

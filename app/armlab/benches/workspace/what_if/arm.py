@@ -10,9 +10,10 @@ from typing import Any, cast
 
 import numpy as np
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.arm import Arm
 from armlab.kin.task_choice import default_task
+from armlab.registry import known_name
 from armlab.session.sizes import ANGLES, LEAST_RANGE, LENGTHS, check_sizes
 
 LIMITS = ("low", "high")
@@ -76,8 +77,7 @@ def value_of(arm: Arm, row: int, field: str) -> float:
         There is no such row, or it has no such number; the text lists those it has.
     """
     known = fields_of(arm, row)
-    if field not in known:
-        raise UnknownName("quantity", field, known)
+    known_name("quantity", field, known)
     if field in TOOL:
         return float(arm.tool[TOOL.index(field), 3])
     if field in LIMITS:

@@ -15,11 +15,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.errors import InputError, UnknownName
+from armlab.errors import InputError
 from armlab.kin.checks import finite_floats
 from armlab.kin.ik.iterate import methods as _folder
 from armlab.kin.ik.iterate.problem import SINGULAR, Point, Problem
 from armlab.plugins import discover
+from armlab.registry import Registry, known_name
 
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, float]
@@ -123,8 +124,7 @@ class IterationMethod:
         values = {parameter.key: parameter.default for parameter in self.parameters}
         ranges = {parameter.key: parameter for parameter in self.parameters}
         for key, value in (given or {}).items():
-            if key not in ranges:
-                raise UnknownName(f"parameters of {self.key}", key, ranges)
+            known_name(f"parameters of {self.key}", key, ranges)
             number = float(finite_floats(value, f"parameters[{key!r}]", (), "a finite number"))
             low, high = ranges[key].low, ranges[key].high
             if not low <= number <= high:
@@ -134,15 +134,13 @@ class IterationMethod:
 
 
 @cache
-def iteration_methods() -> dict[str, IterationMethod]:
+def iteration_methods() -> Registry[IterationMethod]:
     """Return all iterative methods by key, in the order of lists."""
-    return discover(_folder, "ITERATION", IterationMethod)
+    return discover(_folder, "ITERATION", IterationMethod, "method")
 
 
 def iteration_method(key: str) -> IterationMethod:
     """Return an iterative method by key; `UnknownName` when there is none."""
-    if not isinstance(key, str) or key not in iteration_methods():
-        raise UnknownName("method", key, iteration_methods())
     return iteration_methods()[key]
 
 

@@ -34,9 +34,11 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         for i, slider in enumerate(sliders):
             slider.show(_shown(joints, i, units))
             slider.enable(not joints.locked[i])
-        locks.show(row("Hold", [_lock(locks, joints, i, units) for i in range(joints.arm.n)]))
-        taken = [poses.chip(name, name.capitalize(), TakePose(name)) for name in names]
-        poses.show(row("Pose", (taken, poses.chip("random", "Random", RandomPose()))))
+        if not locks.shows(joints.locked):
+            locks.show(row("Hold", [_lock(locks, joints, i, units) for i in range(joints.arm.n)]))
+        if not poses.shows():
+            taken = [poses.chip(name, name.capitalize(), TakePose(name)) for name in names]
+            poses.show(row("Pose", (taken, poses.chip("random", "Random", RandomPose()))))
         readout.show(_readout(joints, units))
 
     return show

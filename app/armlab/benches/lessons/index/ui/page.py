@@ -11,6 +11,8 @@ from armlab.content.lesson import Lesson
 from armlab.content.lessons import lessons
 from armlab.session.hand_in import MOST
 from armlab.session.lesson_commands import OpenLesson
+from armlab.session.pages import pages
+from armlab.session.panel_commands import hidden_panels
 from armlab.session.parts.lesson import LessonPart
 from armlab.session.state import Post, State
 from armlab.ui.form import Form
@@ -18,7 +20,7 @@ from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.lesson.load import load_work
 from armlab.ui.markup import copy_button
 from armlab.ui.picks import broken_files, pick
-from armlab.ui.plugin import Panel, Show, hidden_panels, pages
+from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
 
 LESSON, BENCH = "lesson:", "bench:"

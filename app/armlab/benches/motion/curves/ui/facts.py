@@ -14,18 +14,21 @@ from armlab.kin.motion.peaks import Violation
 from armlab.ui.colours import css
 from armlab.ui.form import Form
 from armlab.ui.format import dot, number, subscript
+from armlab.ui.html import Markup, joined, tag
+from armlab.ui.symbols import with_indices
+from armlab.ui.tables import head_line, line
 
 MOST_SPANS = 3
 """Stretches of time of one violation that are told."""
 
 
-def facts(part: Curves) -> str:
+def facts(part: Curves) -> Markup | None:
     """Return the table of facts, a column for each curve there is."""
     every = [(i, made) for i, made in enumerate(part.outcomes) if isinstance(made, Made)]
     if not every:
-        return ""
+        return None
     of = part.unit
-    heads = "".join(f"<th>{dot(css(COLOURS[made.drawn.colour]))}{i + 1}</th>" for i, made in every)
+    heads = [(dot(css(COLOURS[made.drawn.colour])), f"{i + 1}") for i, made in every]
     rows: list[tuple[str, str, Callable[[Made], str]]] = [
         ("Class", "Of continuity between first and last knot", lambda made: class_text(made.trajectory.continuity)),
         (
@@ -39,11 +42,11 @@ def facts(part: Curves) -> str:
         (f"Overshoot, {of}", "Beyond the range of the knots, at most", lambda made: figures(made.overshoot, 3)),
         (f"∫{SYMBOLS[2]}² dt, {of}²/s³", "Least for a natural spline", _bending),
     ]
-    lines = "".join(
-        f'<tr><th title="{hint}">{name}</th>{"".join(f"<td>{_short(value(made))}</td>" for _, made in every)}</tr>'
+    lines = [
+        tag("tr", tag("th", name, title=hint), [tag("td", _short(value(made))) for _, made in every])
         for name, hint, value in rows
-    )
-    return f'<h3>In numbers</h3><table class="cu-facts"><tr><th></th>{heads}</tr>{lines}</table>'
+    ]
+    return joined(tag("h3", "In numbers"), tag("table.cu-facts", head_line("", *heads), lines))
 
 
 def _peak(made: Made, order: int) -> str:
@@ -60,10 +63,10 @@ def _bending(made: Made) -> str:
     return "∞" if made.trajectory.continuity < 1.0 else figures(made.bending)
 
 
-def verdicts(part: Curves) -> str:
+def verdicts(part: Curves) -> Markup | None:
     """Return in words which limits are exceeded, when and by how much."""
     if part.v_max is None and part.a_max is None:
-        return ""
+        return None
     lines = []
     for i, made in enumerate(part.outcomes):
         if isinstance(made, Made):
@@ -72,21 +75,19 @@ def verdicts(part: Curves) -> str:
                 _exceeded(i, made, part, order, [v for v in found if v.quantity == quantity])
                 for order, quantity in ((1, "velocity"), (2, "acceleration"))
                 if any(v.quantity == quantity for v in found)
-            ] or [f'<p class="ok">✓ Curve {i + 1} keeps the limits.</p>']
-    return "".join(lines)
+            ] or [tag("p.ok", f"✓ Curve {i + 1} keeps the limits.")]
+    return joined(lines)
 
 
-def _exceeded(i: int, made: Made, part: Curves, order: int, found: list[Violation]) -> str:
+def _exceeded(i: int, made: Made, part: Curves, order: int, found: list[Violation]) -> Markup:
     limit = (part.v_max, part.a_max)[order - 1]
     said = "velocity" if order == 1 else "acceleration"
     spans = [_span(made.start + v.start, made.start + v.end) for v in found]
     more = f" and {len(spans) - MOST_SPANS} more" if len(spans) > MOST_SPANS else ""
     of = unit(order, part.unit)
     peak = f"; up to {figures(made.peaks[order - 1])} {of}" if any(v.end > v.start for v in found) else ""
-    return (
-        f'<p class="no">✕ Curve {i + 1}: {said} above {figures(limit or 0.0)} {of} '
-        f"{', '.join(spans[:MOST_SPANS])}{more}{peak}.</p>"
-    )
+    above = f"{said} above {figures(limit or 0.0)} {of} {', '.join(spans[:MOST_SPANS])}{more}{peak}"
+    return tag("p.no", f"✕ Curve {i + 1}: {above}.")
 
 
 def _span(start: float, end: float) -> str:
@@ -95,32 +96,31 @@ def _span(start: float, end: float) -> str:
     return f"from {number(start, 2)} to {number(end, 2)} s"
 
 
-def fastest_markup(form: Form, part: Curves) -> str:
+def fastest_markup(form: Form, part: Curves) -> Markup:
     """Return the button that looks for the fastest intervals, and what was found."""
     ends = {"clamped": "from rest to rest", "natural": "with natural ends", "both": "with two virtual knots"}[part.ends]
     find = form.button("fastest", "Fastest intervals", FindFastest(), "main", "Times of the knots that make T smallest")
-    said = '<span class="dim">searching …</span>' if part.asked is not None else ""
-    head = (
-        "<h3>Minimum time by the intervals h<sub>k</sub></h3>"
-        f'<p class="dim">Of a spline {ends} through these q<sub>k</sub>, within both limits.</p>'
-        f'<div class="bar">{find}{said}</div>'
+    said = tag("span.dim", "searching …") if part.asked is not None else None
+    return joined(
+        tag("h3", "Minimum time by the intervals ", with_indices("h_k")),
+        tag("p.dim", f"Of a spline {ends} through these ", with_indices("q_k"), ", within both limits."),
+        tag("div.bar", find, said),
+        _found(form, part, part.fastest) if part.fastest is not None else None,
     )
-    return head + (_found(form, part, part.fastest) if part.fastest is not None else "")
 
 
-def _found(form: Form, part: Curves, found: Fastest) -> str:
+def _found(form: Form, part: Curves, found: Fastest) -> Markup:
     before = [later[0] - first[0] for first, later in zip(found.asked.knots, found.asked.knots[1:], strict=False)]
     taken = part.knots != found.asked.knots
     hint = "Put them into the table above"
-    take = "" if taken else form.button("take-fastest", "Use these times", TakeFastest(), "chip", hint)
-    rows = "".join(
-        f"<tr><th>{subscript('h', k + 1)}</th><td>{figures(old)}</td><td>{figures(new)}</td></tr>"
+    take = None if taken else form.button("take-fastest", "Use these times", TakeFastest(), "chip", hint)
+    rows = [
+        line(figures(old), figures(new), name=subscript("h", k + 1))
         for k, (old, new) in enumerate(zip(before, found.intervals, strict=True))
-    )
-    total = f"<tr><th>T = Σh</th><td>{figures(found.before)}</td><td><b>{figures(found.duration)}</b></td></tr>"
-    heads = "<tr><th></th><th>before, s</th><th>fastest, s</th></tr>"
-    return (
-        f'<table class="cu-facts">{heads}{rows}{total}</table>'
-        f'<p class="dim">With h<sub>k</sub> by distance: {figures(found.by_distance)} s.</p>'
-        f'<div class="bar">{take}</div>'
+    ]
+    total = line(figures(found.before), tag("b", figures(found.duration)), name="T = Σh")
+    return joined(
+        tag("table.cu-facts", head_line("", "before, s", "fastest, s"), rows, total),
+        tag("p.dim", "With ", with_indices("h_k"), f" by distance: {figures(found.by_distance)} s."),
+        tag("div.bar", take),
     )

@@ -29,78 +29,81 @@ from armlab.session.chosen import Chosen, Value
 from armlab.session.fields import Set
 from armlab.ui.colours import css
 from armlab.ui.form import Form
-from armlab.ui.format import MINUS, capitalised, dot, escaped, lowered
+from armlab.ui.format import MINUS, capitalised, dot, lowered
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.option_form import Scale, option_form, unit_text
+from armlab.ui.symbols import with_indices
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import plain_number
 
 
-def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], None]) -> str:
+def knots_markup(form: Form, part: Curves, as_text: bool, turn: Callable[[], None]) -> Markup:
     """Return the table of knots, or the same as text; ``turn`` changes between both."""
     names = {name: name for name in UNITS}
     hint = "Unit of the coordinate; the numbers stay"
     units = form.chips("unit", names, part.unit, hint, partial(Set, Curves, "unit"))
     switch = form.button("as-text", "As table" if as_text else "As text", turn, "copy", "Another way to type the knots")
-    head = f'<h3>Knots<span class="copies">{switch}</span></h3><div class="cu-units"><span>q in</span>{units}</div>'
-    return head + (_text(form, part) if as_text else _table(form, part))
+    head = tag("h3", "Knots", tag("span.copies", switch))
+    knots = _text(form, part) if as_text else _table(form, part)
+    return joined(head, tag("div.cu-units", tag("span", "q in"), units), knots)
 
 
-def _table(form: Form, part: Curves) -> str:
+def _table(form: Form, part: Curves) -> Markup:
     full, last = len(part.knots) == MOST_KNOTS, len(part.knots) == 2
     rows = []
     for k, (t, q) in enumerate(part.knots):
-        cells = _cell(form, part, k, "t", t, f"Time of knot {k + 1} in s")
-        cells += _cell(form, part, k, "q", q, f"q of knot {k + 1} in {part.unit}")
+        time = _cell(form, part, k, "t", t, f"Time of knot {k + 1} in s")
+        place = _cell(form, part, k, "q", q, f"q of knot {k + 1} in {part.unit}")
         more = form.button(
             f"add-knot {k}", "+", AddKnot(k), "copy", "One more after this", f"Add after knot {k + 1}", off=full
         )
         less = form.button(f"remove-knot {k}", "✕", RemoveKnot(k), "copy", "Remove", f"Remove knot {k + 1}", off=last)
-        rows.append(f"<tr><th>{k + 1}</th>{cells}<td>{more}{less}</td></tr>")
-    heads = f"<tr><th>k</th><th>t<sub>k</sub>, s</th><th>q<sub>k</sub>, {part.unit}</th><th></th></tr>"
-    return f'<table class="cu-knots">{heads}{"".join(rows)}</table>'
+        rows.append(line(time, place, (more, less), name=f"{k + 1}"))
+    heads = head_line("k", with_indices("t_k, s"), with_indices(f"q_k, {part.unit}"), "")
+    return tag("table.cu-knots", heads, rows)
 
 
-def _cell(form: Form, part: Curves, k: int, name: str, value: float, label: str) -> str:
-    """Return the cell of t or q of a knot."""
+def _cell(form: Form, part: Curves, k: int, name: str, value: float, label: str) -> Markup:
+    """Return the field of t or q of a knot."""
 
     def typed(text: str) -> SetKnot:
         return SetKnot(k, name, plain_number(text, f"knot {k + 1}, {name}"))
 
     below = f"{name} {k + 1}" if k + 1 < len(part.knots) else ""
-    field = form.field(f"{name} {k}", typed_number(value), label, typed, below)
-    return f"<td>{field}</td>"
+    return form.field(f"{name} {k}", typed_number(value), label, typed, below)
 
 
-def _text(form: Form, part: Curves) -> str:
+def _text(form: Form, part: Curves) -> Markup:
     """Return the knots in a field of several lines, where a table can be pasted."""
     own = "\n".join(f"{t:.10g} {q:.10g}" for t, q in part.knots)
     typed = form.area("rows", own, "Knots: t and q in each line", 6, lambda text: SetKnots(read_rows(text)))
-    return f'<div class="cu-text">{typed}</div><p class="dim">t in s and q in {part.unit}, one knot a line.</p>'
+    return joined(tag("div.cu-text", typed), tag("p.dim", f"t in s and q in {part.unit}, one knot a line."))
 
 
-def curves_markup(form: Form, part: Curves) -> str:
+def curves_markup(form: Form, part: Curves) -> Markup:
     """Return all curves, and a button for one more."""
     full = len(part.curves) == MOST_CURVES
     hint = f"At most {MOST_CURVES}" if full else "One more through the same knots"
     more = form.button("add-curve", "+ Curve", AddCurve(), "chip", hint, off=full)
-    curves = "".join(_curve(form, part, i) for i in range(len(part.curves)))
-    return f'<h3>Curves<span class="copies">{more}</span></h3>{curves}'
+    curves = [_curve(form, part, i) for i in range(len(part.curves))]
+    return joined(tag("h3", "Curves", tag("span.copies", more)), curves)
 
 
-def _curve(form: Form, part: Curves, i: int) -> str:
+def _curve(form: Form, part: Curves, i: int) -> Markup:
     drawn, outcome, chosen = part.curves[i], part.outcomes[i], i == part.selected
-    mark, hint = f"{dot(css(COLOURS[drawn.colour]))}{i + 1}", "Show its options here and its equations below"
-    head = form.button(f"show-{i}", mark, Set(Curves, "selected", i), "chip", hint, pressed=chosen)
+    mark, hint = (dot(css(COLOURS[drawn.colour])), f"{i + 1}"), "Show its options here and its equations below"
+    show = form.button(f"show-{i}", mark, Set(Curves, "selected", i), "chip", hint, pressed=chosen)
     path = form.bound(f"path-{i}", partial(ChoosePath, i))
-    head += f'<select {path} aria-label="Kind of curve {i + 1}">{_kinds(part, drawn)}</select>'
+    kind = tag("select", _kinds(part, drawn), **path, aria_label=f"Kind of curve {i + 1}")
     last = len(part.curves) == 1
     hint, label = "Remove this curve", f"Remove curve {i + 1}"
-    head += form.button(f"remove-{i}", "✕", RemoveCurve(i), "chip", hint, label, off=last)
+    remove = form.button(f"remove-{i}", "✕", RemoveCurve(i), "chip", hint, label, off=last)
     below = _options(form, part, i) if chosen else _summary(drawn, Scale(part.unit))
-    said = _dropped(drawn) + _said(outcome, part.unit)
-    return f'<div class="cu-curve"><div class="cu-head">{head}</div>{below}{said}</div>'
+    head = tag("div.cu-head", show, kind, remove)
+    return tag("div.cu-curve", head, below, _dropped(drawn), _said(outcome, part.unit))
 
 
-def _options(form: Form, part: Curves, i: int) -> str:
+def _options(form: Form, part: Curves, i: int) -> Markup:
     """Return the options of a curve, and the law that runs through it."""
     drawn, scales = part.curves[i], (Scale(part.unit),)
     fields = free_options(kinds()[drawn.path.key])
@@ -110,17 +113,17 @@ def _options(form: Form, part: Curves, i: int) -> str:
     chosen = form.select(f"law-{i}", f"Law of curve {i + 1}", laws, drawn.law.key, choose, hint)
     fields = free_law_types()[drawn.law.key].fields
     law = option_form(form, f"law{i} ", fields, drawn.law.options, partial(SetOption, i, "law"), scales)
-    run = f'<div class="options"><label class="option wide"><span>Law s(t)</span>{chosen}</label>{law}</div>'
-    return (f'<div class="options">{typed}</div>' if typed else "") + run
+    run = tag("div.options", tag("label.option.wide", tag("span", "Law s(t)"), chosen), law)
+    return joined(tag("div.options", typed) if typed else None, run)
 
 
-def _summary(drawn: Drawn, scale: Scale) -> str:
+def _summary(drawn: Drawn, scale: Scale) -> Markup | None:
     """Return the options of a curve that are not as they come, in a line."""
     law = free_law_types()[drawn.law.key]
     said = _given(free_options(kinds()[drawn.path.key]), drawn.path, scale)
     if drawn.law.key != "constant":
         said += [f"law s(t): {lowered(law.title)}", *_given(law.fields, drawn.law, scale)]
-    return f'<p class="dim">{escaped(capitalised("; ".join(said)))}</p>' if said else ""
+    return tag("p.dim", capitalised("; ".join(said))) if said else None
 
 
 def _given(fields: tuple[Field, ...], chosen: Chosen, scale: Scale) -> list[str]:
@@ -142,46 +145,45 @@ def _numbers(value: Value) -> str:
     return figures(float(value))
 
 
-def _kinds(part: Curves, drawn: Drawn) -> str:
+def _kinds(part: Curves, drawn: Drawn) -> list[Markup]:
     """Return the kinds to choose from; those that do not take the knots are off, with the reason."""
     found = []
     for key, kind in kinds().items():
         why = why_not(kind, part.knots)
-        marks = f"{' selected' if key == drawn.path.key else ''}{' disabled' if why else ''}"
         text = f"{kind.title} ({why})" if why else kind.title
-        found.append(f'<option value="{escaped(key)}"{marks}>{escaped(text)}</option>')
-    return "".join(found)
+        found.append(tag("option", text, value=key, selected=key == drawn.path.key, disabled=bool(why)))
+    return found
 
 
-def _dropped(drawn: Drawn) -> str:
+def _dropped(drawn: Drawn) -> Markup | None:
     """Return what was changed so that the curve goes through other knots."""
-    text = "Its virtual times lay outside the first and last interval, and were left out."
-    return f'<p class="warn">◐ {text}</p>' if drawn.dropped else ""
+    text = "◐ Its virtual times lay outside the first and last interval, and were left out."
+    return tag("p.warn", text) if drawn.dropped else None
 
 
-def _said(outcome: Made | InputError, of: str) -> str:
+def _said(outcome: Made | InputError, of: str) -> Markup | None:
     """Return why there is no curve, or what it does with the knots."""
     if isinstance(outcome, InputError):
-        return f'<p class="no">✕ Not drawn: {escaped(str(outcome))}</p>'
+        return tag("p.no", f"✕ Not drawn: {outcome}")
     missed = outcome.missed()
     if missed <= 1e-9 * max(1.0, max(abs(q) for _, q in outcome.knots)):
-        return ""
+        return None
     why = "" if outcome.drawn.law.key == "constant" else ": the law decides when it meets them"
     text = f"At the times of the knots it is up to {missed:.3g} {of} away from them{why}."
-    return f'<p class="dim">{text.replace("-", MINUS)}</p>'
+    return tag("p.dim", text.replace("-", MINUS))
 
 
-def limits_markup(form: Form, part: Curves) -> str:
+def limits_markup(form: Form, part: Curves) -> Markup:
     """Return the two limits."""
-    v = _limit(form, part, "v_max", "v<sub>max</sub>", 1, "Largest rate")
-    a = _limit(form, part, "a_max", "a<sub>max</sub>", 2, "Largest acceleration")
-    return f'<h3>Limits</h3><div class="options">{v}{a}</div>'
+    v = _limit(form, part, "v_max", 1, "Largest rate")
+    a = _limit(form, part, "a_max", 2, "Largest acceleration")
+    return joined(tag("h3", "Limits"), tag("div.options", v, a))
 
 
-def _limit(form: Form, part: Curves, key: Limit, symbol: str, order: int, words: str) -> str:
+def _limit(form: Form, part: Curves, key: Limit, order: int, words: str) -> Markup:
     def typed(text: str) -> SetLimit:
         return SetLimit(key, plain_number(text, key) if text.strip() else None)
 
     value = getattr(part, key)
     cell = form.field(key, "" if value is None else typed_number(value), f"{words}; empty for no limit", typed)
-    return f'<label class="option"><span>{symbol}</span>{cell}<i>{unit(order, part.unit)}</i></label>'
+    return tag("label.option", tag("span", with_indices(key)), cell, tag("i", unit(order, part.unit)))

@@ -31,7 +31,7 @@ def build(gui: Gui, state: State, post: Post) -> Show:
         problem.show(examples(problem, EXAMPLES, part.example, ChooseExample))
         knots.show(knots_markup(knots, part, as_text, turn))
         curves.show(curves_markup(curves, part))
-        limits.show(limits_markup(limits, part) + verdicts(part))
+        limits.show(limits_markup(limits, part), verdicts(part))
         plots.show(part)
         numbers.show(facts(part))
         fast.show(fastest_markup(fast, part))

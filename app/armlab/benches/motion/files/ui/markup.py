@@ -14,7 +14,9 @@ from armlab.benches.motion.plan.state import Plan, planned
 from armlab.session.parts.joints import Joints
 from armlab.session.state import Command, State
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, readable
+from armlab.ui.format import readable
+from armlab.ui.html import Markup, joined, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.recording import LONGEST
 
 HINTS = {
@@ -80,47 +82,51 @@ class Page(Protocol):
         """Read a file."""
 
 
-def export_markup(form: Form, state: State, shown: Shown, page: Page) -> str:
+def export_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
     """Return what can be saved."""
     plan = planned(state)
     off = plan is None or plan.motion is None or bool(shown.busy)
 
-    def save(kind: str, text: str, off: bool = off) -> str:
+    def save(kind: str, text: str, off: bool = off) -> Markup:
         return form.chip(kind, text, partial(page.save, kind), HINTS[kind], off=off)
 
     typed = form.field("rate", readable(shown.rate, 4), "Samples a second", page.set_rate)
-    rate = f'<label class="option" title="Samples a second, at least">{typed}<i>/s</i></label>'
-    rows = (
-        ("Samples", rate + save("csv", "CSV") + save("python", "Python")),
-        ("Recording", save("html", "Web page") + save("viser", ".viser")),
-        ("Plan", save("json", "JSON", bool(shown.busy))),
+    rate = tag("label.option", typed, tag("i", "/s"), title="Samples a second, at least")
+    return joined(
+        tag("h3", "Save"),
+        _motion_line(state, plan, shown.rate),
+        _row("Samples", rate, save("csv", "CSV"), save("python", "Python")),
+        _row("Recording", save("html", "Web page"), save("viser", ".viser")),
+        _row("Plan", save("json", "JSON", bool(shown.busy))),
+        _outcome(shown, "export"),
     )
-    table = "".join(f'<div class="row files"><span>{name}</span><div>{inside}</div></div>' for name, inside in rows)
-    return f"<h3>Save</h3>{_motion_line(state, plan, shown.rate)}{table}{_outcome(shown, 'export')}"
 
 
-def import_markup(form: Form, state: State, shown: Shown, page: Page) -> str:
+def _row(name: str, *inside: Markup) -> Markup:
+    return tag("div.row.files", tag("span", name), tag("div", inside))
+
+
+def import_markup(form: Form, state: State, shown: Shown, page: Page) -> Markup:
     """Return how a file is read, and what can be made of a motion that was."""
     n = state[Joints].arm.n
-    load = (
-        f'<label class="chip" title="It is read here and sent nowhere else">Read file'
-        f'<input type="file" accept=".csv,.tsv,.txt,.dat,.json" data-most="{MOST_BYTES}"'
-        f" {form.bound('read-motion', page.read)}></label>"
-    )
+    bound = form.bound("read-motion", page.read)
+    chosen = tag("input", type="file", accept=".csv,.tsv,.txt,.dat,.json", data_most=MOST_BYTES, **bound)
+    load = tag("label.chip", "Read file", chosen, title="It is read here and sent nowhere else")
     says = (
         f"A plan in JSON, or a table: time and q1 to q{n}. Units as in its header (q1_deg, q1 [rad]); none: s, rad, m. "
         f"At most {MOST_ROWS} rows, {MOST_BYTES / 1e6:g} MB."
     )
     outcome, motion = _outcome(shown, "import"), _recorded(form, state, shown, page)
-    return f'<h3>Read</h3><div class="bar">{load}</div>{outcome}{motion}<p class="dim">{says}</p>'
+    return joined(tag("h3", "Read"), tag("div.bar", load), outcome, motion, tag("p.dim", says))
 
 
-def _motion_line(state: State, plan: Planned | None, rate: float) -> str:
+def _motion_line(state: State, plan: Planned | None, rate: float) -> Markup:
     """Return what the motion is, and how much a table of it would be."""
     if plan is None:
-        return '<p class="dim">… working it out</p>'
+        return tag("p.dim", "… working it out")
+    trouble = f"{plan.trouble.rstrip('.')}."
     if plan.motion is None:
-        return f'<p class="no">✕ No motion: {escaped(plan.trouble.rstrip("."))}.</p>'
+        return tag("p.no", f"✕ No motion: {trouble}")
     part = state[Plan]
     if part.recorded is not None:
         what = f"From a file: {len(part.recorded.t)} samples"
@@ -128,36 +134,39 @@ def _motion_line(state: State, plan: Planned | None, rate: float) -> str:
         what = f"Plan of {len(part.waypoints)} waypoints"
     count = count_of(plan.duration, rate)
     many = f"{count} rows" if count <= MOST_SAMPLES else f"{count} rows are too many (at most {MOST_SAMPLES})"
-    line = f'<p class="dim">{what}, {plan.duration:.2f} s; {many}.</p>'
-    if plan.whole:
-        return line
-    return f'{line}<p class="warn">◐ Only what can be run: {escaped(plan.trouble.rstrip("."))}.</p>'
+    line = tag("p.dim", f"{what}, {plan.duration:.2f} s; {many}.")
+    return line if plan.whole else joined(line, tag("p.warn", f"◐ Only what can be run: {trouble}"))
 
 
-def _recorded(form: Form, state: State, shown: Shown, page: Page) -> str:
+def _recorded(form: Form, state: State, shown: Shown, page: Page) -> Markup | None:
     """Return what can be done with a motion from a file; nothing where there is none."""
     if state[Plan].recorded is None:
-        return ""
+        return None
 
     back = form.chip("motion-back", "Back to the waypoints", page.back, "They wait as they were")
     typed = form.field("count", str(shown.count), "How many waypoints", page.set_count)
-    count = f'<label class="option">{typed}<i>waypoints</i></label>'
+    count = tag("label.option", typed, tag("i", "waypoints"))
     hint = "Where a polygon through the others is farthest from the motion"
-    kinds = form.chip("by-shape", "by shape", lambda: page.make("shape"), hint)
-    kinds += form.chip("by-time", "evenly", lambda: page.make("time"), "Evenly spaced in time")
-    return (
-        '<div class="verdict todo"><b>A motion from a file</b>It stands in place of the waypoints.'
-        f'<div class="bar">{back}</div>Or make of it<div class="bar made">{count}{kinds}</div></div>'
+    by_shape = form.chip("by-shape", "by shape", lambda: page.make("shape"), hint)
+    by_time = form.chip("by-time", "evenly", lambda: page.make("time"), "Evenly spaced in time")
+    return verdict_box(
+        "todo",
+        "A motion from a file",
+        "It stands in place of the waypoints.",
+        tag("div.bar", back),
+        "Or make of it",
+        tag("div.bar.made", count, by_shape, by_time),
+        sign="",
     )
 
 
-def _outcome(shown: Shown, where: str) -> str:
+def _outcome(shown: Shown, where: str) -> Markup | None:
     """Return what has become of the last file."""
     if shown.busy and (shown.busy == "read") == (where == "import"):
         doing = "Reading the file" if where == "import" else "Making the file"
-        return f'<p class="dim" role="status">… {doing}</p>'
+        return tag("p.dim", f"… {doing}", role="status")
     if shown.refused and shown.refused_at == where:
-        return f'<p class="no" role="alert">✕ {escaped(shown.refused)}.</p>'
+        return tag("p.no", f"✕ {shown.refused}.", role="alert")
     if shown.saved and where == "export":
-        return f'<p class="ok" role="status">✓ Saved {escaped(shown.saved)}</p>'
-    return ""
+        return tag("p.ok", f"✓ Saved {shown.saved}", role="status")
+    return None

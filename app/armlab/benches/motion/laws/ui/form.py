@@ -24,7 +24,8 @@ from armlab.session.fields import Set
 from armlab.ui.colours import BLUE, GREEN, ORANGE, PURPLE, Rgb, css
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import dot, escaped
+from armlab.ui.format import dot
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.option_form import option_form
 
 LAW_COLOURS: tuple[Rgb, ...] = (BLUE, ORANGE, GREEN)
@@ -42,77 +43,82 @@ def names(part: Laws) -> list[tuple[str, Rgb]]:
     return found if part.stretched is None else [*found, (f"{part.scaled + 1}, ×k", STRETCHED)]
 
 
-def marked(name: str, colour: Rgb) -> str:
+def marked(name: str, colour: Rgb) -> Markup:
     """Return the name of a law with a dot in its colour."""
-    return f'<span class="law-name">{dot(css(colour))}{escaped(name)}</span>'
+    return tag("span.law-name", dot(css(colour)), name)
 
 
-def form_markup(form: Form, part: Laws) -> str:
+def form_markup(form: Form, part: Laws) -> Markup:
     """Return timing and laws."""
-    laws = "".join(_law(form, part, i) for i in range(len(part.entries)))
-    add = form.chip("add", "+ Add a law", AddLaw(), "Up to three at once") if len(part.entries) < MOST_LAWS else ""
-    return f"{_timing(form, part)}<h3>Laws</h3>{laws}{add}"
+    laws = [_law(form, part, i) for i in range(len(part.entries))]
+    add = form.chip("add", "+ Add a law", AddLaw(), "Up to three at once") if len(part.entries) < MOST_LAWS else None
+    return joined(_timing(form, part), tag("h3", "Laws"), laws, add)
 
 
-def head_markup(form: Form, part: Laws) -> str:
+def head_markup(form: Form, part: Laws) -> Markup:
     """Return the choice of an example, and whether the calculator is shown."""
     chooser = examples(form, EXAMPLES, part.example, ChooseLawExample)
     shown = "bounds" if part.bounds_shown else "laws"
     hint = "What to look at"
     views = form.chips("view", VIEWS, shown, hint, lambda view: Set(Laws, "bounds_shown", view == "bounds"))
-    return f'{chooser}<div class="bar">{views}</div>'
+    return joined(chooser, tag("div.bar", views))
 
 
-def _timing(form: Form, part: Laws) -> str:
+def _timing(form: Form, part: Laws) -> Markup:
     timing = part.timing
     hint = "Whether the laws take the duration, or go as fast as the limits allow"
     mode = "fast" if timing.fastest else "time"
     how = form.chips("mode", TIMINGS, mode, hint, lambda mode: AsFastAsAllowed(mode == "fast"))
     shown = [field for field in QUANTITIES if not (timing.fastest and field.key == "duration")]
     given = {field.key: getattr(timing, field.key) for field in shown}
-    return (
-        f'<h3>Timing</h3><div class="bar">{how}</div>'
-        f'<div class="options law-short">{option_form(form, "t-", shown, given, SetQuantity)}</div>'
-    )
+    options = option_form(form, "t-", shown, given, SetQuantity)
+    return joined(tag("h3", "Timing"), tag("div.bar", how), tag("div.options.law-short", options))
 
 
-def _law(form: Form, part: Laws, i: int) -> str:
+def _law(form: Form, part: Laws, i: int) -> Markup:
     entry, last = part.entries[i], len(part.entries) == 1
     kind = free_law_types()[entry.chosen.key]
     titles = {key: each.title for key, each in free_law_types().items()}
     chooser = form.select(f"law {i}", f"Law {i + 1}", titles, kind.key, partial(ChooseLaw, i))
-    away = "" if last else form.button(f"remove {i}", "✕", RemoveLaw(i), "copy", "Take this law away")
-    typed = ""
+    away = None if last else form.button(f"remove {i}", "✕", RemoveLaw(i), "copy", "Take this law away")
+    typed = None
     if kind.key in AS_TYPED:
         hint = "Leave times and accelerations as they are typed, or stretch them to the duration and the distance"
-        typed = form.chip(f"typed {i}", "As typed", LeaveAsTyped(i, True), hint, entry.as_typed)
-        typed += form.chip(f"fitted {i}", "Stretched to T and L", LeaveAsTyped(i, False), hint, not entry.as_typed)
-        typed = f'<div class="bar">{typed}</div>'
+        left = form.chip(f"typed {i}", "As typed", LeaveAsTyped(i, True), hint, entry.as_typed)
+        fitted = form.chip(f"fitted {i}", "Stretched to T and L", LeaveAsTyped(i, False), hint, not entry.as_typed)
+        typed = tag("div.bar", left, fitted)
     options = option_form(form, f"l{i}-", kind.fields, entry.chosen.options, partial(SetLawOption, i))
-    given = f'<div class="options">{options}</div>' if options else ""
-    head = f'<div class="kit-head">{marked(str(i + 1), LAW_COLOURS[entry.colour])}{chooser}{away}</div>'
-    return f'<div class="law">{head}{typed}{given}{_said(part, i)}</div>'
+    given = tag("div.options", options) if options else None
+    head = tag("div.kit-head", marked(str(i + 1), LAW_COLOURS[entry.colour]), chooser, away)
+    return tag("div.law", head, typed, given, _said(part, i))
 
 
-def _said(part: Laws, i: int) -> str:
+def _said(part: Laws, i: int) -> Markup:
     """Return how a law goes, which limits it breaks, and where the notes differ."""
     law, entry = part.laws[i], part.entries[i]
-    plain = [text for text in (phases_text(part, i), *part.laws[i].remarks) if text]
+    plain = [text for text in (phases_text(part, i), *law.remarks) if text]
     wrong = [excess_text(excess) for excess in excesses(entry, part.timing)]
     notes = corrections(entry, part.timing, phases(law))
-    return (
-        "".join(f"<p>{escaped(text)}</p>" for text in plain)
-        + "".join(f'<p class="no">✕ {escaped(text)}</p>' for text in wrong)
-        + "".join(f'<p class="dim">{escaped(text)}</p>' for text in notes)
+    return joined(
+        [tag("p", text) for text in plain],
+        [tag("p.no", f"✕ {text}") for text in wrong],
+        [tag("p.dim", text) for text in notes],
     )
 
 
-def scaling_markup(form: Form, part: Laws) -> str:
+def scaling_markup(form: Form, part: Laws) -> Markup:
     """Return the head of time scaling: which law, and the optimal k."""
-    which = ""
-    for i, entry in enumerate(part.entries):
-        mark, chosen = marked(str(i + 1), LAW_COLOURS[entry.colour]), i == part.scaled
-        which += form.button(f"scale {i}", mark, Set(Laws, "scaled", i), "chip", f"Stretch law {i + 1}", pressed=chosen)
+    which = [
+        form.button(
+            f"scale {i}",
+            marked(str(i + 1), LAW_COLOURS[entry.colour]),
+            Set(Laws, "scaled", i),
+            "chip",
+            f"Stretch law {i + 1}",
+            pressed=i == part.scaled,
+        )
+        for i, entry in enumerate(part.entries)
+    ]
     best = form.chip("optimal", "Optimal k", StretchOptimally(), "Slower, or faster, until one limit is met")
     back = form.chip("unscaled", "k = 1", Stretch(1.0), "Leave the law alone", off=part.k == 1.0)
-    return f'<h3>Uniform time scaling <small>r = k t</small></h3><div class="bar">{which}{best}{back}</div>'
+    return joined(tag("h3", "Uniform time scaling ", tag("small", "r = k t")), tag("div.bar", which, best, back))

@@ -29,9 +29,9 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         part = state[Laws]
         head.show(head_markup(head, part))
-        bounds.show(bounds_markup(bounds, part.bounded) if part.bounds_shown else "")
+        bounds.show(bounds_markup(bounds, part.bounded) if part.bounds_shown else None)
         form.show(form_markup(form, part))
-        timing.show(clock(timing, state, CLIP_KEY, part.end) + race_markup(state))
+        timing.show(clock(timing, state, CLIP_KEY, part.end), race_markup(state))
         plots.show(state)
         values.show(values_markup(part, present_time(state)))
         scaling.show(scaling_markup(scaling, part))

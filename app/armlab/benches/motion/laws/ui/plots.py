@@ -16,13 +16,15 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import State
 from armlab.ui.colours import VERDICT, css
 from armlab.ui.format import mathml
+from armlab.ui.html import Inside, Markup, tag
 from armlab.ui.plot import NOTHING, TIME, Curve, Plot
+from armlab.ui.svg import drawing, shape
 from armlab.ui.widgets import Gui
 
 Array = NDArray[np.float64]
 
 SAMPLES = 90
-"""Of each law."""
+"""Of the curve of each law."""
 
 BESIDE = 1e-9
 """Of the whole time: a jump is drawn between two samples so near to each other."""
@@ -39,13 +41,13 @@ SEEN = 1.6
 SLACK = 1e-6
 """A limit exceeded by this part of it is drawn as met."""
 
-TITLES = (
+TITLES: tuple[tuple[Inside, str, str], ...] = (
     (mathml("s"), "s", ""),
     (mathml(r"\dot s"), "ds", "1/s"),
     (mathml(r"\ddot s"), "dds", "1/s²"),
     ("Jerk", "ddds", "1/s³"),
 )
-"""Markup, name in files and unit of each derivative."""
+"""Symbol, name in files and unit of each derivative."""
 
 DOT = 3.5
 """Pixels of the red dots over what is above a limit."""
@@ -57,7 +59,7 @@ class LawPlot(Plot):
     def __init__(self, gui: Gui, order: int) -> None:
         title, self._name, self._unit = TITLES[order]
         self.order, self._laws = order, 0
-        heading = f"<span>{title}{f', {self._unit}' if self._unit else ''}</span>"
+        heading = tag("span", title, f", {self._unit}" if self._unit else None)
         # The page wants a curve from the start; the laws take its place.
         first = [Curve(self._name, LAW_COLOURS[0])]
         super().__init__(gui, heading, "t, s", first, f"law_{self._name}", 2 if order else 0, legend=False)
@@ -162,7 +164,7 @@ FLASHES = 24
 """Pictures of each law, at equal times of the whole."""
 
 
-def race_markup(state: State) -> str:
+def race_markup(state: State) -> Markup:
     """Return a line for each law with its places at equal times, and the place at the present time."""
     part, t = state[Laws], present_time(state)
     spans = np.array([law.span for law in part.every])
@@ -171,20 +173,16 @@ def race_markup(state: State) -> str:
 
     def x(law: Law, times: Array) -> list[float]:
         place = (law.at(times) - low) / (high - low)
-        return [round(float(at), 1) for at in MARGIN + (WIDTH - 2 * MARGIN) * np.clip(place, 0.0, 1.0)]
+        places: list[float] = (MARGIN + (WIDTH - 2 * MARGIN) * np.clip(place, 0.0, 1.0)).tolist()
+        return places
 
     lanes = []
     for i, (law, (_, colour)) in enumerate(zip(part.every, names(part), strict=True)):
         y, fill = LANE * i + LANE // 2, css(colour)
         times = np.append(np.arange(0.0, law.duration, step), law.duration)
-        marks = "".join(f'<circle cx="{at}" cy="{y}" r="2"/>' for at in x(law, times))
-        now = x(law, np.array([t]))[0]
-        lanes.append(
-            f'<line x1="{MARGIN}" x2="{WIDTH - MARGIN}" y1="{y}" y2="{y}"/><g fill="{fill}">{marks}'
-            f'<circle class="now" cx="{now}" cy="{y}" r="5.5"/></g>'
-        )
+        marks = [shape("circle", cx=at, cy=y, r=2) for at in x(law, times)]
+        (now,) = x(law, np.array([t]))
+        lanes.append(shape("line", x1=MARGIN, x2=WIDTH - MARGIN, y1=y, y2=y))
+        lanes.append(tag("g", marks, shape("circle.now", cx=now, cy=y, r=5.5), fill=fill))
     label = f"Places of the laws each {step:.3g} s"
-    return (
-        f'<svg class="law-race" viewBox="0 0 {WIDTH} {LANE * len(lanes)}" role="img" aria-label="{label}">'
-        f"<title>{label}</title>{''.join(lanes)}</svg>"
-    )
+    return drawing("law-race", WIDTH, LANE * len(part.every), label, tag("title", label), lanes)

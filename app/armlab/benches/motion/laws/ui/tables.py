@@ -24,9 +24,11 @@ from armlab.kin.motion import Law
 from armlab.kin.motion.breaks import ORDERS
 from armlab.session.amounts import amount
 from armlab.ui.form import Form
-from armlab.ui.format import escaped
+from armlab.ui.html import Inside, Markup, joined, tag
 from armlab.ui.markup import SIGNS
 from armlab.ui.option_form import PLAIN, option_form
+from armlab.ui.symbols import with_indices
+from armlab.ui.tables import head_line, line
 
 Value = Callable[[Law], str]
 
@@ -42,7 +44,7 @@ PEAKS: tuple[tuple[str, str, Value], ...] = (
     ("class from rest", "", lambda law: class_words(law.continuity_from_rest)),
     ("ṡ(T) − ṡ(0) = ∫ s̈ dt", "1/s", lambda law: amount(gain(law))),
 )
-"""Name, unit and value of each row; the names are markup."""
+"""Name, unit and value of each row."""
 
 
 def _factor(law: Law, peak: float, order: int) -> str:
@@ -51,40 +53,34 @@ def _factor(law: Law, peak: float, order: int) -> str:
     return "–" if found is None else amount(found)
 
 
-def values_markup(part: Laws, t: float) -> str:
+def values_markup(part: Laws, t: float) -> Markup:
     """Return the values at a time, and the peaks and classes, a column a law."""
-    heads = "".join(f"<th>{marked(name, colour)}</th>" for name, colour in names(part))
     at = [law.derivatives(t, ORDERS) for law in part.every]
     rows = [
         _row(name, unit, [amount(float(values[order])) for values in at])
         for order, (name, unit) in enumerate((("s", ""), ("ṡ", "1/s"), ("s̈", "1/s²"), ("jerk", "1/s³")))
     ]
     peaks = [_row(name, unit, [value(law) for law in part.every]) for name, unit, value in PEAKS]
-    return (
-        f'<table class="law-table"><tr><th>at t = {amount(t, "s")}</th>{heads}</tr>{"".join(rows)}'
-        f'<tr><th colspan="{1 + len(part.every)}">on [0, T]</th></tr>{"".join(peaks)}</table>'
-    )
+    heads = head_line(f"at t = {amount(t, 's')}", *(marked(name, colour) for name, colour in names(part)))
+    below = tag("tr", tag("th", "on [0, T]", colspan=1 + len(part.every)))
+    return tag("table.law-table", heads, rows, below, peaks)
 
 
-def _row(name: str, unit: str, cells: list[str]) -> str:
-    said = f"{name}{f', <i>{unit}</i>' if unit else ''}"
-    return f"<tr><td>{said}</td>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
+def _row(name: str, unit: str, cells: list[str]) -> Markup:
+    return line((name, (", ", tag("i", unit)) if unit else None), *cells)
 
 
-def stretch_markup(part: Laws) -> str:
+def stretch_markup(part: Laws) -> Markup:
     """Return what the factor k does to the chosen law, and which k is the optimal one."""
-    rows = "".join(
-        f"<tr><td>{name}, <i>{unit}</i></td><td>{amount(before)}</td><td>{amount(after)}</td><td>× {factor}</td></tr>"
+    rows = [
+        _row(name, unit, [amount(before), amount(after), f"× {factor}"])
         for name, unit, before, after, factor in stretch_rows(part)
-    )
-    heads = f"<th>k = {amount(part.k)}</th><th>before</th><th>after</th><th></th>"
-    return (
-        f'<table class="law-table"><tr>{heads}</tr>{rows}</table>'
-        f'<p>{escaped(optimal_text(part))}</p><p class="dim">{escaped(SCALING)}</p>'
-    )
+    ]
+    table = tag("table.law-table", head_line(f"k = {amount(part.k)}", "before", "after", ""), rows)
+    return joined(table, tag("p", optimal_text(part)), tag("p.dim", SCALING))
 
 
-def bounds_markup(form: Form, bounded: Bounded) -> str:
+def bounds_markup(form: Form, bounded: Bounded) -> Markup:
     """Return the calculator of bounds."""
     kinds, bounds = joint_paths(), bounded.found
     titles = {key: kind.title for key, kind in kinds.items()}
@@ -103,29 +99,34 @@ def bounds_markup(form: Form, bounded: Bounded) -> str:
     lower = form.chip("lower", "Lower V", LowerSpeed(), hint, off=not bounded.a_max)
     take = form.chip("take", "Use as V and A below", TakeBounds(), "Laws from 0 to 1, as fast as these bounds allow")
     notes = [ENDS, *([NEGATIVE] if bounded.a_max and not bounds.possible else [])]
-    return (
-        '<h3 class="law-bounds">Bounds of ṡ and s̈ on a path <small>q in rad or m</small></h3>'
-        f'<div class="options">{option_form(form, "b-", FIELDS, given, SetBound, scales)}</div>'
-        f'<div class="kit-head"><span class="dim">Path</span>{chooser}</div>'
-        f'<div class="options">{path}</div>{_joints(bounded)}'
-        f'<div class="verdict {kind}">{SIGNS[kind]} {escaped(said)}</div>'
-        f'<div class="bar">{lower}{take}</div>' + "".join(f'<p class="dim">{escaped(note)}</p>' for note in notes)
+    return joined(
+        tag("h3.law-bounds", "Bounds of ṡ and s̈ on a path ", tag("small", "q in rad or m")),
+        tag("div.options", option_form(form, "b-", FIELDS, given, SetBound, scales)),
+        tag("div.kit-head", tag("span.dim", "Path"), chooser),
+        tag("div.options", path),
+        _joints(bounded),
+        tag(f"div.verdict.{kind}", f"{SIGNS[kind]} {said}"),
+        tag("div.bar", lower, take),
+        [tag("p.dim", note) for note in notes],
     )
 
 
-def _joints(bounded: Bounded) -> str:
-    heads = "<th>joint</th><th>max |q′|</th><th>v/M<sub>ν</sub></th>"
+def _joints(bounded: Bounded) -> Markup:
+    heads = ["joint", "max |q′|", with_indices("v/M_ν")]
+    units = ["", "", "1/s"]
     if bounded.a_max:
-        heads += "<th>max |q″|</th><th>A<sub>i</sub></th>"
+        heads += ["max |q″|", with_indices("A_i")]
+        units += ["", "1/s²"]
     rows = []
     for row in joint_rows(bounded):
-        cells = [
-            f"{row.joint}",
-            f"{amount(row.M_v)} <i>at s = {amount(row.M_v_at)}</i>",
-            f"{amount(row.V)}{' ◂' if row.first_speed else ''}",
-        ]
+        at = tag("i", f"at s = {amount(row.M_v_at)}")
+        cells: list[Inside] = [f"{row.joint}", (f"{amount(row.M_v)} ", at), _deciding(row.V, row.first_speed)]
         if bounded.a_max:
-            cells += [f"{amount(row.M_a)}", f"{amount(row.A)}{' ◂' if row.first_acceleration else ''}"]
-        rows.append(f"<tr>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>")
-    units = "<th></th><th>1/s</th>" if not bounded.a_max else "<th></th><th>1/s</th><th></th><th>1/s²</th>"
-    return f'<table class="law-table"><tr>{heads}</tr><tr class="units"><th></th>{units}</tr>{"".join(rows)}</table>'
+            cells += [amount(row.M_a), _deciding(row.A, row.first_acceleration)]
+        rows.append(line(*cells))
+    return tag("table.law-table", head_line(*heads), tag("tr.units", [tag("th", unit) for unit in units]), rows)
+
+
+def _deciding(value: float, first: bool) -> str:
+    """Return what a joint allows, marked where no other allows less."""
+    return f"{amount(value)} ◂" if first else amount(value)

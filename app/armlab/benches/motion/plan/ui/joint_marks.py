@@ -7,6 +7,7 @@ from typing import Any
 
 from armlab.ui.colours import JOINTS, css, joint_colour
 from armlab.ui.format import dot
+from armlab.ui.html import Markup, tag
 from armlab.ui.plot import Curve
 
 AGAIN = (9, 3, 2, 3)
@@ -25,11 +26,11 @@ def joint_dash(i: int) -> tuple[int, ...]:
     return AGAIN if again(i) else ()
 
 
-def joint_mark(i: int) -> str:
+def joint_mark(i: int) -> Markup:
     """Return the small mark of joint i (0-based): a dot, or a piece of its dashed line."""
     if not again(i):
         return dot(css(joint_colour(i)))
-    return f'<i class="mp-again" style="color:{css(joint_colour(i))}"></i>'
+    return tag("i.mp-again", style=f"color:{css(joint_colour(i))}")
 
 
 @dataclass(frozen=True)

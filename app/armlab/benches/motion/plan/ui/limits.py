@@ -11,10 +11,12 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Form, Typed
 from armlab.ui.format import readable
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
 
-def time_markup(form: Form, state: State) -> str:
+def time_markup(form: Form, state: State) -> Markup:
     """Return the choice of the time, and the limits of the whole motion."""
     part, units = state[Plan], units_of(state)
     v, a = part.shares
@@ -35,41 +37,44 @@ def time_markup(form: Form, state: State) -> str:
 
     of_v, of_a = readable(100.0 * v, 2), readable(100.0 * a, 2)
     speeds, built = f"{units.length_unit}/s", "Time to build up the full acceleration, j = a / t; empty: any jerk"
-    return (
-        f'<h3>Time</h3>{_duration(form, state)}<h3>Limits</h3><div class="options">'
-        + _field(form, "v", "velocities", of_v, "%", "Share of the limits of velocity that is used", velocities)
-        + _field(form, "a", "accelerations", of_a, "%", "Share of the limits of acceleration", accelerations)
-        + _field(form, "speed", "tool speed", speed, speeds, "Largest speed of the tool; empty: any", tool)
-        + _field(form, "jerk", "jerk time", jerk, "s", built, build_up)
-        + f"</div>{_joints(form, state)}"
+    limits = (
+        _field(form, "v", "velocities", of_v, "%", "Share of the limits of velocity that is used", velocities),
+        _field(form, "a", "accelerations", of_a, "%", "Share of the limits of acceleration", accelerations),
+        _field(form, "speed", "tool speed", speed, speeds, "Largest speed of the tool; empty: any", tool),
+        _field(form, "jerk", "jerk time", jerk, "s", built, build_up),
     )
+    heads = tag("h3", "Time"), _duration(form, state), tag("h3", "Limits")
+    return joined(heads, tag("div.options", limits), _joints(form, state))
 
 
-def _duration(form: Form, state: State) -> str:
+def _duration(form: Form, state: State) -> Markup:
     """Return whether the motion is as fast as allowed or takes a given time, and that time."""
     part, plan = state[Plan], last_planned(state)
     now = 1.0 if plan is None or plan.motion is None else plan.duration
     as_given = LastFor(part.duration or max(rounded_up(now), 0.01))
     fastest = part.duration is None
-    choice = form.chip("time-fastest", "As fast as allowed", LastFor(None), "Of the whole", fastest)
-    choice += form.chip("time-given", "In a given time", as_given, "Of the whole", not fastest)
-    given = ""
+    choice = (
+        form.chip("time-fastest", "As fast as allowed", LastFor(None), "Of the whole", fastest),
+        form.chip("time-given", "In a given time", as_given, "Of the whole", not fastest),
+    )
+    given: Inside = None
     if part.duration is not None:
         shown = readable(part.duration, 3)
         typed = form.field("duration", shown, "Duration", lambda text: LastFor(plain_number(text, "duration")))
-        given = f'<label class="option">{typed}<i>s</i></label>'
+        told = None
         if plan is not None and plan.motion is not None:
             k = part.duration / plan.fastest
-            given += f'<span class="dim">{k:.2f} times the fastest, {plan.fastest:.2f} s</span>'
-    return f'<div class="bar">{choice}</div><div class="options">{given}</div>'
+            told = tag("span.dim", f"{k:.2f} times the fastest, {plan.fastest:.2f} s")
+        given = tag("label.option", typed, tag("i", "s")), told
+    return joined(tag("div.bar", choice), tag("div.options", given))
 
 
-def _field(form: Form, cell: str, name: str, value: str, unit: str, hint: str, action: Typed) -> str:
+def _field(form: Form, cell: str, name: str, value: str, unit: str, hint: str, action: Typed) -> Markup:
     typed = form.field(cell, value, hint, action)
-    return f'<label class="option" title="{hint}"><span>{name}</span>{typed}<i>{unit}</i></label>'
+    return tag("label.option", tag("span", name), typed, tag("i", unit), title=hint)
 
 
-def _joints(form: Form, state: State) -> str:
+def _joints(form: Form, state: State) -> Markup:
     """Return the limits of each joint, folded away."""
     part, arm, units = state[Plan], state[Joints].arm, units_of(state)
     rows = []
@@ -78,16 +83,14 @@ def _joints(form: Form, state: State) -> str:
         unit = units.unit(turns)
         v = _limit(form, f"vmax {i}", i, "velocity", part.velocity[i], turns, units)
         a = _limit(form, f"amax {i}", i, "acceleration", part.acceleration[i], turns, units)
-        rows.append(f"<tr><td>{units.variable(i, turns)}</td><td>{v} {unit}/s</td><td>{a} {unit}/s²</td></tr>")
-    return (
-        '<details class="mo-joints"><summary>Limits of each joint</summary><table><tr><th></th><th>velocity</th>'
-        f"<th>acceleration</th></tr>{''.join(rows)}</table></details>"
-    )
+        rows.append(line(units.variable(i, turns), (v, f" {unit}/s"), (a, f" {unit}/s²")))
+    table = tag("table", head_line("", "velocity", "acceleration"), rows)
+    return tag("details.mo-joints", tag("summary", "Limits of each joint"), table)
 
 
 def _limit(
     form: Form, cell: str, i: int, of: Literal["velocity", "acceleration"], value: float, turns: bool, units: Units
-) -> str:
+) -> Markup:
     def typed(text: str) -> LimitJoint:
         return LimitJoint(i, of, units.read(text, turns, f"limit of joint {i + 1}"))
 

@@ -14,94 +14,96 @@ from armlab.session.chosen import Chosen
 from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.form import Form, Typed
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.option_form import Scale, option_form
 from armlab.ui.units import units_of
 
 SPACES = {"joint": "Joint", "cartesian": "Cartesian"}
 
 
-def move_markup(form: Form, state: State) -> str:
+def move_markup(form: Form, state: State) -> Markup | None:
     """Return the choices of the move to the selected waypoint; of the first one, a sentence."""
     part = state[Plan]
     if part.recorded is not None:
-        return ""
+        return None
     if not part.selected or part.stretch is None:
-        return (
-            '<p class="dim">The motion begins at waypoint 1. Select a later one to choose how the arm comes to it.</p>'
-        )
+        text = "The motion begins at waypoint 1. Select a later one to choose how the arm comes to it."
+        return tag("p.dim", text)
     stretch, k = part.stretch, part.selected
     move = stretch.move
     hint = "Make all moves of this kind"
     like = form.chip("all-like", "All like this", AllMovesLike(k), hint, off=len(part.moves) == 1)
-    head = f'<h3>Move {stretch.title}<span class="copies">{like}</span></h3>'
-    spaces = "".join(
+    spaces = [
         form.chip(f"space-{key}", text, SetMove(k, space=key), "What runs", key == move.space)
         for key, text in SPACES.items()
-    )
+    ]
     paths = {key: kind.title for key, kind in path_types().items() if move.space in kind.spaces}
     laws = {key: kind.title for key, kind in law_types().items()}
-    return (
-        f'{head}<div class="bar">{spaces}{_stop(form, part, stretch)}</div>'
-        + _choice(form, "path", "Path", paths, move.path.key, lambda path: SetMove(k, path=path))
-        + _form(form, k, "path", move.kind.fields, move.path, state)
-        + _together(form, k, move)
-        + _turning(form, k, move, state)
-        + _choice(form, "law", "Law", laws, move.law.key, lambda law: SetMove(k, law=law))
-        + _form(form, k, "law", law_types()[move.law.key].fields, move.law, state)
-        + _bounds(state, stretch)
+    return joined(
+        tag("h3", f"Move {stretch.title}", tag("span.copies", like)),
+        tag("div.bar", spaces, _stop(form, part, stretch)),
+        _choice(form, "path", "Path", paths, move.path.key, lambda path: SetMove(k, path=path)),
+        _form(form, k, "path", move.kind.fields, move.path, state),
+        _together(form, k, move),
+        _turning(form, k, move, state),
+        _choice(form, "law", "Law", laws, move.law.key, lambda law: SetMove(k, law=law)),
+        _form(form, k, "law", law_types()[move.law.key].fields, move.law, state),
+        _bounds(state, stretch),
     )
 
 
-def _choice(form: Form, cell: str, title: str, texts: dict[str, str], chosen: str, action: Typed) -> str:
-    return f'<div class="option wide"><span>{title}</span>{form.select(cell, title, texts, chosen, action)}</div>'
+def _choice(form: Form, cell: str, title: str, texts: dict[str, str], chosen: str, action: Typed) -> Markup:
+    return tag("div.option.wide", tag("span", title), form.select(cell, title, texts, chosen, action))
 
 
 def _form(
     form: Form, k: int, of: Literal["path", "law"], kinds: tuple[Field, ...], chosen: Chosen, state: State
-) -> str:
+) -> Markup | None:
     found = option_form(form, f"{of} ", kinds, chosen.options, partial(SetMoveOption, k, of), scales(state))
-    return f'<div class="options">{found}</div>' if found else ""
+    return tag("div.options", found) if found else None
 
 
-def _turning(form: Form, k: int, move: Move, state: State) -> str:
+def _turning(form: Form, k: int, move: Move, state: State) -> Markup | None:
     if move.space == "joint" or state[Joints].arm.task.rotation == "none":
-        return ""
+        return None
     texts = {str(key): text for key, text in TURNINGS.items()}
     return _choice(form, "turning", "Tool turns", texts, move.turning, lambda turning: SetMove(k, turning=turning))
 
 
-def _together(form: Form, k: int, move: Move) -> str:
+def _together(form: Form, k: int, move: Move) -> Markup | None:
     """Return whether the joints of a straight joint move go together."""
     if move.space != "joint" or move.path.key != "line":
-        return ""
+        return None
     hint = "All joints start and end together, or each is as fast as it can and those there first wait"
-    both = form.chip("together", "Joints together", SetMove(k, apart=False), hint, not move.apart)
-    both += form.chip("apart", "Each by itself", SetMove(k, apart=True), hint, move.apart)
-    return f'<div class="bar">{both}</div>'
+    return tag(
+        "div.bar",
+        form.chip("together", "Joints together", SetMove(k, apart=False), hint, not move.apart),
+        form.chip("apart", "Each by itself", SetMove(k, apart=True), hint, move.apart),
+    )
 
 
-def _bounds(state: State, stretch: Stretch) -> str:
+def _bounds(state: State, stretch: Stretch) -> Markup | None:
     """Return what the limits of the joints leave to the law: the bounds of section 6.1.1."""
     plan = planned(state)
     leg = None if plan is None else next((leg for leg in plan.legs if leg.stretch == stretch), None)
     if leg is None or leg.bounds is None:
-        return ""
+        return None
     bounds = leg.bounds
     speed = f"|ṡ| ≤ {bounds.V:.3g} 1/s" + (f" (joint {bounds.V_joint})" if bounds.V_joint else "")
     growth = f"|s̈| ≤ {bounds.A:.3g} 1/s²" + (f" (joint {bounds.A_joint})" if bounds.A_joint else "")
     hint = "Safe bounds of the law from the limits of the joints (6.1.1); the motion is then scaled to meet one exactly"
-    return f'<p class="dim" title="{hint}">{speed}, {growth}</p>'
+    return tag("p.dim", f"{speed}, {growth}", title=hint)
 
 
-def _stop(form: Form, part: Plan, stretch: Stretch) -> str:
+def _stop(form: Form, part: Plan, stretch: Stretch) -> Markup | None:
     """Return whether the arm stops at the selected waypoint, where the path could go through."""
     k = part.selected
     if k >= len(part.waypoints) - 1:
-        return ""
+        return None
     move, after = part.moves[k - 1], part.moves[k]
     through = move.kind.most is None and move.through() == after.through()
     if not through:
-        return ""
+        return None
     hint = "Rest here, although the path could go through"
     return form.chip("stop", f"Stop at {k + 1}", SetMove(k, stop=not move.stop), hint, move.stop)
 

@@ -23,8 +23,9 @@ from armlab.session.parts.timeline import Timeline
 from armlab.session.state import Post, State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import capitalised, escaped
-from armlab.ui.markup import SIGNS
+from armlab.ui.format import capitalised
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import verdict_box
 from armlab.ui.playing import play_button
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.widgets import Gui
@@ -36,7 +37,7 @@ MOST_LINES = 6
 def build(gui: Gui, state: State, post: Post) -> Show:
     """Make the list of waypoints, the choices of a move, time and limits."""
     # Each block is sent again only when it has changed: a slider in the hand must not cost the whole page.
-    blocks: tuple[tuple[Form, Callable[[Form, State], str]], ...] = (
+    blocks: tuple[tuple[Form, Callable[[Form, State], Inside]], ...] = (
         (gui.form(post), head_markup),
         (gui.form(post), points_markup),
         (gui.form(post), move_markup),
@@ -50,37 +51,36 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def head_markup(form: Form, state: State) -> str:
+def head_markup(form: Form, state: State) -> Markup:
     """Return the choice of an example, what plays, what else can be drawn, and what the plan is worth."""
     chooser = examples(form, EXAMPLES, state[Plan].example, TakeExample)
     runs = planned(state) or last_planned(state)
     play = play_button(form, state, CLIP_KEY, "motion", off=runs is None or runs.motion is None)
-    return f'{chooser}<div class="bar">{play}{_shown(form, state)}</div>{_held(state)}{_verdict(state)}'
+    return joined(chooser, tag("div.bar", play, _shown(form, state)), _held(state), _verdict(state))
 
 
-def _shown(form: Form, state: State) -> str:
+def _shown(form: Form, state: State) -> Inside:
     """Return what can be drawn besides the way."""
     compared, framed = state[Plan].compared, FRAME.on(state)
     hint = "Plan the same waypoints by joint moves instead of Cartesian ones, or the other way round: the thin way"
     compare = form.chip("compare", "Compare", CompareMoves(not compared), hint, compared)
-    return compare + form.chip("frame", FRAME.title, SetSwitch(FRAME.name, not framed), FRAME.hint, framed)
+    return compare, form.chip("frame", FRAME.title, SetSwitch(FRAME.name, not framed), FRAME.hint, framed)
 
 
-def _held(state: State) -> str:
+def _held(state: State) -> Markup | None:
     held = [str(i + 1) for i, locked in enumerate(state[Joints].locked) if locked]
-    return f'<p class="warn">◐ held, and not moved: joint {", ".join(held)}</p>' if held else ""
+    return tag("p.warn", f"◐ held, and not moved: joint {', '.join(held)}") if held else None
 
 
-def _verdict(state: State) -> str:
+def _verdict(state: State) -> Markup:
     """Return what the plan is worth; while it is being worked out, that of the last one would be untrue."""
     plan = planned(state)
     if plan is None:
-        return '<div class="verdict dim"><b>… working it out</b></div>'
+        return verdict_box("dim", "… working it out", sign="")
     said = judged(plan)
-    lines = "".join(f"<p>{escaped(capitalised(line))}.</p>" for line in said.lines[:MOST_LINES])
+    lines = [tag("p", f"{capitalised(line)}.") for line in said.lines[:MOST_LINES]]
     more = len(said.lines) - MOST_LINES
-    lines += f"<p>… and {more} more.</p>" if more > 0 else ""
-    return f'<div class="verdict {said.kind}"><b>{SIGNS[said.kind]} {escaped(capitalised(said.head))}</b>{lines}</div>'
+    return verdict_box(said.kind, capitalised(said.head), lines, tag("p", f"… and {more} more.") if more > 0 else None)
 
 
 PANEL = Panel(

@@ -1,1 +1,1 @@
-"""What is seen of the page Plots: its panel, and its part of the scene."""
+"""What is seen of the page Plots: its panel."""

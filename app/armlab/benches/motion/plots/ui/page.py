@@ -83,25 +83,25 @@ class _Page:
 
     def _choose(self, state: State) -> None:
         form, shown, plan = self._choice, state[MotionPlots].shown, self._answer.plan
-        chips = "".join(
+        chips = [
             form.chip(key, text, ShowMotionPlot(key, key not in shown), hint, key in shown)
             for key, (text, hint) in CHIPS.items()
-        )
+        ]
         name = OTHERS["mixed" if plan is None else kind_of(plan.question)]
         can = can_compare(state)
         hint = "Plan the same waypoints this way, too" if can else "A motion read from a file has no moves"
         on = state[Plan].compared
         compare = form.chip("compare", name, CompareMoves(not on), hint, on and can, off=not can)
-        form.show(row("Show", chips) + row("Compare", compare))
+        form.show(row("Show", chips), row("Compare", compare))
 
     def _tell(self, state: State) -> None:
         plan, other, units = self._answer.plan, self._answer.other, units_of(state)
         on = state[Plan].compared and can_compare(state)
         own, theirs = None if plan is None else plan.figures, None if other is None else other.figures
         self._status.show(status(plan, own, () if plan is None else plan.overruns))
-        self._legend.show("" if plan is None or own is None else legend(plan, units, on))
-        self._peaks.show("" if plan is None or own is None else peaks_table(plan, own, units))
-        self._beside.show("" if plan is None or not on else comparison(plan, own, other, theirs, units))
+        self._legend.show(None if plan is None or own is None else legend(plan, units, on))
+        self._peaks.show(None if plan is None or own is None else peaks_table(plan, own, units))
+        self._beside.show(None if plan is None or not on else comparison(plan, own, other, theirs, units))
 
     def _draw(self, state: State) -> None:
         plan, other, units = self._answer.plan, self._answer.other, units_of(state)

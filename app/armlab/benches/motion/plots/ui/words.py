@@ -8,7 +8,10 @@ from armlab.benches.motion.plan.ui.joint_marks import joint_mark
 from armlab.benches.motion.plan.words import exceeded_words
 from armlab.benches.motion.plots.drawn import Kind, kind_of, same_time
 from armlab.benches.motion.plots.ui.lines import DOTS, TIMES
-from armlab.ui.format import capitalised, escaped, number, trimmed
+from armlab.ui.format import capitalised, number, trimmed
+from armlab.ui.html import Inside, Markup, joined, tag
+from armlab.ui.markup import SIGNS, verdict_box
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units
 
 KINDS: dict[Kind, str] = {"joint": "joint moves", "cartesian": "Cartesian moves", "mixed": "these moves"}
@@ -24,29 +27,28 @@ FULL = 1.0 + 1e-6
 """A share above is more than the limit, not rounding."""
 
 
-def status(plan: Planned | None, figures: Figures | None, found: tuple[Overrun, ...]) -> str:
+def status(plan: Planned | None, figures: Figures | None, found: tuple[Overrun, ...]) -> Markup:
     """Return what is to be said before anything is plotted."""
     if plan is None:
-        return '<p class="dim">The motion is being planned …</p>'
+        return tag("p.dim", "The motion is being planned …")
+    why = capitalised(plan.trouble)
     if figures is None:
-        why = escaped(capitalised(plan.trouble)) or "One waypoint is no motion. Add another on the page Plan"
-        return f'<div class="verdict no"><b>✕ There is nothing to plot.</b>{why}.</div>'
+        missing = why or "One waypoint is no motion. Add another on the page Plan"
+        return verdict_box("no", "There is nothing to plot.", f"{missing}.")
     parts = []
-    if plan.trouble:
-        why = escaped(capitalised(plan.trouble))
-        parts.append(f'<div class="verdict no"><b>✕ Only the moves before can be run, and are plotted.</b>{why}.</div>')
+    if why:
+        parts.append(verdict_box("no", "Only the moves before can be run, and are plotted.", f"{why}."))
     if every := exceeded_words(plan):
-        shown = [f"<p>✕ {capitalised(text)}.</p>" for text in every[:MOST_SENTENCES]]
+        shown = [tag("p", f"✕ {capitalised(text)}.") for text in every[:MOST_SENTENCES]]
         if len(every) > MOST_SENTENCES:
-            shown.append(f"<p>✕ And so on, {len(every) - MOST_SENTENCES} more.</p>")
+            shown.append(tag("p", f"✕ And so on, {len(every) - MOST_SENTENCES} more."))
         many = max(len(found), len(every))
         head = "A limit is exceeded." if many == 1 else f"{many} limits are exceeded."
         within = f"Within the limits this way takes {_seconds(plan.fastest)}."
-        parts.append(f'<div class="verdict no mp-over"><b>✕ {head}</b>{"".join(shown)}{within}</div>')
-    elif not plan.trouble:
-        kept = _kept(plan, figures)
-        parts.append(f'<div class="verdict ok"><b>✓ All limits are kept.</b>{kept}</div>')
-    return "".join(parts)
+        parts.append(verdict_box("no.mp-over", head, shown, within, sign=SIGNS["no"]))
+    elif not why:
+        parts.append(verdict_box("ok", "All limits are kept.", _kept(plan, figures)))
+    return joined(parts)
 
 
 def _kept(plan: Planned, figures: Figures) -> str:
@@ -62,7 +64,9 @@ def holder(binding: Binding) -> str:
     return f"the {binding.quantity} limit of joint {binding.joint}"
 
 
-def comparison(plan: Planned, own: Figures | None, other: Planned | None, theirs: Figures | None, units: Units) -> str:
+def comparison(
+    plan: Planned, own: Figures | None, other: Planned | None, theirs: Figures | None, units: Units
+) -> Markup:
     """Return both kinds of moves side by side, and who is faster and why.
 
     Parameters
@@ -76,9 +80,10 @@ def comparison(plan: Planned, own: Figures | None, other: Planned | None, theirs
     """
     kind = kind_of(plan.question)
     names = capitalised(KINDS[kind]), capitalised(OTHERS[kind])
+    title = tag("h3", f"{names[0]} and {OTHERS[kind]}")
     if other is None:
-        return f'<h3>{names[0]} and {OTHERS[kind]}</h3><p class="dim">…</p>'
-    heads = f"<th>{_mark('full')}{_short(names[0])}</th><th>{_mark('dotted')}{_short(names[1])}</th>"
+        return joined(title, tag("p.dim", "…"))
+    heads = head_line("", (_mark("full"), _short(names[0])), (_mark("dotted"), _short(names[1])))
     both, length = (own, theirs), units.length_unit
     rows = [
         _row("duration, s", [None if f is None else _time(p.duration) for p, f in ((plan, own), (other, theirs))]),
@@ -88,13 +93,11 @@ def comparison(plan: Planned, own: Figures | None, other: Planned | None, theirs
     ]
     if plan.question.duration is not None:
         rows.insert(1, _row("within limits, s", [_time(plan.fastest), _time(other.fastest)]))
-    table = f'<table class="dh mp-table"><tr><th></th>{heads}</tr>{"".join(rows)}</table>'
-    return f"<h3>{names[0]} and {OTHERS[kind]}</h3>{table}{_who(plan, own, other, theirs)}"
+    return joined(title, tag("table.dh.mp-table", heads, rows), _who(plan, own, other, theirs))
 
 
-def _row(name: str, values: list[str | None]) -> str:
-    cells = "".join(f"<td>{'–' if value is None else value}</td>" for value in values)
-    return f"<tr><td>{name}</td>{cells}</tr>"
+def _row(name: str, values: list[str | None]) -> Markup:
+    return line(name, *("–" if value is None else value for value in values))
 
 
 def _short(name: str) -> str:
@@ -109,18 +112,16 @@ def _fastest_joint(plan: Planned, figures: Figures, units: Units) -> str:
     return f"{_percent(figures.velocity_share[i])} ({name})"
 
 
-def _who(plan: Planned, own: Figures | None, other: Planned, theirs: Figures | None) -> str:
+def _who(plan: Planned, own: Figures | None, other: Planned, theirs: Figures | None) -> Markup | None:
     """Return the sentence that says who is faster and why."""
     kind = kind_of(plan.question)
     for each, name in ((plan, KINDS[kind]), (other, OTHERS[kind])):
         if each.trouble:
-            why = escaped(each.trouble)
-            return f'<p class="no">✕ {capitalised(name)} cannot be run through all waypoints: {why}.</p>'
+            return tag("p.no", f"✕ {capitalised(name)} cannot be run through all waypoints: {each.trouble}.")
     if own is None or theirs is None:
-        return ""
+        return None
     if same_time(plan, other):
-        why = _affine(plan, own)
-        return f"<p>Both take {_seconds(plan.fastest)}{why}</p>"
+        return tag("p", f"Both take {_seconds(plan.fastest)}{_affine(plan, own)}")
     first = plan.fastest < other.fastest
     every = ((plan, KINDS[kind], own), (other, OTHERS[kind], theirs))
     (quick, name, f), (slow, slow_name, g) = every if first else every[::-1]
@@ -128,11 +129,11 @@ def _who(plan: Planned, own: Figures | None, other: Planned, theirs: Figures | N
     text = f"{given}{name} are faster: {_seconds(quick.fastest)} instead of {_seconds(slow.fastest)}"
     if f.way > g.way * LONGER:
         text += ", although the tool goes farther"
-    text = f"<p>{capitalised(text)}."
+    text = f"{capitalised(text)}."
     # In a given time the limits that are met are not those that would hold it back.
     if not given and f.binding is not None and g.binding is not None:
         text += f" {capitalised(slow_name)} are held back by {holder(g.binding)}, {name} by {holder(f.binding)}."
-    return f"{text}</p>"
+    return tag("p", text)
 
 
 def _affine(plan: Planned, figures: Figures) -> str:
@@ -147,7 +148,7 @@ def _affine(plan: Planned, figures: Figures) -> str:
     )
 
 
-def peaks_table(plan: Planned, figures: Figures, units: Units) -> str:
+def peaks_table(plan: Planned, figures: Figures, units: Units) -> Markup:
     """Return the largest speed and acceleration of each joint, with their shares of the limits."""
     rows = []
     for i, turns in enumerate(map(bool, plan.question.arm.revolute)):
@@ -155,39 +156,36 @@ def peaks_table(plan: Planned, figures: Figures, units: Units) -> str:
             (figures.velocity[i], figures.velocity_share[i], figures.velocity_at[i], 1),
             (figures.acceleration[i], figures.acceleration_share[i], figures.acceleration_at[i], 2),
         )
-        shown = "".join(_peak(units, turns, *cell) for cell in cells)
-        rows.append(f"<tr><td>{joint_mark(i)}{units.variable(i, turns)}</td>{shown}</tr>")
-    heads = "".join(f"<th>max |q{DOTS[order]}|</th><th>of limit</th>" for order in (1, 2))
-    return f'<h3>Peaks</h3><table class="dh mp-table"><tr><th></th>{heads}</tr>{"".join(rows)}</table>'
+        name = tag("td", joint_mark(i), units.variable(i, turns))
+        rows.append(tag("tr", name, [_peak(units, turns, *cell) for cell in cells]))
+    heads = head_line("", *(head for order in (1, 2) for head in (f"max |q{DOTS[order]}|", "of limit")))
+    return joined(tag("h3", "Peaks"), tag("table.dh.mp-table", heads, rows))
 
 
-def _peak(units: Units, turns: bool, value: float, share: float, at: float, order: int) -> str:
+def _peak(units: Units, turns: bool, value: float, share: float, at: float, order: int) -> Inside:
     unit = units.unit(turns)
     size = value / units.factor(turns)
     text = f"{number(size, 3 if size < 10.0 and unit in ('rad', 'm') else 1 if size < 1000.0 else 0)} {unit}"
-    over = ' class="no"' if share > FULL else ""
-    sign = "✕ " if share > FULL else ""
-    return f'<td title="at {number(at, 2)} s">{text}{TIMES[order]}</td><td{over}>{sign}{_percent(share)}</td>'
+    of = tag("td.no", f"✕ {_percent(share)}") if share > FULL else tag("td", _percent(share))
+    return tag("td", f"{text}{TIMES[order]}", title=f"at {number(at, 2)} s"), of
 
 
-def legend(plan: Planned, units: Units, compared: bool) -> str:
+def legend(plan: Planned, units: Units, compared: bool) -> Markup:
     """Return which colour is which joint, and what the dashes mean."""
     joints = [
-        f"<span>{joint_mark(i)}{units.variable(i, bool(turns))}</span>"
-        for i, turns in enumerate(plan.question.arm.revolute)
+        tag("span", joint_mark(i), units.variable(i, bool(turns))) for i, turns in enumerate(plan.question.arm.revolute)
     ]
     lines = [("dashed", "limit")]
     if compared:
         lines.append(("dotted", OTHERS[kind_of(plan.question)]))
     if sum(leg.motion is not None for leg in plan.legs) > 1:
         lines.append(("upright", "next move"))
-    marks = [f"<span>{_mark(kind)}{text}</span>" for kind, text in lines]
-    return f'<div class="legend">{"".join([*joints, *marks])}</div>'
+    return tag("div.legend", joints, [tag("span", _mark(kind), text) for kind, text in lines])
 
 
-def _mark(kind: str) -> str:
+def _mark(kind: str) -> Markup:
     """Return a piece of a line as it is drawn in the plots."""
-    return f'<i class="mp-line {kind}"></i>'
+    return tag(f"i.mp-line.{kind}")
 
 
 def _percent(share: float) -> str:

@@ -25,9 +25,11 @@ from armlab.session.fields import Set
 from armlab.session.state import State
 from armlab.ui.examples import examples
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, trimmed
+from armlab.ui.format import trimmed
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.option_form import Scale, option_form
 from armlab.ui.playing import play_button
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
 VIEWS = {"curve": "Curve", "turn": "Orientation"}
@@ -43,20 +45,20 @@ def scales_of(units: Units) -> tuple[Scale, ...]:
     return (Scale(units.length_unit, units.factor(False)),) * 3
 
 
-def head(form: Form, state: State) -> str:
+def head(form: Form, state: State) -> Markup:
     """Return the choice of curve or turn, the examples, and what plays."""
     part = state[SpaceCurve]
     view = form.chips("shown", VIEWS, part.shown, "What is shown", _looking)
     chooser = examples(form, EXAMPLES, part.example, ChooseExample)
     play = play_button(form, state, CLIP_KEY, "curve")
-    return f'{chooser}<div class="bar">{play}<span class="sc-view">{view}</span></div>'
+    return joined(chooser, tag("div.bar", play, tag("span.sc-view", view)))
 
 
 def _looking(view: str) -> LookAt:
     return LookAt("turn" if view == "turn" else "curve")
 
 
-def curve_form(form: Form, state: State) -> str:
+def curve_form(form: Form, state: State) -> Markup:
     """Return kind, waypoints or formulas, options and parameter of the curve."""
     part, units = state[SpaceCurve], units_of(state)
     kind = kinds()[part.curve.key]
@@ -67,13 +69,16 @@ def curve_form(form: Form, state: State) -> str:
     hint = "Parametrise the curve by the distance gone along it (notes 6.13–6.17)"
     cell, other = f"length {_turned(part.by_length)}", Set(SpaceCurve, "by_length", not part.by_length)
     by_length = form.chip(cell, "By arc length", other, hint, part.by_length)
-    notes = corrected(OVERFLY) if part.curve.key == "overfly" else ""
+    notes = corrected(OVERFLY) if part.curve.key == "overfly" else None
     found = state.derived(curve_of)
     told = found.given.remarks_in(units.length_unit, units.factor(False))
-    remarks = "".join(f'<p class="dim">{escaped(text)}</p>' for text in told)
-    return (
-        f'<h3>Curve <span class="copies">{by_length}</span></h3><div class="kit-head">{chooser}</div>{typed}'
-        f'<div class="options sc-options">{given}</div>{notes}{remarks}'
+    return joined(
+        tag("h3", "Curve ", tag("span.copies", by_length)),
+        tag("div.kit-head", chooser),
+        typed,
+        tag("div.options.sc-options", given),
+        notes,
+        [tag("p.dim", text) for text in told],
     )
 
 
@@ -82,31 +87,30 @@ def _turned(on: bool) -> str:
     return "off" if on else "on"
 
 
-def _formula(form: Form, part: SpaceCurve) -> str:
-    rows = ""
+def _formula(form: Form, part: SpaceCurve) -> Markup:
+    rows = []
     for k, axis in enumerate("xyz"):
         typed = form.field(f"f {k}", part.formula[k], f"{axis} as a function of s", partial(TypeFormula, k))
-        rows += f"<label><span>{axis}(s) =</span>{typed}<i>m</i></label>"
-    return f'<div class="kit-numbers kit-typed sc-typed">{rows}</div>'
+        rows.append(tag("label", tag("span", f"{axis}(s) ="), typed, tag("i", "m")))
+    return tag("div.kit-numbers.kit-typed.sc-typed", rows)
 
 
-def _points(form: Form, part: SpaceCurve, units: Units) -> str:
+def _points(form: Form, part: SpaceCurve, units: Units) -> Markup:
     kind, count = kinds()[part.curve.key], len(part.points)
     fewest, counted = count <= kind.least, kind.most == kind.least
     rows = []
     for i, point in enumerate(part.points):
-        cells = "".join(f"<td>{_coordinate(form, part, units, i, j)}</td>" for j in range(len(point)))
+        cells = [_coordinate(form, part, units, i, j) for j in range(len(point))]
         hint, label = "Remove this waypoint", f"Remove waypoint {i + 1}"
-        drop = "" if counted else form.button(f"drop {i}", "✕", RemovePoint(i), "copy", hint, label, off=fewest)
-        rows.append(f"<tr><th>{i + 1}</th>{cells}<td>{drop}</td></tr>")
-    unit = units.length_unit
-    heads = "".join(f"<th>{axis}, {unit}</th>" for axis in "xyz")
+        drop = None if counted else form.button(f"drop {i}", "✕", RemovePoint(i), "copy", hint, label, off=fewest)
+        rows.append(line(*cells, drop, name=f"{i + 1}"))
+    heads = head_line("", *(f"{axis}, {units.length_unit}" for axis in "xyz"), "")
     full = count >= (MOST_POINTS if kind.most is None else min(kind.most, MOST_POINTS))
-    add = "" if counted else form.chip("add-point", "+ waypoint", AddPoint(), "Add one behind the last", off=full)
-    return f'<table class="kit-points"><tr><th></th>{heads}<th></th></tr>{"".join(rows)}</table>{add}'
+    add = None if counted else form.chip("add-point", "+ waypoint", AddPoint(), "Add one behind the last", off=full)
+    return joined(tag("table.kit-points", heads, rows), add)
 
 
-def _coordinate(form: Form, part: SpaceCurve, units: Units, i: int, j: int) -> str:
+def _coordinate(form: Form, part: SpaceCurve, units: Units, i: int, j: int) -> Markup:
     def typed(text: str) -> SetPoint:
         return SetPoint(i, j, units.read(text, False, f"waypoint {i + 1}, {'xyz'[j]}"))
 
@@ -115,7 +119,7 @@ def _coordinate(form: Form, part: SpaceCurve, units: Units, i: int, j: int) -> s
     return form.field(f"p {i} {j}", units.entry(part.points[i][j], False), label, typed, below)
 
 
-def law_form(form: Form, state: State) -> str:
+def law_form(form: Form, state: State) -> Markup:
     """Return law, duration and options of the law."""
     part = state[SpaceCurve]
     titles = {key: kind.title for key, kind in free_law_types().items()}
@@ -123,35 +127,34 @@ def law_form(form: Form, state: State) -> str:
     seconds, hint = trimmed(part.duration, 4), "Duration in seconds"
     duration = form.field("T", seconds, hint, lambda text: Set(SpaceCurve, "duration", plain_number(text, "T")))
     found = state.derived(curve_of)
-    own = ""
+    own = None
     if part.shown == "curve" and found.given.duration is not None:
         same = part.law.key == "constant" and part.duration == found.given.duration
         hint = "Constant rate in the time of the waypoints: the motion the curve was made for"
         own = form.chip("own-times", f"its own {found.given.duration:.4g} s", OwnTimes(), hint, same)
     kind = free_law_types()[part.law.key]
     given = option_form(form, "l-", kind.fields, part.law.options, partial(SetOption, "law"))
-    remarks = "".join(f'<p class="dim">{escaped(text)}</p>' for text in found.law.remarks)
-    return (
-        f'<h3>Timing law s(t)</h3><div class="kit-head">{chooser}'
-        f'<label class="sc-time">T {duration}<i>s</i></label></div>'
-        f'{own}<div class="options sc-options">{given}</div>{remarks}'
+    return joined(
+        tag("h3", "Timing law s(t)"),
+        tag("div.kit-head", chooser, tag("label.sc-time", "T ", duration, tag("i", "s"))),
+        own,
+        tag("div.options.sc-options", given),
+        [tag("p.dim", text) for text in found.law.remarks],
     )
 
 
-def marks(form: Form, state: State) -> str:
+def marks(form: Form, state: State) -> Markup:
     """Return what is drawn of the curve in the scene, and how large."""
     part = state[SpaceCurve]
     frame = _mark(form, "frame", part.frame, "t, n, b", "The Frenet frame with the circle of curvature")
     arrows = _mark(form, "arrows", part.arrows, "ṗ, p̈", "Velocity, and the two parts of the acceleration")
     stage = state.derived(stage_of)
-    scaled = (
-        f'<p class="dim">Far beyond the arm: drawn as a model 1 : {trimmed(stage.ratio, 1)} beside it, with the '
-        "axes at its origin.</p>"
-        if stage.model
-        else ""
-    )
-    return f'<div class="bar"><span class="dim">In the scene</span>{frame}{arrows}</div>{scaled}'
+    scaled = None
+    if stage.model:
+        size = f"1 : {trimmed(stage.ratio, 1)}"
+        scaled = tag("p.dim", f"Far beyond the arm: drawn as a model {size} beside it, with the axes at its origin.")
+    return joined(tag("div.bar", tag("span.dim", "In the scene"), frame, arrows), scaled)
 
 
-def _mark(form: Form, name: str, on: bool, text: str, hint: str) -> str:
+def _mark(form: Form, name: str, on: bool, text: str, hint: str) -> Markup:
     return form.chip(f"{name} {_turned(on)}", text, Set(SpaceCurve, name, not on), hint, on)

@@ -23,7 +23,9 @@ from armlab.kin.paths.helix import Helix
 from armlab.kin.paths.overfly import Overfly
 from armlab.session.state import State
 from armlab.ui.form import Form
-from armlab.ui.format import escaped, mathml, number, pairs
+from armlab.ui.format import mathml, number, pairs
+from armlab.ui.html import Markup, joined, tag
+from armlab.ui.tables import head_line, line
 from armlab.ui.units import Units, plain_number, units_of
 
 KAPPA = r"\kappa=\frac{|p′\times p″|}{|p′|^3}"
@@ -40,7 +42,7 @@ ACROSS = 1e-6
 """Part of p''s-dot² along the way, relative, below which it is across."""
 
 
-def at_present(form: Form, state: State) -> str:
+def at_present(form: Form, state: State) -> Markup:
     """Return the numbers where the film stands."""
     found, now, units = state.derived(curve_of), state.derived(moment_of), units_of(state)
     frame, by_length = now.frame, found.by_length
@@ -52,28 +54,24 @@ def at_present(form: Form, state: State) -> str:
     for name, vector in (("t", frame.tangent), ("n", frame.normal), ("b", frame.binormal)):
         there = bool(vector.any())
         rows.append((name, "", plain(vector) if there else ("–",) * 4))
-    return f"{_place(form, now, found, units)}{vectors(rows)}{_remark(now)}{_scalars(now, found, units)}"
+    remark = said("warn", frame.remark) if frame.remark else None
+    return joined(_place(form, now, found, units), vectors(rows), remark, _scalars(now, found, units))
 
 
-def _place(form: Form, now: Moment, found: Laid, units: Units) -> str:
+def _place(form: Form, now: Moment, found: Laid, units: Units) -> Markup:
     """Return the heading with the field of s."""
     if found.by_length:
         whole = found.arc.length
         gone = units.text(now.sigma, False)
         cell = form.field("sigma", gone, "Distance gone", lambda text: GoTo(units.read(text, False, "σ") / whole))
-        place = f"<label>At σ = {cell} <small>of {units.length(whole)}</small></label>"
+        place = tag("label", "At σ = ", cell, " ", tag("small", f"of {units.length(whole)}"))
     else:
         cell = form.field("s", number(now.s, 3), "Parameter s, from 0 to 1", lambda text: GoTo(plain_number(text, "s")))
-        place = f"<label>At s = {cell}</label>"
-    return f'<h3 class="sc-at">{place}<small class="sc-t">t = {number(now.t, 2)} s</small></h3>'
+        place = tag("label", "At s = ", cell)
+    return tag("h3.sc-at", place, tag("small.sc-t", f"t = {number(now.t, 2)} s"))
 
 
-def _remark(now: Moment) -> str:
-    text = now.frame.remark
-    return said("warn", escaped(text)) if text else ""
-
-
-def _scalars(now: Moment, found: Laid, units: Units) -> str:
+def _scalars(now: Moment, found: Laid, units: Units) -> Markup:
     frame = now.frame
     kappa, moves = float(frame.curvature), bool(frame.moves)
     bends = bool(frame.bends)
@@ -87,10 +85,10 @@ def _scalars(now: Moment, found: Laid, units: Units) -> str:
     )
 
 
-def moving(state: State) -> str:
+def moving(state: State) -> Markup | None:
     """Return velocity and acceleration with their parts, while they are drawn."""
     if not state[SpaceCurve].arrows:
-        return ""
+        return None
     now, units = state.derived(moment_of), units_of(state)
     unit = units.length_unit
     rows: list[Row] = [
@@ -107,25 +105,23 @@ def moving(state: State) -> str:
         parts = (float(whole @ axis) for axis in (now.frame.tangent, now.frame.normal))
         values = dict(zip(("along", "across"), (f"{units.text(part, False)} {unit}/s²" for part in parts), strict=True))
         text = NOT_ACROSS.format(**values)
-    return f"<h3>Velocity and acceleration</h3>{vectors(rows)}{corrected(text)}"
+    return joined(tag("h3", "Velocity and acceleration"), vectors(rows), corrected(text))
 
 
-def whole(state: State) -> str:
+def whole(state: State) -> Markup:
     """Return what holds of the curve as a whole, and the formulas."""
     found, units = state.derived(curve_of), units_of(state)
     if len(found.stands):
         places = ", ".join(number(float(s), 3) for s in found.stands[:4])
-        regular = said("no", f"Not regular: p′ = 0 at s = {places}") + corrected(BOUNDED)
+        regular = joined(said("no", f"Not regular: p′ = 0 at s = {places}"), corrected(BOUNDED))
     else:
         regular = said("ok", "Regular: p′ ≠ 0 everywhere")
-    formulas = (
-        f'<div class="eq small" title="Notes 6.140–6.141; for any number of coordinates 6.11">&emsp;{mathml(KAPPA)}'
-        f"&emsp;&emsp;{mathml(TAU)}</div>"
-    )
-    return f"{_facts(found, units)}{regular}{formulas}{corrected(TANGENT)}"
+    hint = "Notes 6.140–6.141; for any number of coordinates 6.11"
+    formulas = tag("div.eq.small", "\u2003", mathml(KAPPA), "\u2003\u2003", mathml(TAU), title=hint)
+    return joined(_facts(found, units), regular, formulas, corrected(TANGENT))
 
 
-def _facts(found: Laid, units: Units) -> str:
+def _facts(found: Laid, units: Units) -> Markup | None:
     """Return the numbers of a kind of curve that has some."""
     path = found.given
     unit = units.length_unit
@@ -138,19 +134,16 @@ def _facts(found: Laid, units: Units) -> str:
         return pairs([("radius r", units.length(path.radius)), ("advance h a radian", units.length(rise))])
     if isinstance(path, Clothoid):
         return pairs([("κ = 2θσ/L², at its end", per_metre(2.0 * abs(path.turn) / path.length))])
-    return _blends(path, units) if isinstance(path, Overfly) else ""
+    return _blends(path, units) if isinstance(path, Overfly) else None
 
 
-def _blends(path: Overfly, units: Units) -> str:
+def _blends(path: Overfly, units: Units) -> Markup:
     """Return the blends of the corners: notes 6.120 and 6.130-6.133."""
     rows = []
     for k, (time, d1, d2, a) in enumerate(zip(path.blend_times, path.d1, path.d2, path.accelerations, strict=True)):
-        cells = (number(float(time), 3), units.text(float(d1), False), units.text(float(d2), False))
-        size = units.text(float(np.linalg.norm(a)), False)
-        rows.append(f"<tr><th>{k + 2}</th>{''.join(f'<td>{cell}</td>' for cell in (*cells, size))}</tr>")
+        cells = (units.text(float(size), False) for size in (d1, d2, np.linalg.norm(a)))
+        rows.append(line(number(float(time), 3), *cells, name=f"{k + 2}"))
     unit = units.length_unit
-    heads = ("corner", "ΔT, s", f"d₁, {unit}", f"d₂, {unit}", f"|p̈|, {unit}/s²")
-    return (
-        f'<table class="sc-table"><tr>{"".join(f"<th>{head}</th>" for head in heads)}</tr>{"".join(rows)}</table>'
-        '<p class="dim">ΔT = 2d₁/v₁ = 2d₂/v₂ (6.130–6.133), p̈ = (v₂k₂ − v₁k₁)/ΔT (6.120).</p>'
-    )
+    heads = head_line("corner", "ΔT, s", f"d₁, {unit}", f"d₂, {unit}", f"|p̈|, {unit}/s²")
+    formulas = "ΔT = 2d₁/v₁ = 2d₂/v₂ (6.130–6.133), p̈ = (v₂k₂ − v₁k₁)/ΔT (6.120)."
+    return joined(tag("table.sc-table", heads, rows), tag("p.dim", formulas))

@@ -28,14 +28,14 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     def show(state: State) -> None:
         top.show(head(top, state))
         if state[SpaceCurve].shown == "curve":
-            form.show(marks(form, state) + curve_form(form, state) + law_form(form, state))
+            form.show(marks(form, state), curve_form(form, state), law_form(form, state))
             numbers.show(at_present(numbers, state))
             motion.show(moving(state))
             words.show(whole(state))
         else:
-            form.show(turn_form(form, state) + law_form(form, state))
+            form.show(turn_form(form, state), law_form(form, state))
             numbers.show(turn_numbers(numbers, state))
-            motion.show("")
+            motion.show()
             words.show(turn_words())
         curve_plots.show(state)
         turn_plots.show(state)

@@ -7,8 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from armlab.ui.format import escaped, number, scientific
+from armlab.ui.format import number, scientific
+from armlab.ui.html import Markup, classes, tag
 from armlab.ui.markup import SIGNS
+from armlab.ui.tables import head_line
 from armlab.ui.units import Units
 
 Row = tuple[str, str, Sequence[str]]
@@ -34,30 +36,24 @@ def plain(vector: NDArray[np.floating], decimals: int = 3) -> tuple[str, ...]:
     return tuple(number(float(value), decimals) for value in (*vector, np.linalg.norm(vector)))
 
 
-def vectors(rows: Sequence[Row]) -> str:
+def vectors(rows: Sequence[Row]) -> Markup:
     """Return vectors as a table; zeros are grey."""
-    heads = "".join(f"<th>{head}</th>" for head in ("", "x", "y", "z", "|·|"))
-    return f'<table class="sc-table"><tr>{heads}</tr>{"".join(_row(*row) for row in rows)}</table>'
+    return tag("table.sc-table", head_line("", "x", "y", "z", "|·|"), [_row(*row) for row in rows])
 
 
-def _row(name: str, unit: str, cells: Sequence[str]) -> str:
-    texts = "".join(f"<td{_grey(cell)}>{cell}</td>" for cell in cells)
-    small = f" <small>{escaped(unit)}</small>" if unit else ""
-    return f"<tr><th>{name}{small}</th>{texts}</tr>"
+def _row(name: str, unit: str, texts: Sequence[str]) -> Markup:
+    head = tag("th", name, (" ", tag("small", unit)) if unit else None)
+    return tag("tr", head, [tag(classes("td", zero=not text.strip("0.")), text) for text in texts])
 
 
-def _grey(text: str) -> str:
-    return ' class="zero"' if not text.strip("0.") else ""
+def said(kind: str, text: str) -> Markup:
+    """Return a sentence with the sign and the colour of a verdict."""
+    return tag(f"p.{kind}", f"{SIGNS[kind]} {text}")
 
 
-def said(kind: str, text: str) -> str:
-    """Return a sentence with the sign and the colour of a verdict; the text is markup."""
-    return f'<p class="{kind}">{SIGNS[kind]} {text}</p>'
-
-
-def corrected(text: str) -> str:
+def corrected(text: str) -> Markup:
     """Return a line about where the notes differ."""
-    return f'<p class="dim sc-note">{text}</p>'
+    return tag("p.dim.sc-note", text)
 
 
 def per_metre(value: float) -> str:

@@ -17,6 +17,7 @@ from armlab.session.parts.robot import RobotPart
 from armlab.session.state import Post, State
 from armlab.ui.colours import css
 from armlab.ui.form import Form
+from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Show
 from armlab.ui.units import plain_number, units_of
@@ -40,29 +41,30 @@ def build(gui: Gui, state: State, post: Post) -> Show:
     return show
 
 
-def steps_markup(form: Form, state: State, found: Steps | None) -> str:
+def steps_markup(form: Form, state: State, found: Steps | None) -> Markup:
     """Return the choice of stretch and step, and what is said of the step; None: they are being worked out."""
     part = state[Plan]
     if part.recorded is not None:
-        return (
-            "<p>The motion was read from a file: its samples are joined by a spline, which is step 5 alone. The steps "
-            "before it were done elsewhere.</p>"
+        return tag(
+            "p",
+            "The motion was read from a file: its samples are joined by a spline, which is step 5 alone. The steps "
+            "before it were done elsewhere.",
         )
     if not part.moves:
-        return "<p>One waypoint makes no motion. Add another on the page Plan.</p>"
-    head = _stretches(form, part) + _steps(form, state, found)
+        return tag("p", "One waypoint makes no motion. Add another on the page Plan.")
+    head = joined(_stretches(form, part), _steps(form, state, found))
     if found is None:
-        return head + '<p class="dim">The plan is being worked out …</p>'
-    busy = "" if planned(state) is not None else '<p class="dim">The plan is being worked out anew …</p>'
-    return head + _step(form, state, found) + busy
+        return joined(head, tag("p.dim", "The plan is being worked out …"))
+    busy = None if planned(state) is not None else tag("p.dim", "The plan is being worked out anew …")
+    return joined(head, _step(form, state, found), busy)
 
 
-def _stretches(form: Form, part: Plan) -> str:
+def _stretches(form: Form, part: Plan) -> Markup | None:
     """Return the choice among the stretches; nothing where there is one."""
     titles = {str(each.last): each.title for each in part.parts}
     chosen = str(part.stretch.last) if part.stretch is not None else ""
     if len(titles) < 2:
-        return ""
+        return None
     if len(titles) > MOST_CHIPS:
         return row("Stretch", form.select("stretch", "Stretch", titles, chosen, _selecting))
     return row("Stretch", form.chips("stretch", titles, chosen, "Waypoints that are one path", _selecting))
@@ -72,19 +74,19 @@ def _selecting(waypoint: str) -> SelectWaypoint:
     return SelectWaypoint(int(waypoint))
 
 
-def _steps(form: Form, state: State, found: Steps | None) -> str:
+def _steps(form: Form, state: State, found: Steps | None) -> Markup:
     """Return a chip for each step; those a joint move leaves out are pale."""
     made = []
     for k in STEPS:
         skipped = found is not None and not found.in_space and k in words.SKIPPED
         hint = "A joint move leaves this out" if skipped else f"Step {k} of 5"
         show, on = Set(PlanSteps, "shown", k), k == state[PlanSteps].shown
-        text = form.chip(f"step {k}", f"{k} {words.TITLES[k]}", show, hint, on)
-        made.append(f'<span class="ms-skipped">{text}</span>' if skipped else text)
-    return f'<div class="bar ms-steps">{"".join(made)}</div>'
+        chip = form.chip(f"step {k}", f"{k} {words.TITLES[k]}", show, hint, on)
+        made.append(tag("span.ms-skipped", chip) if skipped else chip)
+    return tag("div.bar.ms-steps", made)
 
 
-def _step(form: Form, state: State, found: Steps) -> str:
+def _step(form: Form, state: State, found: Steps) -> Markup:
     step, units = state[PlanSteps].shown, units_of(state)
     if step == KNOTS:
         said = words.knots(found, units)
@@ -93,14 +95,13 @@ def _step(form: Form, state: State, found: Steps) -> str:
     elif step == SAMPLING:
         count, name = str(state[Plan].samples), "Number of samples"
         typed = form.field("samples", count, name, lambda text: SampleBy(plain_number(text)))
-        said = words.sampling(
-            found, f'<div class="kit-numbers"><label><span>samples</span>{typed}</label></div>', units
-        )
+        field = tag("div.kit-numbers", tag("label", tag("span", "samples"), typed))
+        said = words.sampling(found, field, units)
     elif step == INVERSE:
         said = words.inverse(found, units)
     else:
         said = words.joints(found, units, (css(WANTED), css(RESULT)))
-    return words.head_of(step, found) + said
+    return joined(words.head_of(step, found), said)
 
 
 PANEL = Panel((Plan, PlanSteps, RobotPart, Notation), build, hides=("gizmo", "gap"), around=way_around)

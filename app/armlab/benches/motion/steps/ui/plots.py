@@ -16,7 +16,9 @@ from armlab.session.parts.joints import Joints
 from armlab.session.state import State
 from armlab.ui.colours import BLUE, PURPLE, joint_colour
 from armlab.ui.format import trimmed
+from armlab.ui.html import Inside, tag
 from armlab.ui.plot import NOTHING, Curve, Plot
+from armlab.ui.symbols import with_indices
 from armlab.ui.units import Units, units_of
 from armlab.ui.widgets import Gui
 
@@ -44,7 +46,7 @@ Array = NDArray[np.float64]
 class StepPlot(Plot):
     """A plot over s from 0 to 1."""
 
-    def __init__(self, gui: Gui, title: str, curves: Sequence[Curve], file: str, height: int, zero: bool) -> None:
+    def __init__(self, gui: Gui, title: Inside, curves: Sequence[Curve], file: str, height: int, zero: bool) -> None:
         self._zero = zero
         super().__init__(gui, title, "s", curves, file, height=height, legend=False)
 
@@ -75,9 +77,9 @@ class JointPlot(StepPlot):
         self._factor = units.factor(turns)
         self._names = {int(i): units.variable(int(i), turns) for i in self._which}
         self._unit = units.unit(turns)
-        legend = "".join(f"<span>{joint_mark(i)}{name}</span>" for i, name in self._names.items())
+        legend = tag("span.ms-legend", [tag("span", joint_mark(i), name) for i, name in self._names.items()])
         kind = "Turning" if turns else "Sliding"
-        title = f'<span>{kind} joints, {self._unit}</span><span class="ms-legend">{legend}</span>'
+        title = (tag("span", f"{kind} joints, {self._unit}"), legend)
         super().__init__(gui, title, self._lines(), f"{kind.lower()}_joints_over_s", TALL, False)
 
     def _lines(self) -> list[Curve]:
@@ -123,7 +125,7 @@ class Plots:
         self._apart = StepPlot(gui, "", [Curve(f"apart, {unit}", PURPLE)], "apart_over_s", HEIGHT, True)
         revolute = state[Joints].arm.revolute
         self._joints = [JointPlot(gui, state, turns) for turns in (True, False) if bool(np.any(revolute == turns))]
-        title = "<span>σ<sub>min</sub>/σ<sub>max</sub> of the task Jacobian</span>"
+        title = tag("span", with_indices("σ_min/σ_max"), " of the task Jacobian")
         self._sigma = StepPlot(gui, title, [_sigma(0)], "singular_values_over_s", HEIGHT, True)
         self._shown: object = None
 
@@ -145,7 +147,7 @@ class Plots:
             factor, unit = units.factor(False), units.length_unit
             tiny = float(apart.distance.max()) < APART
             said = f": less than {trimmed(APART / factor, 6)}" if tiny else ""
-            self._apart.name(f"<span>Distance from {what}, {unit}{said}</span>")
+            self._apart.name(tag("span", f"Distance from {what}, {unit}{said}"))
             self._apart.show_over(apart.s, [apart.distance / factor], APART / factor)
 
     def _show_sigma(self, found: Steps | None) -> None:

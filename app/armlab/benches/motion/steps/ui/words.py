@@ -15,9 +15,13 @@ from armlab.benches.motion.steps.state import INVERSE, JOINTS, KNOTS, PATH, SAMP
 from armlab.benches.motion.steps.ui.formulas import formula_of, says_of
 from armlab.benches.motion.steps.worked import Steps, length_of
 from armlab.kin.motion import law_types
+from armlab.kin.motion.path_types import PathType
 from armlab.kin.rotations import euler_zyx
-from armlab.ui.format import capitalised, dot, escaped, lowered, mathml, number, pairs
+from armlab.ui.format import capitalised, dot, lowered, mathml, number, pairs
+from armlab.ui.html import Inside, Markup, classes, joined, tag
 from armlab.ui.small_numbers import NO_BREAK, small, with_unit
+from armlab.ui.symbols import with_indices
+from armlab.ui.tables import line
 from armlab.ui.units import Units
 
 Floats = NDArray[np.float64]
@@ -41,7 +45,7 @@ STOPS = 5
 """Places where the path cannot be followed that are told."""
 
 
-def head_of(step: int, found: Steps) -> str:
+def head_of(step: int, found: Steps) -> Markup:
     """Return the heading of a step."""
     full = {
         KNOTS: "Knots",
@@ -52,26 +56,31 @@ def head_of(step: int, found: Steps) -> str:
     }
     left_out = not found.in_space and step in SKIPPED
     text = "Inverse kinematics of the knots" if step == INVERSE and not found.in_space else full[step]
-    return f"<h3>{step}&ensp;{text}{' <small>– left out</small>' if left_out else ''}</h3>"
+    return tag("h3", f"{step}\u2002{text}", (" ", tag("small", "– left out")) if left_out else None)
 
 
 # -- 1 ----------------------------------------------------------------------------------------------------------------
 
 
-def knots(found: Steps, units: Units) -> str:
+def knots(found: Steps, units: Units) -> Markup:
     """Return the first step: poses and joint values of the knots."""
     what = "poses the tool is to pass" if found.in_space else "configurations the arm is to pass"
     count = len(found.knot_q)
-    said = (
-        f"<p>The task gives {count} knots: {what}. A path free of collisions is the matter of "
-        "<i>motion planning</i> and taken for granted; <i>trajectory planning</i> finds joint motions along it.</p>"
+    said = tag(
+        "p",
+        f"The task gives {count} knots: {what}. A path free of collisions is the matter of ",
+        tag("i", "motion planning"),
+        " and taken for granted; ",
+        tag("i", "trajectory planning"),
+        " finds joint motions along it.",
     )
     first = found.stretch.first
     names = [str(first + k + 1) for k in range(count)]
-    return said + _poses(found, names, units) + joint_table("knot", names, found.knot_q, found, units) + _list(found)
+    values = joint_table("knot", names, found.knot_q, found, units)
+    return joined(said, _poses(found, names, units), values, _list(found))
 
 
-def _poses(found: Steps, names: Sequence[str], units: Units) -> str:
+def _poses(found: Steps, names: Sequence[str], units: Units) -> Markup:
     position, angles = found.knot_poses[:, :3, 3], euler_zyx(found.knot_poses[:, :3, :3])[0]
     turns = {"none": (), "phi": (0,)}.get(found.arm.task.rotation, (0, 1, 2))
     heads = ["knot", *(f"{axis}, {units.length_unit}" for axis in "xyz")]
@@ -80,10 +89,10 @@ def _poses(found: Steps, names: Sequence[str], units: Units) -> str:
         [name, *(units.text(float(x), False) for x in p), *(units.turned(float(a[k])) for k in turns)]
         for name, p, a in zip(names, position, angles, strict=True)
     ]
-    return table(heads, rows)
+    return _scrolled(_table(heads, rows))
 
 
-def joint_table(head: str, names: Sequence[str], q: Floats, found: Steps, units: Units) -> str:
+def joint_table(head: str, names: Sequence[str], q: Floats, found: Steps, units: Units) -> Markup:
     """Return joint values, (k, n), in rows with names; of many joints in blocks."""
     revolute = [bool(turns) for turns in found.arm.revolute]
     heads = [f"{units.variable(i, turns)}, {units.unit(turns)}" for i, turns in enumerate(revolute)]
@@ -92,7 +101,7 @@ def joint_table(head: str, names: Sequence[str], q: Floats, found: Steps, units:
         _table([head, *heads[block]], [[name, *row[block]] for name, row in zip(names, cells, strict=True)])
         for block in _blocks(cells)
     ]
-    return _scrolled("".join(tables), len(tables) > 1)
+    return _scrolled(*tables)
 
 
 def _blocks(cells: Sequence[Sequence[str]]) -> list[slice]:
@@ -106,51 +115,51 @@ def _blocks(cells: Sequence[Sequence[str]]) -> list[slice]:
     return blocks
 
 
-def table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Return a table of numbers that scrolls when it has many rows or columns; its texts are markup."""
-    return _scrolled(_table(heads, rows), False)
+def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Markup:
+    top = [tag("th", _over_unit(head)) for head in heads]
+    return tag("table.ms-table", tag("tr", top), [line(*row) for row in rows])
 
 
-def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    # A quantity stands over its unit, so that narrow columns stay narrow.
-    top = "".join(f"<th>{head.replace(', ', '<br><i>', 1)}{'</i>' if ', ' in head else ''}</th>" for head in heads)
-    lines = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
-    return f'<table class="ms-table"><tr>{top}</tr>{lines}</table>'
+def _over_unit(head: str) -> Inside:
+    """Return a quantity over its unit, so that narrow columns stay narrow."""
+    name, _, unit = head.partition(", ")
+    return (name, tag("br"), tag("i", unit)) if unit else name
 
 
-def _scrolled(tables: str, tall: bool) -> str:
-    return f'<div class="ms-scroll{" tall" if tall else ""}">{tables}</div>'
+def _scrolled(*tables: Markup) -> Markup:
+    """Return tables that scroll when they have many rows or columns."""
+    return tag(classes("div.ms-scroll", tall=len(tables) > 1), tables)
 
 
-def _list(found: Steps) -> str:
+def _list(found: Steps) -> Markup:
     """Return what has to be decided of any trajectory: the list of the notes."""
     move, count = found.stretch.move, len(found.knot_q)
     rows = [
         ("space", "Cartesian" if found.in_space else "joint"),
         ("task", "point to point" if count == 2 else f"multi-point, {count} knots"),
-        ("path", escaped(lowered(move.kind.title))),
-        ("timing law", escaped(lowered(law_types()[move.law.key].title))),
+        ("path", lowered(move.kind.title)),
+        ("timing law", lowered(law_types()[move.law.key].title)),
         ("joints", "coordinated: all share s"),
     ]
-    return f"<h3>What was decided <small>(page Plan)</small></h3>{pairs(rows)}"
+    return joined(tag("h3", "What was decided ", tag("small", "(page Plan)")), pairs(rows))
 
 
 # -- 2 ----------------------------------------------------------------------------------------------------------------
 
 
-def path(found: Steps, units: Units) -> str:
+def path(found: Steps, units: Units) -> Markup:
     """Return the second step: the path in space."""
     kind = found.stretch.move.kind
     if not found.in_space:
-        return (
-            "<p>In a joint move nothing is interpolated in space. The joint values of the knots are, in step 5; the "
-            "tool goes where that takes it.</p>"
+        return tag(
+            "p",
+            "In a joint move nothing is interpolated in space. The joint values of the knots are, in step 5; the tool "
+            "goes where that takes it.",
         )
     if found.way is None:
         return _trouble(found)
-    formula = formula_of(kind, "p")
     rows = [
-        ("kind", escaped(lowered(kind.title))),
+        ("kind", lowered(kind.title)),
         ("length of the way", units.length(found.length)),
     ]
     straight = length_of(found.knot_poses[:, :3, 3])
@@ -159,22 +168,28 @@ def path(found: Steps, units: Units) -> str:
     if found.arm.task.rotation != "none":
         rows.append(("orientation", TURNINGS[found.stretch.move.turning]))
         rows.append(("turns through", units.angle(found.turn)))
-    return (
-        "<p>A curve through the knots, with a parameter s from 0 to 1 that is not time yet: when the tool is where is "
-        "left to the timing law.</p>"
-        + (f'<div class="eq small">{mathml(formula, True)}</div>' if formula else "")
-        + f'<p class="dim">{escaped(says_of(kind, found.way.position))}</p>'
-        + pairs(rows)
+    said = (
+        "A curve through the knots, with a parameter s from 0 to 1 that is not time yet: when the tool is where is "
+        "left to the timing law."
     )
+    about = tag("p.dim", says_of(kind, found.way.position))
+    return joined(tag("p", said), _formula(kind, "p"), about, pairs(rows))
+
+
+def _formula(kind: PathType, letter: str) -> Markup | None:
+    """Return the formula of a kind of path, in the letter of what runs along it; none where none is known."""
+    formula = formula_of(kind, letter)
+    return tag("div.eq.small", mathml(formula, True)) if formula else None
 
 
 # -- 3 ----------------------------------------------------------------------------------------------------------------
 
 
-def sampling(found: Steps, field: str, units: Units) -> str:
+def sampling(found: Steps, field: Inside, units: Units) -> Markup:
     """Return the third step: how many samples; ``field`` is where their number is typed."""
     if not found.in_space:
-        return "<p>Without a path in space there is nothing to sample: the knots are all the points there are.</p>"
+        text = "Without a path in space there is nothing to sample: the knots are all the points there are."
+        return tag("p", text)
     if found.followed is None:
         return _trouble(found)
     count = len(found.samples)
@@ -183,124 +198,121 @@ def sampling(found: Steps, field: str, units: Units) -> str:
         ("Δs", number(1.0 / (count - 1), 4)),
         ("farthest neighbours", units.length(found.spacing)),
     ]
-    return (
-        f"<p>A dense but finite sequence of poses on the path, evenly spaced in s: p(0), p(Δs), p(2Δs), … Few are "
-        f"cheap, many keep the tool on its path: try 4.</p>{field}{pairs(rows)}"
+    said = (
+        "A dense but finite sequence of poses on the path, evenly spaced in s: p(0), p(Δs), p(2Δs), … Few are cheap, "
+        "many keep the tool on its path: try 4."
     )
+    return joined(tag("p", said), field, pairs(rows))
 
 
 # -- 4 ----------------------------------------------------------------------------------------------------------------
 
 
-def inverse(found: Steps, units: Units) -> str:
+def inverse(found: Steps, units: Units) -> Markup:
     """Return the fourth step: the inverse kinematics of the samples."""
     if not found.in_space:
         names = [str(found.stretch.first + k + 1) for k in range(len(found.knot_q))]
         said = (
-            f"<p>The inverse kinematics is solved {len(names)} times, once for each knot, and not at all for knots "
-            "given by their joint values. The branch is chosen at each knot.</p>"
+            f"The inverse kinematics is solved {len(names)} times, once for each knot, and not at all for knots given "
+            "by their joint values. The branch is chosen at each knot."
         )
-        return said + joint_table("knot", names, found.knot_q, found, units)
+        return joined(tag("p", said), joint_table("knot", names, found.knot_q, found, units))
     if found.followed is None:
         return _trouble(found)
     count, solved = len(found.samples), int(found.followed.reached.sum())
-    rows = [("solved", f"{solved} of {count} samples")]
+    rows: list[tuple[Inside, str]] = [("solved", f"{solved} of {count} samples")]
     if found.branch:
-        rows.append(("branch", escaped(found.branch)))
+        rows.append(("branch", found.branch))
     if found.least_singular is not None:
         least, s = found.least_singular
-        rows.append(("smallest σ<sub>min</sub>/σ<sub>max</sub>", f"{number(least, 3)} at s = {number(s, 2)}"))
+        rows.append((with_indices("smallest σ_min/σ_max"), f"{number(least, 3)} at s = {number(s, 2)}"))
     near = int(np.sum(found.worth == Feasible.NEAR_SINGULAR))
     if near:
         rows.append((f"below {NEARLY_SINGULAR:g}", f"{near} samples, joints turn fast"))
     said = (
-        "<p>One configuration for each sample. Each search begins at the solution before, so that the arm stays on one "
-        f"branch.</p>{_followed(found)}{pairs(rows)}{_other_way(found)}"
+        "One configuration for each sample. Each search begins at the solution before, so that the arm stays on one "
+        "branch."
     )
     names = [number(s, 2) for s, _ in found.shown_arms]
     q = np.array([q for _, q in found.shown_arms]).reshape(len(names), found.arm.n)
-    arms = "<h3>Arms in the scene</h3>" + joint_table("s", names, q, found, units) if names else ""
-    return said + arms
+    arms = (tag("h3", "Arms in the scene"), joint_table("s", names, q, found, units)) if names else None
+    return joined(tag("p", said), _followed(found), pairs(rows), _other_way(found), arms)
 
 
-def _other_way(found: Steps) -> str:
+def _other_way(found: Steps) -> Markup:
     """Return what is to be said of a knot that is reached in another configuration than it was stored in."""
     told = [remark for remark in found.leg.remarks if remark.startswith("waypoint")]
-    return "".join(f'<p class="dim">{escaped(capitalised(each))}.</p>' for each in told)
+    return joined([tag("p.dim", f"{capitalised(each)}.") for each in told])
 
 
-def _followed(found: Steps) -> str:
+def _followed(found: Steps) -> Markup:
     """Return whether the path could be followed, and where and why not."""
     assert found.followed is not None
     if found.followed.whole:
-        return '<p class="ok">✓ The whole path is followed on one branch.</p>'
+        return tag("p.ok", "✓ The whole path is followed on one branch.")
     stops = found.followed.stops
     said = [stop.sentence for stop in stops[:STOPS]] or [found.followed.reason]
-    more = f'<p class="dim">… and {len(stops) - STOPS} more places.</p>' if len(stops) > STOPS else ""
-    behind = '<p class="dim">What is solved behind that is not one motion with what is before.</p>'
-    parts = behind if len(found.followed.parts) > 1 else ""
-    return "".join(f'<p class="no">✕ {escaped(capitalised(each))}</p>' for each in said) + more + parts
+    more = tag("p.dim", f"… and {len(stops) - STOPS} more places.") if len(stops) > STOPS else None
+    behind = tag("p.dim", "What is solved behind that is not one motion with what is before.")
+    parts = behind if len(found.followed.parts) > 1 else None
+    return joined([tag("p.no", f"✕ {capitalised(each)}") for each in said], more, parts)
 
 
 # -- 5 ----------------------------------------------------------------------------------------------------------------
 
 
-def joints(found: Steps, units: Units, colours: tuple[str, str]) -> str:
+def joints(found: Steps, units: Units, colours: tuple[str, str]) -> Markup:
     """Return the fifth step: the path of the joints; ``colours`` are those of the wanted and the resulting way."""
     apart = found.apart
     if found.path is None or apart is None:
-        return f"<p>There is no motion of the joints.</p>{_trouble(found)}"
+        return joined(tag("p", "There is no motion of the joints."), _trouble(found))
     said = _spline(found) if found.in_space else _laid(found)
     wanted, result = colours
     k = apart.worst
     far = _small(float(apart.distance[k]), units)
     where = "" if apart.distance[k] < EXACT else f" at s = {number(float(apart.s[k]), 2)}"
-    rows = [
-        (f"{dot(wanted)} {'path' if found.in_space else 'straight lines'}", units.length(found.length)),
-        (f"{dot(result)} way of the tool", units.length(found.tool_length)),
+    rows: list[tuple[Inside, str]] = [
+        ((dot(wanted), " path" if found.in_space else " straight lines"), units.length(found.length)),
+        ((dot(result), " way of the tool"), units.length(found.tool_length)),
         ("farthest apart", far + where),
     ]
     if found.in_space and found.arm.task.rotation != "none":
         rows.append(("turned away at most", _turn(float(apart.turn.max()), units)))
     larger = f"In the scene the distance is drawn {found.larger:g} times as large. " if found.larger > 1.0 else ""
-    return f'{said}{pairs(rows)}<p class="dim">{larger}{_timing(found)}</p>{_untimed(found)}'
+    return joined(said, pairs(rows), tag("p.dim", larger, _timing(found)), _untimed(found))
 
 
-def _spline(found: Steps) -> str:
+def _spline(found: Steps) -> Markup:
     count = len(found.samples)
-    return (
-        f"<p>A cubic spline through the {count} solutions is q(s): {count - 1} pieces, equal velocities and "
-        "accelerations where two meet. Only at the samples is the tool surely on its path.</p>"
+    return tag(
+        "p",
+        f"A cubic spline through the {count} solutions is q(s): {count - 1} pieces, equal velocities and accelerations "
+        "where two meet. Only at the samples is the tool surely on its path.",
     )
 
 
-def _laid(found: Steps) -> str:
+def _laid(found: Steps) -> Markup:
     kind = found.stretch.move.kind
-    formula = formula_of(kind, "q")
-    return (
-        "<p>The joint values of the knots are interpolated at once. No singularity can stop this, but the tool does "
-        "not go straight.</p>"
-        + (f'<div class="eq small">{mathml(formula, True)}</div>' if formula else "")
-        + f'<p class="dim">{escaped(kind.title)}. {escaped(says_of(kind, found.path))}</p>'
+    said = (
+        "The joint values of the knots are interpolated at once. No singularity can stop this, but the tool does not "
+        "go straight."
     )
+    about = tag("p.dim", f"{kind.title}. {says_of(kind, found.path)}")
+    return joined(tag("p", said), _formula(kind, "q"), about)
 
 
-def _timing(found: Steps) -> str:
+def _timing(found: Steps) -> str | None:
     """Return what is left to do: the timing law."""
     motion = found.leg.motion
-    return (
-        ""
-        if motion is None
-        else (
-            f"With the timing law s(t) this is the motion q(s(t)), and takes {number(motion.duration, 2)}{NO_BREAK}s."
-        )
-    )
+    if motion is None:
+        return None
+    return f"With the timing law s(t) this is the motion q(s(t)), and takes {number(motion.duration, 2)}{NO_BREAK}s."
 
 
-def _untimed(found: Steps) -> str:
+def _untimed(found: Steps) -> Markup | None:
     """Return why there is no timing law."""
     text = found.leg.trouble
-    return f'<p class="no">✕ The timing law: {escaped(text)}.</p>' if text else ""
+    return tag("p.no", f"✕ The timing law: {text}.") if text else None
 
 
 def _turn(value: float, units: Units) -> str:
@@ -313,6 +325,6 @@ def _small(value: float, units: Units) -> str:
     return f"0{NO_BREAK}{units.length_unit} but for rounding" if value < EXACT else with_unit(value, False, units)
 
 
-def _trouble(found: Steps) -> str:
+def _trouble(found: Steps) -> Markup:
     text = found.leg.trouble or "It is being worked out."
-    return f'<p class="no">✕ {escaped(capitalised(text)).rstrip(".")}.</p>'
+    return tag("p.no", f"✕ {capitalised(text).rstrip('.')}.")

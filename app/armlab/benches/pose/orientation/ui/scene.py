@@ -27,21 +27,14 @@ LEAST = 1e-6
 def build(canvas: LayerCanvas, state: State) -> Show:
     """Draw the moved frame and the axis of its turn, which follow the arm."""
     frame, sketch = Triad(canvas, "turn_frame"), Sketch(canvas, "turn")
-    present = state
 
-    def draw(q: NDArray[np.float64]) -> None:
-        view = present[PoseView]
+    def draw(state: State, q: NDArray[np.float64]) -> None:
+        view = state[PoseView]
         pair = pair_at(canvas.drawn.figure.anatomy.arm, q, view)
         frame.show(f"{{{view.frame}}}", pair.frame)
-        sketch.draw(marks_of(pair, canvas.size, units_of(present)))
+        sketch.draw(marks_of(pair, canvas.size, units_of(state)))
 
-    def show(state: State) -> None:
-        nonlocal present
-        present = state
-        draw(canvas.shown_pose)
-
-    canvas.on_pose(draw)
-    return show
+    return canvas.follow(state, draw)
 
 
 def marks_of(pair: Pair, size: float, units: Units) -> Marks:

@@ -30,23 +30,16 @@ def build(canvas: LayerCanvas, state: State) -> Show:
     """Draw both frames and the highlighted vectors, which follow the arm."""
     frame, reference = Triad(canvas, "lit_frame"), Triad(canvas, "lit_reference")
     sketch = Sketch(canvas, "lit")
-    present = state
 
-    def draw(q: NDArray[np.float64]) -> None:
-        view, units = present[PoseView], units_of(present)
+    def draw(state: State, q: NDArray[np.float64]) -> None:
+        view, units = state[PoseView], units_of(state)
         pair = pair_at(canvas.drawn.figure.anatomy.arm, q, view)
         apart = pair.distance > LEAST
         reference.show(f"{{{view.reference}}}" if apart else f"{{{view.reference}, {view.frame}}}", pair.reference)
         frame.show(f"{{{view.frame}}}" if apart else "", pair.frame)
-        sketch.draw(marks_of(pair, present[Selection].of(MATRIX), canvas.size, units))
+        sketch.draw(marks_of(pair, state[Selection].of(MATRIX), canvas.size, units))
 
-    def show(state: State) -> None:
-        nonlocal present
-        present = state
-        draw(canvas.shown_pose)
-
-    canvas.on_pose(draw)
-    return show
+    return canvas.follow(state, draw)
 
 
 def marks_of(pair: Pair, selected: Selection, size: float, units: Units) -> Marks:

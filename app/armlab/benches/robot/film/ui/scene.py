@@ -124,15 +124,7 @@ def amount(units: Units, move: Move) -> str:
 
 def build(canvas: LayerCanvas, state: State) -> Show:
     """Draw the film while it is on and its page is seen."""
-    film, present = Film(canvas), state
-
-    def show(state: State) -> None:
-        nonlocal present
-        present = state
-        film.show(state, canvas.shown_pose)
-
-    canvas.on_pose(lambda q: film.show(present, q))
-    return show
+    return canvas.follow(state, Film(canvas).show)
 
 
 LAYER = Layer("film", order=80, watches=(Timeline, Joints, Notation), build=build, panel="film")

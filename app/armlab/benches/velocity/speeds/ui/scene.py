@@ -29,20 +29,13 @@ SKETCHES = {"parts": 0.7, "turns": 0.7, "v": 0.8, "omega": 0.6, "first": 0.65, "
 def build(canvas: LayerCanvas, state: State) -> Show:
     """Draw the arrows of the chosen speeds, or of the selection, and follow the arm."""
     sketches = {key: Sketch(canvas, f"velocity/{key}", weight) for key, weight in SKETCHES.items()}
-    present = state
 
-    def draw(q: NDArray[np.float64]) -> None:
-        found = marks_of(present, q, canvas.size)
+    def draw(state: State, q: NDArray[np.float64]) -> None:
+        found = marks_of(state, q, canvas.size)
         for key, sketch in sketches.items():
             sketch.draw(found.get(key, NOTHING))
 
-    def show(state: State) -> None:
-        nonlocal present
-        present = state
-        draw(canvas.shown_pose)
-
-    canvas.on_pose(draw)
-    return show
+    return canvas.follow(state, draw)
 
 
 NOTHING = Marks()

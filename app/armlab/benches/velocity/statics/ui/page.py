@@ -21,8 +21,6 @@ from armlab.benches.velocity.statics.ui.words import (
     verdict_markup,
     work_markup,
 )
-from armlab.content.arithmetic import evaluate
-from armlab.errors import InputError
 from armlab.session.parts.joints import Joints
 from armlab.session.parts.notation import Notation
 from armlab.session.parts.robot import RobotPart
@@ -33,6 +31,7 @@ from armlab.ui.format import mathml, readable
 from armlab.ui.html import Markup, joined, tag
 from armlab.ui.markup import row
 from armlab.ui.plugin import Panel, Points, Show
+from armlab.ui.units import plain_number
 from armlab.ui.widgets import Gui
 
 AXES_TITLES: dict[str, str] = dict(zip(AXES, ("World", "Tool"), strict=True))
@@ -91,11 +90,8 @@ def _line(form: Form, part: Statics, letter: str, kind: str, unit: str) -> Marku
 
 def _component(kind: str, axis: int, unit: str, text: str) -> SetComponent:
     """Return the command of a typed component; `InputError` names the field."""
-    plain = text.strip().replace("−", "-").replace(",", ".").removesuffix(unit).replace("Nm", "").strip()
-    try:
-        return SetComponent(kind, axis, evaluate(plain))
-    except InputError:
-        raise InputError(f"{kind}, {'xyz'[axis]}: expected a number in {unit}, got {text.strip()[:40]!r}") from None
+    typed = text.strip().removesuffix(unit).removesuffix("Nm")
+    return SetComponent(kind, axis, plain_number(typed, f"{kind}, {'xyz'[axis]}", f"a number in {unit}"))
 
 
 def _around(state: State) -> Points:

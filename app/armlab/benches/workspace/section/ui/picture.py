@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import lru_cache
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from armlab.benches.workspace.section.found import Found
+from armlab.benches.workspace.section.found import Found, once_each
 from armlab.benches.workspace.section.marks import Measured, silhouette, target_measured, tool_measured
 from armlab.benches.workspace.section.slice import Slice, in_own_plane, section_picture
 from armlab.benches.workspace.section.ui.pixels import pixels
@@ -33,8 +32,6 @@ SPECK = 16
 
 THIN = 0.25
 """Distance, in units of the picture, up to which a drawn outline may deviate from the true one."""
-
-REMEMBERED = 6
 
 SHORT = 0.04
 """Length, in parts of the larger side, below which a dimension is not drawn."""
@@ -147,7 +144,7 @@ def _axes(found: Found, whole: Slice | None, frame: Frame) -> Inside:
     )
 
 
-@lru_cache(maxsize=REMEMBERED)
+@once_each
 def _outlines(found: Found) -> Markup:
     whole, frame = in_own_plane(found), frame_of(found)
     if whole is None:
@@ -161,12 +158,17 @@ def _outlines(found: Found) -> Markup:
         y = corner[1] + (np.arange(rows) - 0.5) * whole.plane.height / (rows - 2)
         along = np.full((columns - 1, rows), 0.5), np.full((columns, rows - 1), 0.5)
         lines = Outline(x, y, reached, *along).contours
-    return svg.path("outline", "".join(_path(frame.at(line)) for line in lines))
+    return svg.path("outline", _paths([frame.at(line) for line in lines]))
 
 
-def _path(places: Floats) -> str:
-    kept = places[simplified(places, THIN)] if len(places) > 2 else places
-    return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in kept.tolist()) + "z"
+def _paths(lines: Sequence[Floats]) -> str:
+    """Return closed lines as a path, with as few points as look the same; all are looked at together."""
+    if not lines:
+        return ""
+    places, after = np.concatenate(lines), np.cumsum([len(line) for line in lines])
+    kept = simplified(places, THIN, [*after[:-1], *(after - 1)])
+    each = np.split(places[kept], np.searchsorted(kept, after[:-1]))
+    return "".join("M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in line.tolist()) + "z" for line in each)
 
 
 # -- dimensions ------------------------------------------------------------------------------------------------------

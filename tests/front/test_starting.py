@@ -1,0 +1,105 @@
+"""A page that is asked for while the lab behind the front is still being made."""
+
+import threading
+from pathlib import Path
+
+import pytest
+import websockets
+
+from armlab.errors import InputError, PluginError
+from armlab.front import front as front_module
+from armlab.front import start as start_module
+from armlab.front.start import Settings, start
+from armlab.ui import lab as lab_module
+from support.fake_browser import FakeBrowser, cookie_of
+from support.patience import WAIT, Patience
+from support.student import run, student
+
+SETTINGS = Settings("127.0.0.1", [0], "planar_2r", None)
+
+
+def url_of(port):
+    return f"http://127.0.0.1:{port}/"
+
+
+def test_a_socket_waits_for_the_lab_and_then_its_page_opens(monkeypatch):
+    fronts, stories = [], []
+
+    class NotedFront(front_module.Front):
+        def __init__(self, *parts, **named):
+            super().__init__(*parts, **named)
+            fronts.append(self)
+
+    class LateLab(lab_module.Lab):
+        def __init__(self, *parts):
+            patience = Patience()
+            while not fronts[0]._open.total() and patience.left():
+                threading.Event().wait(0.01)
+            assert fronts[0]._open.total() == 1, "the socket waits"
+            super().__init__(*parts)
+
+    async def visit(url):
+        browser = await student(url)
+        await browser.close()
+
+    def visited(port):
+        stories.append(threading.Thread(target=lambda: (run(visit(url_of(port))), stories.append("opened"))))
+        stories[0].start()
+
+    monkeypatch.setattr(start_module, "Front", NotedFront)
+    monkeypatch.setattr(lab_module, "Lab", LateLab)
+    monkeypatch.setattr(front_module, "STARTING", WAIT)
+    lab = start(SETTINGS, visited)
+    stories[0].join()
+    lab.stop()
+    assert stories[1:] == ["opened"]
+
+
+def test_a_socket_that_has_waited_too_long_is_told_to_come_again(monkeypatch):
+    monkeypatch.setattr(front_module, "STARTING", 0.02)
+    told = []
+
+    async def early(url):
+        browser = FakeBrowser(url, cookie_of(url))
+        with pytest.raises(websockets.InvalidStatus) as refused:
+            await browser.connect()
+        told.append((refused.value.response.status_code, browser))
+
+    async def again(url):
+        browser = await student(url)
+        await browser.close()
+
+    lab = start(SETTINGS, lambda port: run(early(url_of(port))))
+    run(again(url_of(lab.port)))
+    lab.stop()
+    assert told[0][0] == 503
+
+
+def test_a_lab_that_cannot_be_made_closes_the_front_too(monkeypatch):
+    served = []
+
+    def broken(*_):
+        raise PluginError("armlab.benches.x.y.state: cannot be imported")
+
+    monkeypatch.setattr(lab_module, "Lab", broken)
+    with pytest.raises(PluginError, match=r"x\.y\.state"):
+        start(SETTINGS, served.append)
+    with pytest.raises(OSError, match="refused"):
+        cookie_of(url_of(served[0]))
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        (Settings("127.0.0.1", [0], "puma650", None), "puma560"),
+        (
+            Settings("127.0.0.1", [0], "puma560", None, lessons=(Path("no/folder"),)),
+            "expected a folder, got 'no/folder'",
+        ),
+    ],
+)
+def test_what_is_not_there_is_refused_before_a_page_is_served(settings, told):
+    served = []
+    with pytest.raises(InputError, match=told):
+        start(settings, served.append)
+    assert served == []
