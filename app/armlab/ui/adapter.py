@@ -1,4 +1,4 @@
-"""Every private or undocumented part of viser that Armlab touches, here and in `armlab.ui.quick`, each with a test.
+"""All private or undocumented parts of viser that Armlab uses, here and in `armlab.ui.quick`, each with a test.
 
 viser is pinned to the tested version; when the pin moves, the tests of this module say what has to follow.
 """
@@ -86,7 +86,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
 
 
 def _in_turn(receive: Callable[[], Awaitable[bytes]], turns: Turns) -> Callable[[], Awaitable[bytes]]:
-    """Return a function that receives the messages of a connection one at a time; others wait in the front and the
+    """Return a function that receives a connection's messages one at a time; others wait in the front and the
     browser."""
 
     async def received() -> bytes:
@@ -112,8 +112,7 @@ def stop_server(server: viser.ViserServer) -> None:
 
 
 def request_headers(server: viser.ViserServer, client: viser.ClientHandle) -> dict[str, str] | None:
-    """Return the headers that the front sent when it opened this client's connection, or None if it is already
-    closed."""
+    """Return the headers that the front sent when it opened this client's connection, or None if it has closed."""
     connection = server._websock_server._live_connections.get(client.client_id)
     if connection is None or connection.request is None:
         return None
@@ -139,7 +138,7 @@ def is_removed(handle: Any) -> bool:
 
 
 def of_one_page(control: viser.TransformControlsHandle) -> None:
-    """Have the pose of a handle, as a hand moves it, not sent to the other pages that have it: there are none.
+    """Stop viser from sending the pose of a dragged handle to other pages with the same handle: there are none.
 
     viser would send two messages for each event, which reach nobody and wake up what sends.
     """

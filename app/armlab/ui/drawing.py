@@ -1,5 +1,4 @@
-"""The drawing of one layer, which is shown, hidden and removed as a whole, so that no layer needs its own code for
-that."""
+"""The drawing of one layer, which is shown, hidden and removed as a whole without any code in the layer."""
 
 from __future__ import annotations
 
@@ -72,7 +71,8 @@ class LayerCanvas:
         self._canvas.on_pose(self.paced(lambda q: None if self.hidden else listener(q)))
 
     def follow(self, state: State, draw: Callable[[State, NDArray[np.float64]], None]) -> Callable[[State], None]:
-        """Return what shows a state: ``draw(state, q)`` is called then, and with every configuration on the way."""
+        """Return the ``show`` of a layer: ``draw(state, q)`` is called for a state and for each configuration of a
+        move."""
         present = state
 
         def show(state: State) -> None:

@@ -56,8 +56,7 @@ class _Mistake:
         return time.monotonic() - self._made > seconds
 
     def is_over(self, content: str) -> bool:
-        """Return whether the content beside the sentence has changed, and the sentence has been shown long enough to be
-        read."""
+        """Return whether the content beside the sentence has changed, and there was time to read the sentence."""
         if self._beside is None:
             self._beside = content
         return self._beside != content and self.stood(READ)
@@ -179,7 +178,7 @@ class Fields:
             self.html.visible = on
 
     def show(self, *inside: Inside) -> None:
-        """Show this, which holds the fields."""
+        """Show content that holds the fields."""
         content = joined(*inside)
         self._shown_revision, self._content = self._revision, content
         mistake = self._mistake

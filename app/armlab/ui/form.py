@@ -1,5 +1,4 @@
-"""Markup whose buttons, choices and fields carry their actions: commands, or functions that make commands from a
-text."""
+"""Markup whose buttons, choices and fields carry their actions: commands, or functions from a text to commands."""
 
 from __future__ import annotations
 
@@ -150,7 +149,7 @@ class Form:
         self._binding[cell] = action
 
     def shows(self, *of: object) -> bool:
-        """Return whether this is what is shown: made of the same things, and nothing was typed or pressed since.
+        """Return whether the form shows markup made of the same objects, and nothing was typed or pressed since.
 
         Then it need not be made again. Whoever asks makes it of these things alone.
         """

@@ -90,7 +90,7 @@ def matrix(values: NDArray[np.floating], decimals: int = 3, rule: int | None = N
 
 
 def pairs(rows: Sequence[tuple[Inside, Inside]]) -> Markup:
-    """Return name and value in two columns."""
+    """Return names and values in two columns."""
     return tag("div.kv", [(tag("span", name), tag("span", value)) for name, value in rows])
 
 

@@ -41,7 +41,7 @@ VECTORS = {"position": 3, "look_at": 3, "up_direction": 3, "wxyz": 4}
 """Number of components of the vectors of a pose or a camera, by field."""
 
 NUMBERS = frozenset({int, float})
-"""Types of numbers in what was read from a message."""
+"""Types of the numbers in a message that was read."""
 
 DIRECTIONS = frozenset({"up_direction", "wxyz"})
 """Vectors that are invalid if all components are zero."""
@@ -103,8 +103,7 @@ def _wrong(kind: str, fields: Mapping[str, Any], value_now: Any) -> str:
 
 
 def _fits(value: Any, now: Any) -> bool:
-    """Return whether a control that holds ``now`` can hold a value: the same kind, and the same number of
-    components."""
+    """Return whether a control that holds ``now`` can hold a value: the same kind, and as many components."""
     if isinstance(now, bool) or isinstance(value, bool):
         return isinstance(value, bool) and isinstance(now, bool)
     if isinstance(now, (int, float)):

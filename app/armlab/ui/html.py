@@ -1,5 +1,4 @@
-"""Elements of a page: texts and attributes are escaped when an element is made, so that typed text never becomes
-markup.
+"""Elements of a page: texts and attributes are escaped when an element is made, so that no text becomes markup.
 
 `tag` makes one, with what is inside; a `Markup` that it returns stands as it is in another. This is the only place
 where text becomes markup; formulas and the text of lessons come from their own readers, which check them.

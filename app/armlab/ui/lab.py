@@ -39,10 +39,10 @@ from armlab.ui.wished import wished
 log = logging.getLogger(__name__)
 
 UNVISITED = 3.0
-"""Seconds after which lessons are read in a lab that nobody has opened yet."""
+"""Time after which lessons are read in a lab that nobody has opened yet, seconds."""
 
 SETTLING = 1.0
-"""Seconds that a browser has for itself to show the first page it was sent."""
+"""Time that a browser has for itself to show the first page it was sent, seconds."""
 
 GRANT_PATIENCE = 2.0
 """Time to wait for the arm or lesson that a link names before the page is built without it, seconds."""
@@ -165,7 +165,7 @@ class Lab:
                 await self._open(client, session)
 
     def _add_lessons(self) -> None:
-        """Add the folders of lessons, which changes nothing when they are there."""
+        """Add the folders of lessons; those that are there already stay as they are."""
         for folder in self._own_lessons:
             add_folder(folder)
 
@@ -255,7 +255,7 @@ class Lab:
         self._follow_jobs(session)
 
     def _follow_jobs(self, session: Session) -> None:
-        """Have the long work done that somebody looks at."""
+        """Let the long work of a session be done whose panels are open."""
         if self._of_session.get(session.token):
             state = session.state
             self.runner.follow(session, frozenset(state[Panels].open(hidden_panels(state))))

@@ -1,5 +1,4 @@
-"""A form for the options of a path or a law, made from their descriptions, so that a new kind needs no form of its
-own."""
+"""A form for the options of a path or a law, made from their descriptions, so that a new kind needs no own form."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class Overlay:
         self._form.show(hint, self._place(session), self._steps(session), self._notes(session))
 
     def _made_of(self, session: Session) -> tuple[object, ...]:
-        """Return all that decides what is shown besides the line."""
+        """Return all values on which the layer depends besides the line."""
         shelf, robot, history = session.state[Shelf], session.state[RobotPart], session.history
         return (
             (shelf.place, _waits(shelf)),
@@ -64,8 +64,7 @@ class Overlay:
         )
 
     def _place(self, session: Session) -> Markup | None:
-        """Return a sentence on the student's present place, if it is not their lesson or own work, with the button
-        back."""
+        """Return a sentence on where the student is, unless at the lesson or own work, with the button back."""
         shelf = session.state[Shelf]
         if shelf.place == SANDBOX:
             says, way = "Your sandbox", self._form.button("home", f"‹ Back to {_waits(shelf)}", BackToLesson(), "chip")
@@ -107,5 +106,5 @@ class Overlay:
 
 
 def _waits(shelf: Shelf) -> str:
-    """Return the name of what a student has left for a while."""
+    """Return the name of the work that the student has left for a while."""
     return at_place(shelf.waiting).title if shelf.waiting else "my work"

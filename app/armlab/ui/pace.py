@@ -112,7 +112,7 @@ class Paced:
         self._pace.timed(self._call, self._newest)
 
     def stop(self) -> None:
-        """Forget what is still to come."""
+        """Cancel a call that is still to come."""
         self._pace.spread.drop(self)
         if self._later is not None:
             self._later.cancel()

@@ -67,8 +67,7 @@ class Player:
             self._send_next()
 
     def _wait(self) -> None:
-        """Come back when the next picture is due; times are added to the last due time, so that delays do not add
-        up."""
+        """Come back when the next picture is due, counted from the last due time, so that delays do not add up."""
         now = self._loop.time()
         self._due += INTERVAL
         if self._due <= now:

@@ -45,7 +45,7 @@ def play_button(
 
 
 def clock(form: Form, state: State, clip: str, end: float) -> Markup:
-    """Return the button of a film that takes ``end`` seconds, and the field of its time; cells are named by the
+    """Return the button of a film that takes ``end`` seconds, and the field of its time; their cells contain the
     clip."""
     on = state[Timeline].clip == clip
     now = state[Timeline].time if on else 0.0

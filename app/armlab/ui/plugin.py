@@ -111,7 +111,7 @@ def panel(key: str) -> Panel:
 
 
 def whole_panel(key: str) -> Panel | None:
-    """Return the panel of a page; None where it is broken, which the page says."""
+    """Return the panel of a page, or None if it is broken, which the page says."""
     found = _imported(key)
     return found if isinstance(found, Panel) else None
 

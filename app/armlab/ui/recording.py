@@ -172,7 +172,7 @@ def _look(server: viser.ViserServer, scenario: Scenario, drawn: Drawn, poses: Fl
 
 
 def _page(state: State, html: str) -> str:
-    """Return viser's page with a title and the sky of the lab."""
+    """Return viser's page with a title and the background of the lab."""
     name = joined(state[RobotPart].robot.name)
     style = f"canvas[data-engine] {{ background: {SKY[DARK.on(state)]}; }}"
     html = html.replace("<title>Viser</title>", f"<title>{name}: motion</title>", 1)

@@ -67,7 +67,7 @@ class Tab:
                 self._head = head.form(post)
 
     def show_head(self, state: State) -> None:
-        """Show the pages there are in a state, and on which of them the tab stands."""
+        """Show the pages of the tab in a state, with the present one marked."""
         if self._head is None:
             return
         stands, hidden = self._page_of(state), hidden_panels(state)
@@ -86,7 +86,7 @@ class Tab:
         self._head.show(tag("div.pages", pages, role="tablist"))
 
     def show(self, state: State, again: bool = False) -> None:
-        """Show a state on the page on which the tab stands.
+        """Show a state on the present page of the tab.
 
         Parameters
         ----------
@@ -131,7 +131,7 @@ class Tab:
         return covered
 
     def _tell_broken(self, page: Page) -> None:
-        """Show, once each time it is turned to, that a page cannot be shown, and why in the log."""
+        """Show once for each choice of the page that it is broken; the reason is in the log."""
         if self._built != page.key:
             self._built, self._show, self._shown = page.key, None, None
             with self._container:

@@ -104,7 +104,7 @@ class View:
         self._headed: tuple[Window, frozenset[str]] | None = None
 
     def build(self) -> Generator[None, None, None]:
-        """Build the page, a piece of a millisecond or two at a time; the browser gets it when it is whole."""
+        """Build the page in pieces of a millisecond or two; the browser gets it when it is complete."""
         self._post(OpenWindow(self.client.client_id, self._first))
         with self.client.atomic():
             self._theme(self.session.state)
@@ -146,7 +146,7 @@ class View:
     # -- which panels are open -----------------------------------------------------------------------------------
 
     def _window(self, state: State) -> Window:
-        """Return what is open here in a state; what this page began with until the worker knows of it."""
+        """Return the open panels of this page in a state, or those it began with until the worker knows of it."""
         return state[Panels].windows.get(self.client.client_id, self._first)
 
     def _page_of(self, tab: str, state: State) -> str:
@@ -156,7 +156,7 @@ class View:
         return frozenset(self._window(state).panels(hidden_panels(state)))
 
     def _opened(self, state: State) -> tuple[Panel, ...]:
-        """Return the panels a person sees, without those that cannot be imported."""
+        """Return the panels that are visible, without those that cannot be imported."""
         return tuple(found for key in self._open_panels(state) if (found := whole_panel(key)) is not None)
 
     def _hidden(self, state: State) -> frozenset[str]:
@@ -172,7 +172,7 @@ class View:
         return frozenset(key for hides in hiding for key in hides)
 
     def _show_heads(self, state: State) -> None:
-        """Show which page each tab stands on, of those that are there."""
+        """Show the pages of each tab, with the present one marked."""
         headed = self._window(state), hidden_panels(state)
         if headed != self._headed:
             self._headed = headed
@@ -226,13 +226,13 @@ class View:
         self._refresh_soon()
 
     def _panels_changed(self) -> None:
-        """Show at once what a person has turned to, with the picture around it."""
+        """Show at once the pages that the student has turned to, with the points around them."""
         if len(self._around()):
             self.camera.keep_in_view()
         self._refresh_now()
 
     def _lesson_changed(self, state: State) -> None:
-        """Make room in the picture for a lesson, and say who has opened it."""
+        """Adapt the camera to a lesson, and tell who has opened it."""
         lesson = state[LessonPart].lesson
         if self._shown is not None and self._loop.time() - self._acted > ELSEWHERE:
             now = "has closed the lesson" if lesson is None else f"has opened the lesson “{lesson.title}”"

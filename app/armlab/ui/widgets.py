@@ -94,7 +94,7 @@ class Html:
         self.handle, self._class = handle, f"al {scope}".rstrip()
 
     def show(self, *inside: Inside) -> None:
-        """Show this."""
+        """Show new content."""
         adapter.set_content(self.handle, tag("div", *inside, class_=self._class))
 
     def visible(self, on: bool) -> None:

@@ -230,8 +230,7 @@ class Setup:
         return replace(self, inverse=rate_inverse(key).key, inverse_options=())
 
     def with_option(self, of: str, key: str, value: Any) -> Self:
-        """Return the settings with one option of their ``"law"`` or ``"inverse"`` changed; None restores its
-        default."""
+        """Return the settings with an option of their ``"law"`` or ``"inverse"`` changed; None restores its default."""
         owner: ControlLaw | RateInverse = self.kind if of == "law" else self.method
         given = dict(self.law_options if of == "law" else self.inverse_options)
         if value is None:
@@ -317,7 +316,7 @@ def joint_values(arm: Arm, q: ArrayLike, where: str) -> tuple[float, ...]:
 
 
 def checked_reference(key: str) -> str:
-    """Return the key of a reference; `UnknownName` when there is none."""
+    """Return the key of a reference; `UnknownName` if there is none."""
     return known_name("reference", key, REFERENCES)
 
 

@@ -128,8 +128,7 @@ class ChooseInverse(Command):
 
 @dataclass(frozen=True, eq=False)
 class SetValue(Command):
-    """Set one value of the selected run; see `armlab.benches.control.follow.chosen.FIELDS`. None restores its
-    default."""
+    """Set a value of the selected run; see `armlab.benches.control.follow.chosen.FIELDS`. None restores its default."""
 
     key: str
     value: Any

@@ -165,8 +165,7 @@ def _reference(question: Question, known: Planned | None) -> Generator[None, Non
 
 
 def reference_points(arm: Arm, setup: Setup) -> Floats:
-    """Return points (k, 3) of a line or a circle before it is run, world, metres; the first point of other
-    references."""
+    """Return points (k, 3) of a line or circle before it is run, world, metres; the first point of other references."""
     p, along = np.asarray(arm.position(np.array(setup.start)), dtype=np.float64), direction(arm, setup)
     if setup.reference == "line":
         return np.array([p, p + setup.speed * setup.duration * along])

@@ -101,8 +101,7 @@ class Basins(FieldPart):
         return replace(super().for_robot(robot), run=refitted(self.run, robot.arm))
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep also joints and start values of joints that are still there; the map is dropped, as it belongs to the
-        earlier arm."""
+        """Keep also joints and start values of joints that are still there; the map of the earlier arm is dropped."""
         kept = super().for_edited(robot, origin)
         across, up = (origin.index(joint) if joint in origin else -1 for joint in self.joints)
         # An arm of one joint has but one for both axes.

@@ -143,13 +143,12 @@ EXAMPLES: Registry[Example] = Registry(
         ),
     ),
 )
-"""By key, in the order of the list."""
+"""Examples by key, in the order of the list."""
 
 
 @dataclass(frozen=True)
 class ChooseExample(Command):
-    """Load the arm, the start, the target, the task vector and the runs of an example, and open its film at the
-    start."""
+    """Load arm, start, target, task vector and runs of an example, and open its film at the start."""
 
     key: str
     label: ClassVar[str] = "example of iterations"

@@ -19,8 +19,7 @@ PANEL = "iterations"
 
 
 class Todo(NamedTuple):
-    """The runs without a film of the present question, by colour, the selected one first, and the arms to search
-    for."""
+    """The runs without a film of the present question, by colour, the selected one first, and the arms to find."""
 
     runs: tuple[tuple[int, Question], ...]
     arms: Asked | None

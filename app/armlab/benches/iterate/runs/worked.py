@@ -76,7 +76,7 @@ def methods() -> Registry[Method]:
 
 
 def method_named(key: str) -> Method:
-    """Return a method by key; `UnknownName` when there is none."""
+    """Return a method by key; `UnknownName` if there is none."""
     return methods()[key]
 
 

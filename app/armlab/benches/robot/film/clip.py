@@ -112,7 +112,7 @@ def moving_frame(state: State) -> NDArray[np.float64]:
 
 
 def row_product(state: State) -> NDArray[np.float64]:
-    """Return the moving frame in the frame where its row starts, shape (4, 4); at the end of row i it is the row's
+    """Return the moving frame in the frame of its row's start, shape (4, 4); at the end of row i it is the row's
     matrix."""
     joints, row = state[Joints], place_of(state).row
     start = joints.frames[row]
@@ -120,8 +120,7 @@ def row_product(state: State) -> NDArray[np.float64]:
 
 
 def running_product(state: State) -> NDArray[np.float64]:
-    """Return the moving frame in frame 0, shape (4, 4); at the end of row i it is the product of the matrices 1 to
-    i."""
+    """Return the moving frame in frame 0, shape (4, 4); at the end of row i it is the product of matrices 1 to i."""
     return np.asarray(inverse(state[Joints].arm.base) @ state.derived(moving_frame), dtype=np.float64)
 
 

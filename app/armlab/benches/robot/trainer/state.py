@@ -166,8 +166,7 @@ class Trainer(Part):
         return all(z and x for z, x in axes) and all(v.ok for v in self.judged(axes))
 
     def judged(self, axes: tuple[Axes, ...]) -> tuple[FrameVerdict, ...]:
-        """Judge the frames; incomplete ones are replaced by those of the solution, and callers must ignore their
-        verdicts."""
+        """Judge the frames; incomplete ones are replaced by the solution's, and callers must ignore their verdicts."""
         filled = tuple(own if all(own) else known for own, known in zip(axes, self.exercise.solution, strict=True))
         return judge_frames(self._arm, self.exercise.pose, choices_of(filled))
 

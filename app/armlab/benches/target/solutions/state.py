@@ -218,7 +218,7 @@ class TakePreset(Command):
     label: ClassVar[str] = "example of the notes"
 
     def apply(self, state: State) -> State:
-        """Return the state with its arm in its pose."""
+        """Return the state with the arm of the example in its pose."""
         key, pose, _ = PRESETS[known_name("example", self.name, PRESETS)]
         robot = catalogue()[key]
         if robot is not state[RobotPart].robot:

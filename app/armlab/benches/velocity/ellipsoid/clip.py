@@ -39,8 +39,7 @@ def at(state: State, time: float) -> State:
 
 
 def stops(state: State) -> tuple[float, ...]:
-    """Return the times when the joint is at its limits, in the middle, and at singularities, on the way between the
-    limits."""
+    """Return the times when the joint is at its limits, in the middle, and at singularities between the limits."""
     begin, duration, low, high = legs(state)[1]
     values = [low, 0.5 * (low + high), high]
     for singular in state.derived(singularities).places:

@@ -75,8 +75,7 @@ class VelocityBlock:
         return counted_speeds(self.arm)
 
     def axes(self, q: ArrayLike) -> Array:
-        """Return the unit vectors of the rows in the world, shape (..., 3, m): those of frame 0, or x and y of the
-        tool."""
+        """Return the unit vectors of the rows in the world, (..., 3, m): those of frame 0, or x and y of the tool."""
         task, base = self.arm.task, self.arm.base[:3, :3]
         if self.key == "rotation" and task.rotation == "approach":
             return np.asarray(self.arm.fk(q)[..., :3, :2], dtype=np.float64)

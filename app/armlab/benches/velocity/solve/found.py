@@ -101,8 +101,7 @@ class Found:
         return penrose(self.scaled, self.scaled_inverse)
 
     def vectors(self, values: Array) -> tuple[Array, Array]:
-        """Return a task velocity as two vectors of the world: that of the tool point, m/s, and that of rotation,
-        rad/s."""
+        """Return a task velocity as two vectors of the world: of the tool point, m/s, and of rotation, rad/s."""
         return values[: self.p] @ self.axes[: self.p], values[self.p :] @ self.axes[self.p :]
 
 

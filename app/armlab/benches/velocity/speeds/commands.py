@@ -136,7 +136,7 @@ def _check_joint(part: Velocity, joint: int) -> None:
 
 
 def _switched(state: State, field: str, known: Sequence[str], name: str, on: bool) -> State:
-    """Return the state with one of the names of a field on or off."""
+    """Return the state with one of the names of a field switched on or off."""
     known_name(field, name, known)
     chosen = getattr(state[Velocity], field)
     return setting(state, Velocity, {field: chosen | {name} if on else chosen - {name}})

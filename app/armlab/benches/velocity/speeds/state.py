@@ -138,8 +138,7 @@ class Velocity(FieldPart):
         return replace(new, qdot=tuple(qdot), reached=self.reached)
 
     def after(self, before: State, now: State) -> Self:
-        """Forget the place of the film when it is closed, and the example when the student moves the arm away from
-        it."""
+        """Forget the place of the film when it is closed, and the example when the student moves the arm."""
         part = self
         if self.example and self is before[Velocity] and now[Joints].q is not before[Joints].q:
             part = replace(part, example="")

@@ -95,8 +95,7 @@ class Dexterous(FieldPart):
         return replace(super().with_values(values), stopped=None)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the settings if the arm still has them; the place of the slice falls when angle and distance change
-        roles."""
+        """Keep the settings if the arm still has them; the place of the slice is dropped if it changes its unit."""
         kept = super().for_edited(robot, origin)
         return kept if robot.arm.revolute[0] == self.arm.revolute[0] else replace(kept, s=None)
 

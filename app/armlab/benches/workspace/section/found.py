@@ -101,7 +101,7 @@ class Found:
 
 
 def once_each(follows: Callable[[Found], T]) -> Callable[[Found], T]:
-    """Return a function that works out what follows from what was found once, and keeps it as long as that is kept.
+    """Return a function that computes a result of what was found once, and keeps it as long as the latter.
 
     A whole class looks at sections at the same time, each with findings of their own.
     """

@@ -58,8 +58,7 @@ class WhatIf(Part):
         return cls(arm, arm, -i, field)
 
     def for_edited(self, robot: Robot, origin: tuple[int | None, ...]) -> Self:
-        """Keep the selected number if it is still there, and the changes if the edited arm is the one before
-        `TakeOver`."""
+        """Keep the selected number if it is still there, and the changes if the arm is that before `TakeOver`."""
         row = robot.arm.n if self.row == self.arm.n else origin.index(self.row) if self.row in origin else -1
         there = row >= 0 and self.field in fields_of(robot.arm, row)
         if not there:
@@ -109,7 +108,7 @@ class ChooseQuantity(Command):
 
 @dataclass(frozen=True)
 class Suppose(Command):
-    """Suppose another value of a number, metres or radians; sent by a slider in motion. Its real value removes the
+    """Suppose another value of a number, metres or radians, by a slider in motion; its real value removes the
     change."""
 
     row: int

@@ -1,5 +1,4 @@
-"""Basins of attraction: the solution that a method reaches from each start, as a map that can be clicked to begin a
-film."""
+"""Basins of attraction: the solution that a method reaches from each start, as a map; a click begins a film."""
 
 from __future__ import annotations
 
@@ -85,8 +84,7 @@ class BasinsPage:
         self._below.show(legend(found, self._units), save)
 
     def _begin(self, x: float, y: float, _drag: int) -> StartInMap:
-        """Begin the film at the clicked place; if that is refused, the reason is shown here, and the film's page stays
-        closed."""
+        """Begin the film at the clicked place; a refusal is shown here, and the film's page stays closed."""
         place = min(max(x, 0.0), 1.0), min(max(1.0 - y, 0.0), 1.0)
         start_in_map(self._state, *place)
         self._gui.open_panel("iterations")

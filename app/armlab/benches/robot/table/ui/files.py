@@ -1,5 +1,4 @@
-"""Files and texts of tables: a robot file saved and loaded, the table copied for papers and spreadsheets, one
-pasted."""
+"""Files and texts of tables: a robot file saved and loaded, the table copied for papers and spreadsheets, or pasted."""
 
 from __future__ import annotations
 

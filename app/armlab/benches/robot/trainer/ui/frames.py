@@ -163,8 +163,7 @@ def _unit_arrow() -> Solid:
 
 
 def _on_axis(exercise: Exercise, j: int) -> list[Vector]:
-    """Return points on the axis of joint j+1 that its line must pass through: the origin, and points of the arm
-    itself."""
+    """Return points that the line of the axis of joint j+1 must pass through: the origin, and points of the arm."""
     z, own = exercise.own_frames[j, :3, 2], exercise.own_frames
     places = [exercise.origins[j], own[j, :3, 3]]
     # The body after the joint begins where its link leaves the axis.

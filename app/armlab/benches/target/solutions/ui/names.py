@@ -52,8 +52,7 @@ class Names:
 
 
 def bends(corners: Floats, arm: Floats) -> Floats:
-    """Return for each of k polylines (k, c, 3) the corner that is farthest from that of the arm (c, 3), shape (k,
-    3)."""
+    """Return the corner of each of k polylines (k, c, 3) that is farthest from that of the arm (c, 3), shape (k, 3)."""
     far = np.linalg.norm(corners - arm, axis=2)
     return np.asarray(corners[np.arange(len(corners)), np.argmax(far, axis=1)])
 

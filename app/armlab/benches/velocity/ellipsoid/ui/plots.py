@@ -145,8 +145,7 @@ def _singular(found: SingularPlaces, limits: Array, units: Units, joint: int, re
 
 
 class OverDistances:
-    """Plots of w and both half axes of a planar 2R arm over the distance of its tool from the first axis, as in the
-    notes."""
+    """Plots of w and both half axes of a planar 2R arm over the distance of its tool from the first axis."""
 
     def __init__(self, gui: Gui, found: OverDistance, units: Units) -> None:
         self._units, self._link = units, found.link

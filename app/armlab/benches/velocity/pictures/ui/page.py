@@ -87,8 +87,7 @@ def maps_markup(form: Form, state: State, found: Square, units: Units) -> Markup
 
 
 def _go(across: float, up: float, drag: int) -> StandAt:
-    """Return the command that moves the arm to a place in the square, given in parts of its sides from the lower left
-    corner."""
+    """Return the command that moves the arm to a place in the square, in parts of its sides from the lower left."""
     return DragTo(across, up, drag) if drag else StandAt(across, up)
 
 

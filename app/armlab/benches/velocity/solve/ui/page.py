@@ -1,5 +1,4 @@
-"""The page for joint speeds: none, one or infinitely many; the shortest; the four subspaces; singularity and its
-reason."""
+"""The page for joint speeds: how many there are, the shortest, the four subspaces, and singularity with its reason."""
 
 from __future__ import annotations
 
@@ -175,7 +174,7 @@ class _SelfMotion:
             self._look(state)
 
     def _look(self, state: State) -> None:
-        """Look for the self-motion through the configuration when the arm has been still for a while, once for each
+        """Look for the self-motion through the configuration when the arm has rested for a while, once for each
         place."""
         here = (state[Joints].arm, state[Joints].q.tobytes(), state[Joints].locked, state[Solve].rows)
         if here == self._looked or state[Timeline].playing:

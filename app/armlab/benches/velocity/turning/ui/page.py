@@ -1,5 +1,4 @@
-"""The page of turning: three angles and their rates against the angular velocity, and why omega cannot be
-integrated."""
+"""The page of turning: three angles and their rates against omega, and why omega cannot be integrated."""
 
 from __future__ import annotations
 

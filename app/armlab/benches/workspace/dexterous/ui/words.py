@@ -49,8 +49,7 @@ NOTES_DIFFER = {
 
 
 def regions_table(form: Form, state: State, units: Units) -> Markup | None:
-    """Return the regions from the inside out, each with a button that brings the tool there, and details for the tool's
-    own."""
+    """Return the regions from the inside out, each with a button to go there, and details for that of the tool."""
     arm = state[Joints].arm
     lengths, standing = lengths_of(arm), state.derived(tool_standing)
     if lengths is None or standing is None:
@@ -126,8 +125,7 @@ def tool_words(state: State, units: Units) -> Markup | None:
 
 
 def _possible(lengths: tuple[float, ...], r: float) -> float:
-    """Return the measure of the orientations at the tool, rad; a tool outside the outer edge by rounding counts as on
-    it."""
+    """Return the measure of the orientations at the tool, rad; a tool beyond the outer edge by rounding is on it."""
     space = planar_workspace(lengths)
     return float(np.nan_to_num(orientations(lengths, min(max(r, space.inner), space.outer))))
 

@@ -162,7 +162,7 @@ def _outlines(found: Found) -> Markup:
 
 
 def _paths(lines: Sequence[Floats]) -> str:
-    """Return closed lines as a path, with as few points as look the same; all are looked at together."""
+    """Return closed lines as one path, with as few points as look the same; all lines are simplified together."""
     if not lines:
         return ""
     places, after = np.concatenate(lines), np.cumsum([len(line) for line in lines])
