@@ -86,8 +86,7 @@ def _guard(server: viser.ViserServer, connection: Any, of_browsers: MutableMappi
 
 
 def _in_turn(receive: Callable[[], Awaitable[bytes]], turns: Turns) -> Callable[[], Awaitable[bytes]]:
-    """Return a function that receives a connection's messages one at a time; others wait in the front and the
-    browser."""
+    """Return a function that receives a connection's messages one at a time; the others wait in front and browser."""
 
     async def received() -> bytes:
         await turns.come()
@@ -231,8 +230,7 @@ def on_scene_click(client: Any, callback: Callable[[Any], None]) -> Callable[[],
 
 
 def _note_failure(what: str, error: Exception) -> None:
-    """Log in one line the failure that a message caused, since strangers send messages, too; the trace is for
-    debugging."""
+    """Log in one line the failure that a message caused, since strangers send messages, too; the trace is for debug."""
     log.error("%s failed: %s", what, in_one_line(error))
     log.debug("%s failed", what, exc_info=error)
 

@@ -81,8 +81,7 @@ class Camera:
             self.look_from("Home")
 
     def follow(self, robot: Robot, figure: Figure, stay: bool = False) -> None:
-        """Look at another arm, from its home view, or from the present place of the eye unless its size differs
-        much."""
+        """Look at another arm, from its home view, or from the present place unless its size differs much."""
         self._robot, self._figure = robot, figure
         if not stay or not 1.0 / GROWN < figure.anatomy.size / self._size < GROWN:
             self.look_from("Home")

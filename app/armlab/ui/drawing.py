@@ -71,8 +71,7 @@ class LayerCanvas:
         self._canvas.on_pose(self.paced(lambda q: None if self.hidden else listener(q)))
 
     def follow(self, state: State, draw: Callable[[State, NDArray[np.float64]], None]) -> Callable[[State], None]:
-        """Return the ``show`` of a layer: ``draw(state, q)`` is called for a state and for each configuration of a
-        move."""
+        """Return the ``show`` of a layer: ``draw(state, q)`` is called for a state and each configuration of a move."""
         present = state
 
         def show(state: State) -> None:

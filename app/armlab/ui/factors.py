@@ -31,7 +31,6 @@ def product_latex(convention: Convention, units: Units, index: str, before: str)
 
 
 def turns(axes: str, fixed: bool, texts: Sequence[str]) -> Markup:
-    """Return a product of turns with numbers in the order of multiplication: about fixed axes the first turn is
-    last."""
+    """Return a product of turns with numbers in the order of multiplication, for fixed axes the first turn last."""
     factors = [elementary("R", axis, text) for axis, text in zip(axes, texts, strict=True)]
     return joined(reversed(factors) if fixed else factors, between=" ")

@@ -45,8 +45,7 @@ def play_button(
 
 
 def clock(form: Form, state: State, clip: str, end: float) -> Markup:
-    """Return the button of a film that takes ``end`` seconds, and the field of its time; their cells contain the
-    clip."""
+    """Return the button of a film that takes ``end`` seconds, and the field of its time, with the clip in the cells."""
     on = state[Timeline].clip == clip
     now = state[Timeline].time if on else 0.0
     typed = form.field("time", amount(now), "Time in seconds", lambda text: _to_time(text, clip, end, on))

@@ -1,5 +1,4 @@
-"""The film of the tangents: at each iterate the tangent is drawn and followed to the axis, then the line to the
-curve."""
+"""The film of the tangents: each tangent is drawn and followed to the axis, and then the line to the curve."""
 
 from __future__ import annotations
 

@@ -112,8 +112,7 @@ def moving_frame(state: State) -> NDArray[np.float64]:
 
 
 def row_product(state: State) -> NDArray[np.float64]:
-    """Return the moving frame in the frame of its row's start, shape (4, 4); at the end of row i it is the row's
-    matrix."""
+    """Return the moving frame in the first frame of its row, (4, 4); at the end of row i it is the row's matrix."""
     joints, row = state[Joints], place_of(state).row
     start = joints.frames[row]
     return np.asarray(inverse(start) @ state.derived(moving_frame), dtype=np.float64)

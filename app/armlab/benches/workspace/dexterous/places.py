@@ -122,8 +122,7 @@ class StandStretched(Command):
     label: ClassVar[str] = "singular configuration"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm in that configuration; `InputError` if it does not exist or limits forbid
-        it."""
+        """Return the state with the arm in that configuration; `InputError` if there is none or limits forbid it."""
         arm, found = state[Joints].arm, regions(_lengths(state))
         ways = found[self.index].ways if 0 <= self.index < len(found) else ()
         if not 0 <= self.way < len(ways):

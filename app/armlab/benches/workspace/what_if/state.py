@@ -108,8 +108,7 @@ class ChooseQuantity(Command):
 
 @dataclass(frozen=True)
 class Suppose(Command):
-    """Suppose another value of a number, metres or radians, by a slider in motion; its real value removes the
-    change."""
+    """Suppose another value of a number, metres or radians, by a slider; its real value removes the change."""
 
     row: int
     field: str

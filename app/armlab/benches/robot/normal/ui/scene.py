@@ -70,8 +70,7 @@ class TwoLines:
         self._name(normal, arc, units)
 
     def _fine_lines(self, lines: Lines, normal: CommonNormal) -> list[Array]:
-        """Return the ends of the fine lines: right angles, dashes to the feet, and the first direction at the
-        second."""
+        """Return the ends of the fine lines: right angles, dashes to the feet, the first direction at the second."""
         size, x = self._size, normal.normal
         points: list[Array] = []
         for line, foot, along in ((lines.first, normal.foot1, x), (lines.second, normal.foot2, -x)):

@@ -157,8 +157,7 @@ class Body:
                 move(self._scale, -side)
 
     def _side(self, axis: Array, centre: Array) -> float:
-        """Return the end of an axis at which its length is written: the upper one, or for forces that away from the
-        arm."""
+        """Return the end of an axis at which its length is written: the upper one, or the one away from the arm."""
         if self._end < 0 and abs(float(axis[2])) < 0.5:
             return 1.0 if float(axis @ (centre - self._origin)) >= 0.0 else -1.0
         return self._end if axis[2] >= -1e-9 else -self._end

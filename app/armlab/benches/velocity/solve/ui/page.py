@@ -174,8 +174,7 @@ class _SelfMotion:
             self._look(state)
 
     def _look(self, state: State) -> None:
-        """Look for the self-motion through the configuration when the arm has rested for a while, once for each
-        place."""
+        """Look for the self-motion through the configuration when the arm has rested a while, once for each place."""
         here = (state[Joints].arm, state[Joints].q.tobytes(), state[Joints].locked, state[Solve].rows)
         if here == self._looked or state[Timeline].playing:
             return
