@@ -182,7 +182,7 @@ class Made:
 def _series(trajectory: Trajectory, order: int) -> Series:
     """Return a derivative as series of few terms.
 
-    Of a polynomial of low degree they are exact. Otherwise each piece, in which the motion is smooth, is cut into so
+    They are exact for a polynomial of low degree. Otherwise each piece, in which the motion is smooth, is cut into so
     many that terms of degree `COUNT` - 1 resolve it: halving until rounding is reached, as the core does, takes seconds
     where short intervals follow long ones, because their derivatives carry more rounding than it waits for.
     """

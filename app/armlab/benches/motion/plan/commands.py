@@ -66,7 +66,7 @@ class PlanCommand(Command):
 class SetMove(PlanCommand):
     """Choose how the arm comes to a waypoint; None leaves a choice unchanged.
 
-    Of a stretch through several waypoints all moves change.
+    In a stretch through several waypoints all moves change.
 
     Parameters
     ----------

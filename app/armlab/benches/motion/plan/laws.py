@@ -65,7 +65,7 @@ def bounds_of(question: Question, stretch: Stretch, path: Path) -> LawBounds | N
 def how(question: Question, stretch: Stretch) -> dict[str, Any]:
     """Return the options with which the law of a stretch is made along its path.
 
-    What jumps is told, not refused, and a law that needs a limit of jerk takes a usual one for its shape.
+    Jumps are reported, not refused, and a law that needs a limit of jerk takes a usual one for its shape.
     """
     law = stretch.move.law
     shape = question.limits.of_joints("jerk" in law_types()[law.key].needs)

@@ -1,7 +1,7 @@
 """The five steps from knots to a motion of the joints, with the numbers of each.
 
-Notes, the list before section 6.1. What is computed here was planned already, in
-`armlab.benches.motion.plan.planning`; this looks at what came of each step.
+Notes, the list before section 6.1. The steps were computed by `armlab.benches.motion.plan.planning`; this module reads
+the result of each.
 """
 
 from __future__ import annotations
@@ -261,7 +261,7 @@ def length_of(points: Floats) -> float:
 def between(s: Floats) -> Floats:
     """Return places at which a path through samples is evaluated: the samples and an odd number between each two.
 
-    Of many samples it is half way between them alone.
+    If the samples are many the places are only those half way between them.
     """
     if len(s) - 1 > BETWEEN:
         return 0.5 * (s[1:] + s[:-1])

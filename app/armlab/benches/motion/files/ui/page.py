@@ -36,7 +36,7 @@ MADE = 8
 class MotionFiles:
     """The page of the files of a motion.
 
-    What takes longer than a hand may wait is made by a thread of its own; until then its buttons are off.
+    Files that take longer than a student should wait are made by a thread of its own; until then its buttons are off.
 
     Parameters
     ----------
