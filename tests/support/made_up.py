@@ -12,7 +12,7 @@ def build(gui, state, post):
     def show(state):
         part = next((part for part in state if part.key == "made_up"), None)
         more = form.chip("made-more", "More", lambda: Set(type(part), "value", part.value + 1))
-        form.show(f"made-up: {state[Joints].arm.n} joints, counted {part and part.value}{more}")
+        form.show(f"made-up: {state[Joints].arm.n} joints, counted {part and part.value}", more)
 
     return show
 

@@ -9,8 +9,8 @@ import viser
 from viser import _icons
 
 from armlab.errors import InputError
+from armlab.session.pages import tabs
 from armlab.ui import adapter, quick
-from armlab.ui.plugin import tabs
 from support.bare import Bare
 
 
