@@ -137,7 +137,7 @@ class GoToWaypoint(Command):
     label: ClassVar[str] = "move"
 
     def apply(self, state: State) -> State:
-        """Return the state with the arm at that part of the self-motion."""
+        """Return the state with the arm at the waypoint."""
         part, joints = state[Plan], state[Joints]
         moved = joints.moved_to(np.array(part.waypoints[checked_index(part, self.k)].q))
         return state if moved is joints else state.replace(moved)
