@@ -214,7 +214,7 @@ def on_event(handle: Any, register: str, callback: Callable[[Any], None]) -> Non
 def on_scene_click(client: Any, callback: Callable[[Any], None]) -> Callable[[], None]:
     """Call back when a student clicks where no node takes the click; return a function that stops this.
 
-    While somebody listens viser shows another pointer over the scene; it turns and zooms as always.
+    While a callback is registered viser shows another pointer over the scene; it turns and zooms as always.
     """
 
     async def forward(event: Any) -> None:

@@ -46,7 +46,7 @@ class Shortcut:
     key : str or None
         viser's name of the key; None for an entry without one.
     shown : str
-        The key as people write it.
+        The key in its usual notation.
     act : callable
         Gets the view.
     modifier : str or None

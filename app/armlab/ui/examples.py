@@ -43,9 +43,9 @@ def examples(
     known : mapping of str to example
         By key, in the order of the list.
     chosen : str
-        Key of the one in place; empty when there is none.
+        Key of the loaded example; empty if there is none.
     action : callable
-        Gets the key of the one to put in place.
+        Gets the key of the example to load.
     label : str
     written : callable
         Returns how an example's sentences are set.

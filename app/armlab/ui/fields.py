@@ -65,7 +65,7 @@ class _Mistake:
 class Fields:
     """Markup with the lab's own input fields, whose values arrive when Enter is pressed or the field is left.
 
-    Make the fields with `field`; the page's script sends what a person typed through a hidden text control.
+    Make the fields with `field`; the page's script sends the typed text through a hidden text control.
 
     Parameters
     ----------
@@ -156,7 +156,7 @@ class Fields:
         return markup.field(self.channel_id, cell, value, label, disabled, **attributes)
 
     def area(self, cell: str, value: str, label: str, lines: int) -> Markup:
-        """Return the markup of an input field of several lines, for a table a person types."""
+        """Return the markup of an input field of several lines, for a typed table."""
         value, wrong = self._refused(cell, value)
         return markup.area(self.channel_id, cell, value, label, lines, **wrong)
 

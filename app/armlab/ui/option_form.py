@@ -80,7 +80,7 @@ def option_form(
     given : mapping
         The values that were chosen, by key; others are as they come.
     action : callable
-        ``action(key, value)`` gets what a person chose, radians and metres; None where the field was emptied.
+        ``action(key, value)`` gets the chosen value, radians and metres, or None if the field was emptied.
     scales : sequence of Scale
         One for each coordinate. Numbers and lists are lengths over all of them: in an angle where any turns, otherwise
         in the first (`armlab.benches.motion.plan.paths.joint_scales`).

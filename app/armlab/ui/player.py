@@ -25,7 +25,7 @@ class Player:
     post : callable
         Hands in a command.
     watched : callable
-        Whether anybody is looking; nobody needs a clip that plays for itself.
+        Whether the clip is seen; without a viewer it need not play.
     loop : asyncio.AbstractEventLoop, optional
         Whose clock counts; the running one if none is given.
     """

@@ -29,7 +29,7 @@ NOTHING: Points = np.zeros((0, 3))
 class Panel:
     """The constant ``PANEL`` of the module ``ui.page`` of a page.
 
-    It is imported and built when a person first opens the page, and shown only while it is open.
+    It is imported and built when the page is first opened, and shown only while it is open.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Panel:
         ``build(gui, state, post) -> show``: makes the controls, returns the function that shows a state, which is
         called at once.
     rebuilds : tuple of part types
-        ``build`` is called anew when one of these has changed: another arm, other units.
+        ``build`` is called again when one of these has changed: another arm, other units.
     see_through : bool
         Whether the arm is drawn as a skeleton while the panel is open, because what it shows lies inside.
     hides : tuple of str
@@ -78,7 +78,7 @@ class Layer:
         ``build(canvas, state) -> show``; ``show`` is called at once. Called again when the arm has changed. The nodes
         that it adds to ``canvas.scene`` are shown, hidden and removed as a whole.
     switch : Switch or None
-        With which a person shows or hides it; it is built when first switched on, and not shown while it is off.
+        The switch that shows or hides it; it is built when first switched on, and not shown while it is off.
     panel : str or tuple of str
         Keys of the panels with which it comes and goes; empty when it does not.
     hides : tuple of str

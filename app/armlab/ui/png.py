@@ -1,6 +1,6 @@
 """Pictures as PNG files (W3C, *PNG*, 3rd edition, section 11).
 
-Written by hand: no library of the lab writes pixels, and it takes but these lines.
+Written by hand: no library of the lab writes pixels, and these lines are enough.
 """
 
 from __future__ import annotations

@@ -32,7 +32,7 @@ FLOATS = frozenset({float})
 def hints_of(props: type) -> dict[str, Any]:
     """Return the types of the properties of a kind of node or control.
 
-    viser finds them anew for every single one, a quarter of the time that a page takes, and keeps them with each.
+    viser finds them again for every single one, a quarter of the time that a page takes, and keeps them with each.
     """
     return get_type_hints(props)
 
@@ -46,7 +46,7 @@ def _icons() -> ZipFile:
 def icon(name: str) -> str:
     """Return the SVG of one of `viser.Icon`.
 
-    viser opens its archive of some 4000 anew for every icon, a quarter of a second for those of the first page.
+    viser opens its archive of some 4000 again for every icon, a quarter of a second for those of the first page.
     """
     return _icons().read(f"{name}.svg").decode()
 

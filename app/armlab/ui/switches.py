@@ -20,7 +20,7 @@ class Switch:
     key : str
         The letter that toggles it; empty for none.
     default : bool
-        How it stands when nobody has set it.
+        Its position while it has not been set.
     """
 
     name: str

@@ -92,7 +92,7 @@ class Tab:
         ----------
         state : State
         again : bool
-            Also when it is the one shown, over what a person typed.
+            Also when it is the one shown, over a typed text.
         """
         page = self.pages[self._page_of(state)]
         if self._cover(page, state):

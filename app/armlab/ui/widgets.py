@@ -37,7 +37,7 @@ class Control:
     ----------
     handle : viser handle
     on_change : callable
-        Called with the value a person gave.
+        Called with the value that the student has set.
     """
 
     def __init__(self, handle: Any, on_change: Callable[[Any], None]) -> None:

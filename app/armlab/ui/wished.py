@@ -1,7 +1,7 @@
 """The request of a link to a session.
 
 ``robot/puma560`` wants that arm on the table, ``lesson/first_arm`` that lesson, ``lesson/first_arm/7`` a variant of it,
-``state/1eN...`` a state somebody has shared.
+``state/1eN...`` a shared state.
 """
 
 from __future__ import annotations

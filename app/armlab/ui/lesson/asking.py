@@ -88,7 +88,7 @@ class Draft:
 
 
 def _entry(text: str) -> str:
-    """Return an entry of a matrix without the characters that separate entries.
+    """Return an entry of a matrix in a form that cannot be read as several entries.
 
     >>> _entry(" 1 / 2 "), _entry("0,5"), _entry("atan2(1, 2)"), _entry("1 0; 0 1"), _entry("50 cm")
     ('1/2', '0.5', 'atan2(1,2)', '(1,0,0,1)', '50cm')

@@ -77,7 +77,7 @@ class ChooseExponentialExample(Command):
     label: ClassVar[str] = "example of the matrix exponential"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         return put(state, EXAMPLES[self.key].part)
 
 

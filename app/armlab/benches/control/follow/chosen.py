@@ -135,7 +135,7 @@ class Setup:
     colour : int
         Which of `MOST_RUNS` colours it is drawn in; no other run has it.
     name : str
-        What a person calls it; empty for a name made of law and inverse.
+        Its name; empty for a name made of law and inverse.
     speed, azimuth, ... : float
         See `FIELDS`; metres, radians, seconds.
     """

@@ -283,7 +283,7 @@ class ChooseControlExample(Command):
     label: ClassVar[str] = "example of control"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         return with_clip(state.replace(_put(example, state)), CLIP_KEY)

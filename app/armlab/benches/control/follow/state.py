@@ -45,7 +45,7 @@ class Control(Part):
     push : float
         Metres by which the button pushes the tool aside.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     before : tuple of float or None
         Where the arm stood when a run was put on; None while none is on.
     outcomes : dict

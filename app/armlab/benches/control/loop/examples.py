@@ -57,7 +57,7 @@ class ChooseLoopExample(Command):
     label: ClassVar[str] = "example of the velocity loop"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         return put(state, EXAMPLES[self.key].part)
 
 

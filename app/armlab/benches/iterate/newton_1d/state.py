@@ -25,7 +25,7 @@ class Newton1D(FieldPart):
     example : str
         Key of an example of `armlab.kin.ik.iterate`.
     text : str
-        A function of x a person has typed, which takes the place of the example; empty for none.
+        A typed function of x, which replaces the example; empty for none.
     x0 : float
     """
 

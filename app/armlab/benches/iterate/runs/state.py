@@ -83,7 +83,7 @@ class Iterations(FieldPart):
     most : int
         Largest number of steps.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     before : tuple of float or None
         Where the arm stood when the film was put on; None while it is not on.
     films : dict

@@ -79,7 +79,7 @@ class Curves(FieldPart):
     degree : int
         Of the normalised polynomial that is shown.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     asked : Asked or None
         The fastest intervals that are being looked for. Not saved, as is what was found.
     fastest : Fastest or None

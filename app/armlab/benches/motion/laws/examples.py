@@ -188,7 +188,7 @@ class ChooseLawExample(Command):
     label: ClassVar[str] = "example of timing laws"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         part = EXAMPLES[self.key].part()
         part.check()
         timeline = state[Timeline]

@@ -81,7 +81,7 @@ class Laws(FieldPart):
     bounds_shown : bool
         Whether the calculator is looked at.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "laws"

@@ -79,7 +79,7 @@ class Plan(Part):
     recorded : Recorded or None
         A motion from a file, which then stands in place of the waypoints.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     before : tuple of float or None
         Where the arm stood when the motion was put on; None while it is not on.
     kinds : str

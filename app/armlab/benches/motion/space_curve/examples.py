@@ -221,7 +221,7 @@ class ChooseExample(Command):
     label: ClassVar[str] = "example of a curve"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         return with_clip(state.replace(example_part(self.key)), CLIP_KEY)
 
 

@@ -98,7 +98,7 @@ class SpaceCurve(FieldPart):
     other_way : bool
         Whether the turn about one axis goes the long way.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "space_curve"

@@ -38,7 +38,7 @@ class Answers:
     axes_misses : tuple of n + 1 int
         In how many checks each frame was wrong.
     placed : bool
-        Whether all axes are right and the person has gone on to the table.
+        Whether all axes are right and the student has gone on to the table.
     cells : tuple of n tuples of 4 float or None
         The table, in the order of `FIELDS`; metres and radians, None where nothing is written.
     checked_cells, table_checks, cell_misses

@@ -107,7 +107,7 @@ class ChooseMicroscopeExample(Command):
     label: ClassVar[str] = "example of the microscope"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
         q = state[RobotPart].robot.home.copy()

@@ -139,7 +139,7 @@ class ChooseSolveExample(Command):
     label: ClassVar[str] = "example of joint speeds"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(state, example.robot)
         arm = state[RobotPart].robot.arm

@@ -54,7 +54,7 @@ class Solve(FieldPart):
     start : tuple of float or None
         Where the arm stood when its self-motion was looked for; None while it was not.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "solve"

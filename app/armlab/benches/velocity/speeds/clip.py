@@ -22,7 +22,7 @@ def duration(state: State) -> float:
 def at(state: State, time: float) -> State:
     """Return the state with the joints moved on by the time since the last picture.
 
-    So a hand that turns a joint, or changes a speed, is where it goes on from.
+    If the student moves a joint or changes a speed, the drive continues from there.
     """
     part, joints = state[Velocity], state[Joints]
     passed = 0.0 if part.reached is None else time - part.reached

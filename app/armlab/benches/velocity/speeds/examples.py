@@ -122,7 +122,7 @@ class ChooseVelocityExample(Command):
     label: ClassVar[str] = "example of velocities"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         robot = state[RobotPart].robot

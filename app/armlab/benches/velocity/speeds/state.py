@@ -88,7 +88,7 @@ class Velocity(FieldPart):
     reached : float or None
         The second of the film to which the present joint values belong; None while it is not on.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "velocity"

@@ -143,7 +143,7 @@ class ChooseExample(Command):
     label: ClassVar[str] = "example of statics"
 
     def apply(self, state: State) -> State:
-        """Return the state with the example in place."""
+        """Return the state with the example loaded."""
         example = EXAMPLES[self.key]
         state = on_arm(with_clip_closed(state), example.robot)
         q = example.q or state[RobotPart].robot.home

@@ -69,11 +69,11 @@ class Statics(FieldPart):
     axes : "world" or "tool"
         A wrench along the axes of the tool turns with it.
     full : (float, float)
-        N and N m that are drawn in full length: round numbers, the same while a hand pulls; 0 where there is nothing.
+        N and N m that are drawn in full length: round numbers, the same during a drag; 0 if there is nothing.
     draws : int
         How many virtual displacements were drawn; with 0 every joint moves a little forward.
     example : str
-        Key of the example that is in place as it was put there; empty when it is none.
+        Key of the loaded example; empty if it has been changed or there is none.
     """
 
     key: ClassVar[str] = "statics"

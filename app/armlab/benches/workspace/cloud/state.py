@@ -60,7 +60,7 @@ class Workspace(FieldPart):
     chosen : int or None
         The sample the arm went to last.
     example : str
-        Key of the example that was put in place last.
+        Key of the example that was loaded last.
     """
 
     key: ClassVar[str] = "workspace"

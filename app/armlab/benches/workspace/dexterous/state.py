@@ -58,7 +58,7 @@ class Dexterous(FieldPart):
     share : float
         Of the directions that the points of a body have at least.
     stopped : Question or None
-        What a person has stopped.
+        The request that the student has stopped.
     found : mapping of str to Study
         By method; not saved.
     """

@@ -29,7 +29,7 @@ class WhatIf(Part):
     arm, other : Arm
         As it is, and with the changes; the same object without any.
     row, field : int, str
-        The quantity at hand; see `Change`.
+        The selected number; see `Change`.
     changes : tuple of Change
         In the order in which they were made, one for each quantity.
     found : Compared or None

@@ -102,7 +102,7 @@ class Bodies:
         return mesh
 
     def _apart(self, q: Floats, arm_q: NDArray[np.floating]) -> list[bool]:
-        """Return for each body whether it differs in place from that of the arm.
+        """Return for each body whether its place differs from that of the arm's body.
 
         One without an a may also be turned about its axis, along which it runs.
         """
