@@ -18,7 +18,7 @@ from armlab.kin.motion import Limits as JointLimits
 Floats = NDArray[np.float64]
 
 TURN_SPEED, TURN_ACCELERATION = np.radians(90.0), np.radians(180.0)
-"""Usual speed, rad/s, and acceleration, rad/s², of a joint without limits in its file; in length scales if it slides."""
+"""Usual speed, rad/s, and acceleration, rad/s², of a joint without limits; in length scales if it slides."""
 
 FULL_AFTER = 0.1
 """Time in which an acceleration is built up if a law needs a limit of jerk and none is given, seconds."""
